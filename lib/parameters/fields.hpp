@@ -1,0 +1,270 @@
+// One table per parameter or result struct: key, dimension, allowed range, meaning, member.
+//
+// A described struct has `static constexpr auto fields()` returning a tuple of Field. The case reader, the writers, the
+// named-number view of the loops, the exact derivatives and the documentation are all walks over these tables, so that
+// a C++ member, a case key, a CSV column and a JSON key are one word.
+//
+// What a member's type means:
+//   number                 a required number
+//   std::optional<number>  a number that may be absent; absence has the meaning the field's text gives
+//   described struct       a section (inlined, its keys stand in the surrounding section); std::optional of it is a
+//                          section that may be absent
+//   std::variant, keyed    a section whose `kind` selects the alternative; each alternative has `kind` and `fields()`
+//   std::variant, inlined  exactly one alternative's keys stand in the surrounding section (no `kind`, no own section)
+//   std::vector<struct>    an array of tables
+//   enum                   one word out of enum_names(Enum)
+//   std::string            any text
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace delabole {
+
+enum class Dimension {
+    ratio,              // 1
+    angle,              // rad
+    length,             // m
+    area,               // m2 (m3 per metre run)
+    stress,             // Pa
+    unit_weight,        // N/m3
+    force_per_length,   // N/m
+    moment_per_length,  // N m/m
+};
+
+// The unit in which people read a dimension, and the factor to the SI base unit used inside.
+struct DisplayUnit {
+    std::string_view symbol;  // "kN/m3"; empty for a ratio
+    std::string_view suffix;  // "_kN_per_m3", appended to a column name; empty for a ratio
+    double si_per_unit;
+};
+
+constexpr DisplayUnit display_unit(Dimension dimension) {
+    constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
+    switch (dimension) {
+    case Dimension::angle:
+        return {"deg", "_deg", radians_per_degree};
+    case Dimension::length:
+        return {"m", "_m", 1.0};
+    case Dimension::area:
+        return {"m2", "_m2", 1.0};
+    case Dimension::stress:
+        return {"kPa", "_kPa", 1e3};
+    case Dimension::unit_weight:
+        return {"kN/m3", "_kN_per_m3", 1e3};
+    case Dimension::force_per_length:
+        return {"kN/m", "_kN_per_m", 1e3};
+    case Dimension::moment_per_length:
+        return {"kN m/m", "_kN_m_per_m", 1e3};
+    case Dimension::ratio:
+        break;
+    }
+    return {"", "", 1.0};
+}
+
+constexpr double degrees(double value) {
+    return value * display_unit(Dimension::angle).si_per_unit;
+}
+
+// Allowed values, in SI.
+struct Interval {
+    double lower = -std::numeric_limits<double>::infinity();
+    double upper = std::numeric_limits<double>::infinity();
+    bool lower_open = false;
+    bool upper_open = false;
+
+    // False for NaN.
+    constexpr bool contains(double value) const {
+        return (lower_open ? value > lower : value >= lower) && (upper_open ? value < upper : value <= upper);
+    }
+};
+
+constexpr Interval any_number() {
+    return {};
+}
+constexpr Interval at_least(double lower) {
+    return {.lower = lower};
+}
+constexpr Interval more_than(double lower) {
+    return {.lower = lower, .lower_open = true};
+}
+constexpr Interval within(double lower, double upper) {
+    return {.lower = lower, .upper = upper};
+}
+constexpr Interval between(double lower, double upper) {
+    return {.lower = lower, .upper = upper, .lower_open = true, .upper_open = true};
+}
+
+struct FieldInfo {
+    std::string_view key;  // empty for an inlined variant
+    std::string_view meaning;
+    Dimension dimension = Dimension::ratio;
+    Interval range = {};
+};
+
+template <class Owner, class Member>
+struct Field {
+    FieldInfo info;
+    Member Owner::*member;
+};
+
+template <class Owner, class Member>
+constexpr Field<Owner, Member> number(std::string_view key, Member Owner::*member, Dimension dimension, Interval range,
+                                      std::string_view meaning) {
+    return {{key, meaning, dimension, range}, member};
+}
+
+// A section, an optional section, a keyed variant, an array of tables, an enum or a text.
+template <class Owner, class Member>
+constexpr Field<Owner, Member> section(std::string_view key, Member Owner::*member, std::string_view meaning) {
+    return {{key, meaning}, member};
+}
+
+template <class Owner, class Member>
+constexpr Field<Owner, Member> inlined(Member Owner::*member, std::string_view meaning) {
+    return {{{}, meaning}, member};
+}
+
+// The word by which a case and a result know a value of an enum.
+template <class Enum>
+requires std::is_enum_v<Enum>
+constexpr std::string_view word_of(Enum value) {
+    return enum_names(value)[static_cast<std::size_t>(value)];
+}
+
+template <class Type>
+concept Described = requires {
+    std::remove_const_t<Type>::fields();
+};
+
+template <class Type>
+inline constexpr bool is_optional = false;
+template <class Type>
+inline constexpr bool is_optional<std::optional<Type>> = true;
+template <class Type>
+inline constexpr bool is_variant = false;
+template <class... Types>
+inline constexpr bool is_variant<std::variant<Types...>> = true;
+template <class Type>
+inline constexpr bool is_vector = false;
+template <class Type>
+inline constexpr bool is_vector<std::vector<Type>> = true;
+
+template <class Type>
+concept NumberType =
+    !Described<Type> && !is_optional<std::remove_const_t<Type>> && !is_variant<std::remove_const_t<Type>> &&
+    !is_vector<std::remove_const_t<Type>> && !std::is_enum_v<std::remove_const_t<Type>> &&
+    !std::same_as<std::remove_const_t<Type>, std::string>;
+
+// Calls visit(field info, member) for each field of a described struct, in the order of the table.
+template <Described Object, class Visitor>
+constexpr void visit_fields(Object& object, Visitor&& visit) {
+    std::apply([&](const auto&... field) { (visit(field.info, object.*field.member), ...); },
+               std::remove_const_t<Object>::fields());
+}
+
+namespace detail {
+
+template <class Type, class Function>
+constexpr void walk_numbers(Type& value, const FieldInfo& info, Function& function) {
+    if constexpr (Described<Type>) {
+        visit_fields(value, [&](const FieldInfo& inner, auto& member) { walk_numbers(member, inner, function); });
+    } else if constexpr (is_optional<std::remove_const_t<Type>>) {
+        if (value) {
+            walk_numbers(*value, info, function);
+        }
+    } else if constexpr (is_variant<std::remove_const_t<Type>>) {
+        std::visit([&](auto& alternative) { walk_numbers(alternative, info, function); }, value);
+    } else if constexpr (is_vector<std::remove_const_t<Type>>) {
+        for (auto& element : value) {
+            walk_numbers(element, info, function);
+        }
+    } else if constexpr (NumberType<Type>) {
+        function(value, info);
+    }
+}
+
+template <class Type, class Function>
+void walk_named_numbers(Type& value, const FieldInfo& info, const std::string& path, Function& function) {
+    if constexpr (Described<Type>) {
+        visit_fields(value, [&](const FieldInfo& inner, auto& member) {
+            const std::string separator = path.empty() || inner.key.empty() ? "" : ".";
+            walk_named_numbers(member, inner, path + separator + std::string(inner.key), function);
+        });
+    } else if constexpr (is_optional<std::remove_const_t<Type>>) {
+        if (value) {
+            walk_named_numbers(*value, info, path, function);
+        }
+    } else if constexpr (is_variant<std::remove_const_t<Type>>) {
+        std::visit([&](auto& alternative) { walk_named_numbers(alternative, info, path, function); }, value);
+    } else if constexpr (is_vector<std::remove_const_t<Type>>) {
+        for (std::size_t index = 0; index < value.size(); ++index) {
+            walk_named_numbers(value[index], info, path + "[" + std::to_string(index + 1) + "]", function);
+        }
+    } else if constexpr (NumberType<Type>) {
+        function(path, info, value);
+    }
+}
+
+template <class To, class From>
+void convert(const From& from, To& to) {
+    if constexpr (Described<From>) {
+        [&]<std::size_t... index>(std::index_sequence<index...>) {
+            [[maybe_unused]] constexpr auto source = From::fields();
+            [[maybe_unused]] constexpr auto target = To::fields();
+            (convert(from.*std::get<index>(source).member, to.*std::get<index>(target).member), ...);
+        }
+        (std::make_index_sequence<std::tuple_size_v<decltype(From::fields())>>{});
+    } else if constexpr (is_optional<From>) {
+        if (from) {
+            convert(*from, to.emplace());
+        } else {
+            to.reset();
+        }
+    } else if constexpr (is_variant<From>) {
+        [&]<std::size_t... index>(std::index_sequence<index...>) {
+            ((from.index() == index ? convert(std::get<index>(from), to.template emplace<index>()) : void()), ...);
+        }
+        (std::make_index_sequence<std::variant_size_v<From>>{});
+    } else if constexpr (is_vector<From>) {
+        to.resize(from.size());
+        for (std::size_t index = 0; index < from.size(); ++index) {
+            convert(from[index], to[index]);
+        }
+    } else {
+        to = static_cast<To>(from);
+    }
+}
+
+}  // namespace detail
+
+// Calls function(number, info) for every number present, in table order. No allocation.
+template <Described Object, class Function>
+constexpr void for_each_number(Object& object, Function&& function) {
+    detail::walk_numbers(object, FieldInfo{}, function);
+}
+
+// Calls function(path, info, number) for every number present; paths read "strength.cohesion", "bolt[1].force".
+template <Described Object, class Function>
+void for_each_named_number(Object& object, Function&& function) {
+    detail::walk_named_numbers(object, FieldInfo{}, std::string{}, function);
+}
+
+// The same struct over another scalar, e.g. PlaneFailure<double> to PlaneFailure<a 50-digit number>.
+template <class To, Described From>
+To with_scalar(const From& from) {
+    To to{};
+    detail::convert(from, to);
+    return to;
+}
+
+}  // namespace delabole

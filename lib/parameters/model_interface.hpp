@@ -1,0 +1,44 @@
+// What loops over models (fit, sensitivity, verify) see of any model: named numbers in, named numbers out.
+#pragma once
+
+#include "geometry/polyline.hpp"
+#include "parameters/fields.hpp"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+struct Quantity {
+    std::string name;  // "strength.friction_angle", "factor_of_safety"
+    Dimension dimension = Dimension::ratio;
+    std::string meaning;
+    Interval range = {};  // allowed values of an input; unbounded for an output
+    double value = 0;     // base value of an input; 0 for an output
+};
+
+// One input set to a value other than its base value.
+struct Assignment {
+    std::size_t input;  // index into ModelInterface::inputs
+    double value;       // SI
+};
+
+struct Prediction {
+    std::string_view failure;     // why the model has no answer, e.g. "crack_below_plane"; empty when it has one
+    std::vector<double> outputs;  // in the order of ModelInterface::outputs; empty when it failed
+    Polyline profile;             // ground left standing after the failure, from the toe into the slope; may be empty
+};
+
+struct ModelInterface {
+    std::vector<Quantity> inputs;
+    std::vector<Quantity> outputs;
+    // Field evidence without a number that the mechanism reproduces, e.g. "parallel_crest_cracks".
+    std::vector<std::string> explains;
+    // Pure and safe to call from several threads. Values outside an input's range give a failure, not an exception.
+    std::function<Prediction(std::span<const Assignment>)> predict;
+};
+
+}  // namespace delabole

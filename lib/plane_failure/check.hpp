@@ -1,0 +1,58 @@
+// Named reasons for which a plane-failure model has no answer.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace delabole {
+
+enum class PlaneFailureCheck {
+    valid,
+    plane_does_not_daylight,      // failure plane as steep as the face, or steeper
+    plane_daylights_above_crest,  // daylight_height not below the crest
+    plane_never_surfaces,         // no crack, and the ground behind the crest is as steep as the plane
+    crack_flatter_than_plane,     // the crack does not rise from the plane
+    crack_below_plane,            // the ground at the top of the crack, or in front of it, lies below the plane
+    crack_base_below_daylight,    // the crack meets the plane below the point where it daylights
+    crack_deeper_than_mass,       // no place behind the crest has rock of that depth above the plane
+    crack_never_surfaces,         // the crack does not reach the ground from within the rock
+    mass_vanishes,                // nothing lies between plane, crack and ground
+    water_needs_crack,            // a water form that fills a crack, but there is no crack
+    water_above_crack,            // level above the top of the crack (or, on the base alone, above its upper end)
+    water_points_not_increasing,  // piezometric line or custom pressures out of order, or a single point
+    pond_above_crest,
+    elevation_without_datum,    // an elevation is given but slope.toe_elevation is not
+    friction_not_below_90_deg,  // friction_angle + roughness_angle
+    bolt_head_above_crest,
+    input_out_of_range,  // a number outside the range of its field, not finite, or so large that forces overflow
+};
+
+constexpr std::array<std::string_view, 18> enum_names(PlaneFailureCheck) {
+    return {"valid",
+            "plane_does_not_daylight",
+            "plane_daylights_above_crest",
+            "plane_never_surfaces",
+            "crack_flatter_than_plane",
+            "crack_below_plane",
+            "crack_base_below_daylight",
+            "crack_deeper_than_mass",
+            "crack_never_surfaces",
+            "mass_vanishes",
+            "water_needs_crack",
+            "water_above_crack",
+            "water_points_not_increasing",
+            "pond_above_crest",
+            "elevation_without_datum",
+            "friction_not_below_90_deg",
+            "bolt_head_above_crest",
+            "input_out_of_range"};
+}
+
+// `face`: the crack opens in front of the crest, so that the crest stays outside the mass.
+enum class CrackLocation { none, face, bench, upper_surface };
+
+constexpr std::array<std::string_view, 4> enum_names(CrackLocation) {
+    return {"none", "face", "bench", "upper_surface"};
+}
+
+}  // namespace delabole

@@ -1,0 +1,228 @@
+#include "plane_failure/critical.hpp"
+
+#include "plane_failure/dual.hpp"
+#include "plane_failure/plane_failure.hpp"
+#include "plane_failure/scalar_search.hpp"
+#include "plane_failure/stability.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace delabole {
+
+namespace {
+
+constexpr int crack_scan_points = 12;
+constexpr int dip_scan_points = 12;
+
+// The problem being moved about, as plain and as dual numbers; the dual one is used for slopes.
+class Search {
+  public:
+    Search(const PlaneFailure<>& problem, bool with_crack)
+        : problem_(problem), dual_(with_scalar<PlaneFailure<Dual>>(problem)), with_crack_(with_crack) {
+        for_each_number(dual_, [](Dual& number, const FieldInfo&) { number = constant(number.value()); });
+    }
+
+    const PlaneFailure<>& problem() const { return problem_; }
+    int evaluations() const { return evaluations_; }
+    PlaneFailureCheck first_failure() const { return first_failure_; }
+
+    ScalarMinimum over_crack() {
+        if (put_closed_form_crack()) {
+            return {0, value(), false};
+        }
+        const double highest = highest_crack_base();
+        // Scanned over the root of the height: the factor of safety varies fastest where the mass is small. A crack
+        // through the daylighting point leaves no mass; one at the highest base has no depth.
+        const double root = std::sqrt(highest);
+        ScalarMinimum minimum = minimise_scalar([&](double u) { return put_crack(u * u), value(); },
+                                                [&](double u) {
+                                                    put_crack(u * u);
+                                                    crack_position().base_below_crest =
+                                                        variable(crack_position().base_below_crest.value());
+                                                    return -slope();
+                                                },
+                                                root * 1e-3, root, crack_scan_points);
+        minimum.position *= minimum.position;
+        put_crack(minimum.position);
+        return minimum;
+    }
+
+    ScalarMinimum over_plane(double lower, double upper) {
+        bool crack_at_boundary = false;
+        const auto least_over_crack = [&](double dip) {
+            put_plane(dip);
+            if (!with_crack_) {
+                return value();
+            }
+            const ScalarMinimum crack = over_crack();
+            crack_at_boundary = crack.at_boundary;
+            return crack.value;
+        };
+        // The slope of a minimum over the crack is the slope at the critical crack held in place (envelope theorem):
+        // held by its top, for where the minimum is a kink the crack opens at a corner of the ground or at a load,
+        // which stay. At an end of the range nothing is known to stay, and a difference has to do.
+        const auto slope_over_crack = [&](double dip) {
+            if (!std::isfinite(least_over_crack(dip))) {
+                return std::numeric_limits<double>::infinity();
+            }
+            if (crack_at_boundary) {
+                constexpr double step = 1e-6;
+                const double rise = least_over_crack(dip + step) - least_over_crack(dip - step);
+                return rise / (2 * step);
+            }
+            if (with_crack_) {
+                hold_crack_top();
+            }
+            dual_.failure_plane.dip = variable(dip);
+            return slope();
+        };
+        ScalarMinimum minimum = minimise_scalar(least_over_crack, slope_over_crack, lower, upper, dip_scan_points);
+        least_over_crack(minimum.position);
+        minimum.at_boundary = minimum.at_boundary || crack_at_boundary;
+        return minimum;
+    }
+
+    double value() {
+        ++evaluations_;
+        const FactorOfSafety result = factor_of_safety(problem_);
+        if (result.check == PlaneFailureCheck::valid) {
+            return result.value;
+        }
+        if (first_failure_ == PlaneFailureCheck::valid) {
+            first_failure_ = result.check;
+        }
+        return std::numeric_limits<double>::infinity();
+    }
+
+  private:
+    CrackBaseBelowCrest<Dual>& crack_position() {
+        return std::get<CrackBaseBelowCrest<Dual>>(dual_.tension_crack->position);
+    }
+
+    void put_crack(double base_height) {
+        const double below = problem_.slope.height - problem_.failure_plane.daylight_height.value_or(0.0) - base_height;
+        problem_.tension_crack->position = CrackBaseBelowCrest<>{below};
+        dual_.tension_crack->position = CrackBaseBelowCrest<Dual>{constant(below)};
+    }
+
+    // Dry, level ground behind the crest, a linear strength law with cohesion, and no force that does not grow with the
+    // weight: then the factor of safety depends on the crack through base length over weight alone, which is least for
+    //     h = H sqrt((cot f - cot t) / (cot p - cot t)),
+    // h the height of the crack's bottom, H that of the crest, above the daylighting point; f, t, p the dips of face,
+    // crack and plane. For a vertical crack that is Hoek & Bray's z_c = H (1 - sqrt(cot f tan p)). In the face the
+    // factor falls all the way up, so the least is there only if the crack opens behind the crest.
+    bool put_closed_form_crack() {
+        if (!closed_form_applies_) {
+            return false;
+        }
+        const double crack_dip = problem_.tension_crack->dip;
+        const double plane_dip = problem_.failure_plane.dip;
+        const double face_dip = problem_.slope.face_dip;
+        const double crest_height = problem_.slope.height - problem_.failure_plane.daylight_height.value_or(0.0);
+        // cot a - cot b = sin(b - a) / (sin a sin b)
+        const double share = std::sin(crack_dip - face_dip) * std::sin(plane_dip) /
+                             (std::sin(crack_dip - plane_dip) * std::sin(face_dip));
+        if (!(share > 0 && share < 1)) {
+            return false;
+        }
+        put_crack(crest_height * std::sqrt(share));
+        Wedge<double> wedge;
+        return make_wedge(problem_, wedge) == PlaneFailureCheck::valid && wedge.crack_top_x > wedge.crest_x;
+    }
+
+    bool closed_form_applies() const {
+        const auto linear_with_cohesion = [](const auto& law) {
+            if constexpr (requires { law.cohesion + law.friction_angle; }) {
+                return law.cohesion > 0;
+            } else {
+                return false;
+            }
+        };
+        return problem_.tension_crack && std::holds_alternative<Dry>(problem_.water) && !problem_.pond &&
+               !problem_.slope.bench && problem_.slope.upper_surface_dip == 0 && problem_.surcharge.empty() &&
+               problem_.line_load.empty() && problem_.bolt.empty() && !problem_.tension_cutoff &&
+               std::visit(linear_with_cohesion, problem_.strength);
+    }
+
+    void hold_crack_top() {
+        Wedge<double> wedge;
+        make_wedge(problem_, wedge);
+        dual_.tension_crack->position = CrackAtDistance<Dual>{constant(wedge.crack_top_x - wedge.crest_x)};
+    }
+
+    void put_plane(double dip) {
+        problem_.failure_plane.dip = dip;
+        dual_.failure_plane.dip = constant(dip);
+    }
+
+    // Derivative of the factor of safety along the one dual variable that is set.
+    double slope() {
+        ++evaluations_;
+        const Equilibrium<Dual> forces = evaluate(dual_);
+        return forces.check == PlaneFailureCheck::valid ? forces.stability.factor_of_safety.derivatives()(0)
+                                                        : std::numeric_limits<double>::infinity();
+    }
+
+    // Where the plane would meet the ground if there were no crack, above the daylighting point.
+    double highest_crack_base() const {
+        PlaneFailure<> uncracked = problem_;
+        uncracked.tension_crack.reset();
+        Wedge<double> wedge;
+        const PlaneFailureCheck check = make_wedge(uncracked, wedge);
+        if (check == PlaneFailureCheck::valid) {
+            return wedge.base_top_height();
+        }
+        const double far = wedge.crest_x + 20 * problem_.slope.height;
+        return check == PlaneFailureCheck::plane_never_surfaces ? far * std::tan(problem_.failure_plane.dip) : 0;
+    }
+
+    PlaneFailure<> problem_;
+    PlaneFailure<Dual> dual_;
+    bool with_crack_;
+    bool closed_form_applies_ = closed_form_applies();
+    int evaluations_ = 0;
+    PlaneFailureCheck first_failure_ = PlaneFailureCheck::valid;
+};
+
+ScalarMinimum minimise(Search& search, const CriticalSearch<>& request, bool with_crack) {
+    if (request.find == CriticalFeature::tension_crack) {
+        return with_crack ? search.over_crack() : ScalarMinimum{0, search.value(), false};
+    }
+    const double face_dip = search.problem().slope.face_dip;
+    // The mass vanishes as the plane reaches the face.
+    const double lower = std::max(request.lower_dip.value_or(degrees(1)), degrees(0.01));
+    const double upper = std::min(request.upper_dip.value_or(face_dip), face_dip - degrees(0.01));
+    return lower < upper ? search.over_plane(lower, upper)
+                         : ScalarMinimum{lower, std::numeric_limits<double>::infinity(), true};
+}
+
+}  // namespace
+
+CriticalGeometry find_critical_geometry(const PlaneFailure<>& problem, const CriticalSearch<>& request) {
+    const PlaneFailureCheck ranges = check_ranges(problem);
+    if (ranges != PlaneFailureCheck::valid) {
+        return {ranges, problem, 0, false, 0};
+    }
+    const bool with_crack = request.find != CriticalFeature::failure_plane && problem.tension_crack;
+    PlaneFailure<> searched = problem;
+    if (request.under == SearchCondition::dry_slope) {
+        searched.water = Dry{};
+        searched.pond.reset();
+    }
+    Search search(searched, with_crack);
+    const ScalarMinimum minimum = minimise(search, request, with_crack);
+    if (!std::isfinite(minimum.value)) {
+        const PlaneFailureCheck reason = search.first_failure() == PlaneFailureCheck::valid
+                                             ? PlaneFailureCheck::mass_vanishes
+                                             : search.first_failure();
+        return {reason, problem, 0, false, search.evaluations()};
+    }
+    PlaneFailure<> found = problem;
+    found.failure_plane = search.problem().failure_plane;
+    found.tension_crack = search.problem().tension_crack;
+    return {PlaneFailureCheck::valid, found, minimum.value, minimum.at_boundary, search.evaluations()};
+}
+
+}  // namespace delabole

@@ -1,0 +1,235 @@
+// Plane failure: what a slope, its failure plane, crack, strength, water and loads are.
+//
+// Section, per metre run. Origin at the toe, x into the slope, y up. The face rises from the toe to the crest, an
+// optional bench follows, then the upper surface. The failure plane dips out of the slope; it daylights at the toe
+// unless `daylight_height` says otherwise. Sliding is towards -x.
+#pragma once
+
+#include "parameters/fields.hpp"
+#include "strength/strength.hpp"
+#include "water/water.hpp"
+
+#include <array>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace delabole {
+
+template <class T = double>
+struct Bench {
+    T width;
+    T dip;
+    static constexpr auto fields() {
+        return std::tuple{
+            number("width", &Bench::width, Dimension::length, more_than(0), "horizontal width from the crest"),
+            number("dip", &Bench::dip, Dimension::angle, within(degrees(-60), degrees(89)),
+                   "inclination, positive rising into the slope")};
+    }
+};
+
+template <class T = double>
+struct SlopeSection {
+    T height;
+    T face_dip;
+    T upper_surface_dip;
+    std::optional<Bench<T>> bench;
+    std::optional<T> toe_elevation;
+    static constexpr auto fields() {
+        return std::tuple{
+            number("height", &SlopeSection::height, Dimension::length, more_than(0), "vertical height, toe to crest"),
+            number("face_dip", &SlopeSection::face_dip, Dimension::angle,
+                   Interval{.lower = 0, .upper = degrees(90), .lower_open = true}, "dip of the face"),
+            number("upper_surface_dip", &SlopeSection::upper_surface_dip, Dimension::angle,
+                   within(degrees(-60), degrees(89)),
+                   "inclination of the ground behind the crest (behind the bench, if there is one), positive rising"),
+            section("bench", &SlopeSection::bench, "bench between crest and upper surface; absent: none"),
+            number("toe_elevation", &SlopeSection::toe_elevation, Dimension::length, any_number(),
+                   "elevation of the toe; needed only where elevations are given")};
+    }
+};
+
+template <class T = double>
+struct FailurePlane {
+    T dip;
+    std::optional<T> daylight_height;
+    static constexpr auto fields() {
+        return std::tuple{
+            number("dip", &FailurePlane::dip, Dimension::angle, between(0, degrees(90)), "dip of the failure plane"),
+            number("daylight_height", &FailurePlane::daylight_height, Dimension::length, at_least(0),
+                   "height above the toe at which the plane meets the face; absent: at the toe")};
+    }
+};
+
+template <class T = double>
+struct CrackAtDistance {
+    T distance_behind_crest;
+    static constexpr auto fields() {
+        return std::tuple{number("distance_behind_crest", &CrackAtDistance::distance_behind_crest, Dimension::length,
+                                 any_number(), "horizontal distance from crest to crack top; negative in the face")};
+    }
+};
+
+template <class T = double>
+struct CrackOfDepth {
+    T depth;
+    static constexpr auto fields() {
+        return std::tuple{number("depth", &CrackOfDepth::depth, Dimension::length, at_least(0),
+                                 "vertical depth of a crack whose top lies behind the crest")};
+    }
+};
+
+// The z of Hoek & Bray's closed forms: for a crack in the face it is not the depth of the crack itself.
+template <class T = double>
+struct CrackBaseBelowCrest {
+    T base_below_crest;
+    static constexpr auto fields() {
+        return std::tuple{number("base_below_crest", &CrackBaseBelowCrest::base_below_crest, Dimension::length,
+                                 any_number(), "vertical distance from crest level down to the bottom of the crack")};
+    }
+};
+
+template <class T = double>
+struct CrackBaseElevation {
+    T base_elevation;
+    static constexpr auto fields() {
+        return std::tuple{number("base_elevation", &CrackBaseElevation::base_elevation, Dimension::length, any_number(),
+                                 "elevation of the bottom of the crack, in the datum of slope.toe_elevation")};
+    }
+};
+
+template <class T = double>
+using CrackPosition = std::variant<CrackAtDistance<T>, CrackOfDepth<T>, CrackBaseBelowCrest<T>, CrackBaseElevation<T>>;
+
+template <class T = double>
+struct TensionCrack {
+    T dip;
+    CrackPosition<T> position;
+    static constexpr auto fields() {
+        return std::tuple{number("dip", &TensionCrack::dip, Dimension::angle, between(0, degrees(150)),
+                                 "dip of the crack, 90 deg vertical, below 90 deg dipping like the plane"),
+                          inlined(&TensionCrack::position, "where the crack is")};
+    }
+};
+
+template <class T = double>
+struct Rock {
+    T unit_weight;
+    static constexpr auto fields() {
+        return std::tuple{number("unit_weight", &Rock::unit_weight, Dimension::unit_weight, more_than(0),
+                                 "unit weight of the rock mass")};
+    }
+};
+
+template <class T = double>
+struct TensionCutoff {
+    T tensile_strength;
+    static constexpr auto fields() {
+        return std::tuple{number("tensile_strength", &TensionCutoff::tensile_strength, Dimension::stress, at_least(0),
+                                 "normal tension beyond which the plane has no shear strength")};
+    }
+};
+
+template <class T = double>
+struct SeismicLoad {
+    T horizontal_coefficient;
+    T vertical_coefficient;
+    static constexpr auto fields() {
+        return std::tuple{number("horizontal_coefficient", &SeismicLoad::horizontal_coefficient, Dimension::ratio,
+                                 within(-5, 5), "inertia force over weight, positive out of the slope"),
+                          number("vertical_coefficient", &SeismicLoad::vertical_coefficient, Dimension::ratio,
+                                 within(-5, 5), "inertia force over weight, positive downwards")};
+    }
+};
+
+// Vertical pressure on the ground behind the crest; only the part that lies on the sliding mass counts.
+template <class T = double>
+struct Surcharge {
+    T pressure;
+    T from_distance;
+    T to_distance;
+    static constexpr auto fields() {
+        return std::tuple{number("pressure", &Surcharge::pressure, Dimension::stress, any_number(),
+                                 "vertical force per horizontal area, positive downwards"),
+                          number("from_distance", &Surcharge::from_distance, Dimension::length, at_least(0),
+                                 "horizontal distance behind the crest where it begins"),
+                          number("to_distance", &Surcharge::to_distance, Dimension::length, at_least(0),
+                                 "horizontal distance behind the crest where it ends")};
+    }
+};
+
+// A line load on the ground behind the crest; counts only when it stands on the sliding mass.
+template <class T = double>
+struct LineLoad {
+    T force;
+    T plunge;
+    T distance_behind_crest;
+    static constexpr auto fields() {
+        return std::tuple{number("force", &LineLoad::force, Dimension::force_per_length, at_least(0), "force"),
+                          number("plunge", &LineLoad::plunge, Dimension::angle, within(degrees(-90), degrees(270)),
+                                 "direction below the horizontal, measured from into-the-slope; 90 deg is vertical"),
+                          number("distance_behind_crest", &LineLoad::distance_behind_crest, Dimension::length,
+                                 at_least(0), "horizontal distance behind the crest")};
+    }
+};
+
+enum class BoltAction { active, passive };
+
+constexpr std::array<std::string_view, 2> enum_names(BoltAction) {
+    return {"active", "passive"};
+}
+
+template <class T = double>
+struct Bolt {
+    T force;
+    T plunge;
+    T head_height;
+    BoltAction action;
+    static constexpr auto fields() {
+        return std::tuple{
+            number("force", &Bolt::force, Dimension::force_per_length, at_least(0), "tension"),
+            number("plunge", &Bolt::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
+                   "direction below the horizontal, into the slope; negative: inclined upwards"),
+            number("head_height", &Bolt::head_height, Dimension::length, at_least(0),
+                   "height of its head on the face above the toe (used by the moment check)"),
+            section(
+                "action", &Bolt::action,
+                "active: tensioned, reduces the driving force; passive: mobilised by movement, adds to resistance")};
+    }
+};
+
+template <class T = double>
+struct PlaneFailure {
+    SlopeSection<T> slope;
+    FailurePlane<T> failure_plane;
+    std::optional<TensionCrack<T>> tension_crack;
+    Rock<T> rock;
+    StrengthLaw<T> strength;
+    std::optional<TensionCutoff<T>> tension_cutoff;
+    Water<T> water;
+    std::optional<Pond<T>> pond;
+    std::optional<SeismicLoad<T>> seismic;
+    std::vector<Surcharge<T>> surcharge;
+    std::vector<LineLoad<T>> line_load;
+    std::vector<Bolt<T>> bolt;
+
+    static constexpr std::string_view kind = "plane_failure";
+    static constexpr auto fields() {
+        return std::tuple{
+            section("slope", &PlaneFailure::slope, "the ground surface"),
+            section("failure_plane", &PlaneFailure::failure_plane, "the surface on which the mass slides"),
+            section("tension_crack", &PlaneFailure::tension_crack, "crack that cuts the mass off; absent: none"),
+            section("rock", &PlaneFailure::rock, "the rock mass"),
+            section("strength", &PlaneFailure::strength, "shear strength of the failure plane"),
+            section("tension_cutoff", &PlaneFailure::tension_cutoff,
+                    "limit on tension across the plane; absent: the strength law is used as it stands"),
+            section("water", &PlaneFailure::water, "water pressure in the crack and on the plane"),
+            section("pond", &PlaneFailure::pond, "standing water in front of the face; absent: none"),
+            section("seismic", &PlaneFailure::seismic, "pseudo-static earthquake load; absent: none"),
+            section("surcharge", &PlaneFailure::surcharge, "strip loads behind the crest"),
+            section("line_load", &PlaneFailure::line_load, "line loads behind the crest"),
+            section("bolt", &PlaneFailure::bolt, "bolts and cables through the plane")};
+    }
+};
+
+}  // namespace delabole

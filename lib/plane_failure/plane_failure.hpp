@@ -1,0 +1,124 @@
+// Plane failure by limit equilibrium (Hoek & Bray; thesis 2.3.2 (c)), per metre run, with a moment check.
+//
+// Limits: one plane and at most one crack, both without thickness; stresses on the plane enter as their mean. Curved
+// strength laws are therefore evaluated at the mean effective normal stress.
+#pragma once
+
+#include "geometry/polyline.hpp"
+#include "parameters/model_interface.hpp"
+#include "plane_failure/check.hpp"
+#include "plane_failure/parameters.hpp"
+#include "plane_failure/study.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace delabole {
+
+// The factor of safety is NaN unless `check` is valid; it is infinite where nothing drives the mass.
+struct FactorOfSafety {
+    PlaneFailureCheck check;
+    double value;
+};
+
+// Geometry, water and force balance, under 100 ns; the ranges of single fields are not looked at.
+FactorOfSafety factor_of_safety(const PlaneFailure<>& problem);
+
+// `input_out_of_range` where a number is not finite or outside the range of its field, otherwise `valid`.
+PlaneFailureCheck check_ranges(const PlaneFailure<>& problem);
+
+enum class PlaneFailureOutcome {
+    stable,
+    slides,     // factor of safety below 1
+    overturns,  // about the lower end of the base, while the strength would still hold
+    slides_and_overturns,
+    lifts_off,  // the normal force is negative, whatever cohesion or moments say
+};
+
+constexpr std::array<std::string_view, 5> enum_names(PlaneFailureOutcome) {
+    return {"stable", "slides", "overturns", "slides_and_overturns", "lifts_off"};
+}
+
+struct PlaneFailureResult {
+    PlaneFailureCheck check = PlaneFailureCheck::input_out_of_range;  // the rest is meaningful only where valid
+    PlaneFailureOutcome outcome{};
+    CrackLocation crack_location{};
+    double factor_of_safety{};
+    double plane_dip{};                    // differs from the input after a critical search
+    double crack_dip{};                    // 90 deg where there is no crack
+    double crack_depth{};                  // vertical, at the crack itself
+    double crack_distance_behind_crest{};  // of its top; where the plane surfaces, if there is no crack
+    double crack_base_height{};            // above the toe
+    double crack_top_height{};
+    double crack_base_below_crest{};
+    double sliding_area{};  // m2 of base per metre run: its length
+    double section_area{};  // of the sliding mass
+    double weight{};
+    double base_water_force{};   // U
+    double crack_water_force{};  // V
+    double normal_force{};       // effective
+    double driving_force{};
+    double resisting_force{};
+    double normal_force_position{};  // where the normal force acts on the base: 0 at its lower end, 1 at its upper
+    double restoring_moment{};       // about the lower end of the base
+    double overturning_moment{};
+    double overturning_factor{};  // restoring over overturning moment; infinite where nothing overturns
+
+    static constexpr auto fields() {
+        using R = PlaneFailureResult;
+        using D = Dimension;
+        constexpr Interval any = any_number();
+        return std::tuple{
+            section("outcome", &R::outcome, "what the slope does"),
+            section("crack_location", &R::crack_location, "which surface the crack opens in"),
+            number("factor_of_safety", &R::factor_of_safety, D::ratio, any, "factor of safety against sliding"),
+            number("plane_dip", &R::plane_dip, D::angle, any, "dip of the failure plane"),
+            number("crack_dip", &R::crack_dip, D::angle, any, "dip of the tension crack"),
+            number("crack_depth", &R::crack_depth, D::length, any, "vertical depth of the tension crack"),
+            number("crack_distance_behind_crest", &R::crack_distance_behind_crest, D::length, any,
+                   "crest to top of crack, horizontally"),
+            number("crack_base_height", &R::crack_base_height, D::length, any, "bottom of the crack above the toe"),
+            number("crack_top_height", &R::crack_top_height, D::length, any, "top of the crack above the toe"),
+            number("crack_base_below_crest", &R::crack_base_below_crest, D::length, any,
+                   "bottom of the crack below crest level"),
+            number("sliding_area", &R::sliding_area, D::length, any, "area of the base per metre run"),
+            number("section_area", &R::section_area, D::area, any, "area of the sliding mass in section"),
+            number("weight", &R::weight, D::force_per_length, any, "weight of the sliding mass"),
+            number("base_water_force", &R::base_water_force, D::force_per_length, any, "water force on the base"),
+            number("crack_water_force", &R::crack_water_force, D::force_per_length, any, "water force in the crack"),
+            number("normal_force", &R::normal_force, D::force_per_length, any, "effective normal force on the base"),
+            number("driving_force", &R::driving_force, D::force_per_length, any, "force down the plane"),
+            number("resisting_force", &R::resisting_force, D::force_per_length, any, "available shear resistance"),
+            number("normal_force_position", &R::normal_force_position, D::ratio, any,
+                   "where the normal force acts: 0 lower, 1 upper end of the base"),
+            number("restoring_moment", &R::restoring_moment, D::moment_per_length, any,
+                   "moment against overturning about the lower end of the base"),
+            number("overturning_moment", &R::overturning_moment, D::moment_per_length, any,
+                   "moment towards overturning about the lower end of the base"),
+            number("overturning_factor", &R::overturning_factor, D::ratio, any, "restoring over overturning moment")};
+    }
+};
+
+// Checks ranges, then everything the result holds.
+PlaneFailureResult analyse(const PlaneFailure<>& problem);
+
+// The ground as it is, from the toe past everything the mass contains.
+Polyline ground_profile(const PlaneFailure<>& problem);
+
+// What a failure leaves standing: toe, plane, crack, remaining ground. Empty where the problem is not valid.
+Polyline profile_after_failure(const PlaneFailure<>& problem);
+
+// The problem a study analyses: its own, with the critical geometry put in where a search is asked for.
+// `check` is that of the search.
+struct ResolvedStudy {
+    PlaneFailureCheck check;
+    PlaneFailure<> problem;
+    bool critical_at_boundary;  // the least factor of safety lies at the edge of the searched range
+};
+ResolvedStudy resolve(const PlaneFailureStudy<>& study);
+
+// Inputs: every number of the study's problem. Outputs: every number of PlaneFailureResult, and the two elevations
+// where the study has a datum. Conditions and free parameters are applied before a critical search.
+ModelInterface model_interface(const PlaneFailureStudy<>& study);
+
+}  // namespace delabole

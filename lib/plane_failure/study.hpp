@@ -1,0 +1,72 @@
+// What a plane-failure case asks for beyond the factor of safety of the geometry it gives.
+#pragma once
+
+#include "plane_failure/parameters.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace delabole {
+
+enum class CriticalFeature { tension_crack, failure_plane, both };
+
+constexpr std::array<std::string_view, 3> enum_names(CriticalFeature) {
+    return {"tension_crack", "failure_plane", "both"};
+}
+
+// Cracks open while the slope still stands, usually before the water rises: Hoek & Bray place the critical crack for
+// the dry slope. Under the given water the least factor of safety may belong to a deep crack near the face that the
+// water blows out.
+enum class SearchCondition { dry_slope, given_water };
+
+constexpr std::array<std::string_view, 2> enum_names(SearchCondition) {
+    return {"dry_slope", "given_water"};
+}
+
+// Replace the given crack position and/or plane dip by those of least factor of safety. A water level given as a depth
+// or an elevation stays as it is while the crack moves; a filled ratio stays a ratio.
+template <class T = double>
+struct CriticalSearch {
+    CriticalFeature find;
+    SearchCondition under;
+    std::optional<T> lower_dip;
+    std::optional<T> upper_dip;
+    static constexpr auto fields() {
+        return std::tuple{section("find", &CriticalSearch::find, "what is searched for"),
+                          section("under", &CriticalSearch::under, "water while the search is made"),
+                          number("lower_dip", &CriticalSearch::lower_dip, Dimension::angle, within(0, degrees(90)),
+                                 "flattest failure plane considered; absent: the flattest possible"),
+                          number("upper_dip", &CriticalSearch::upper_dip, Dimension::angle, within(0, degrees(90)),
+                                 "steepest failure plane considered; absent: the face")};
+    }
+};
+
+// Value of one named input at which the factor of safety takes a given value, the others unchanged.
+template <class T = double>
+struct RequiredValue {
+    std::string parameter;
+    T factor_of_safety;
+    static constexpr auto fields() {
+        return std::tuple{
+            section("parameter", &RequiredValue::parameter, "name of the input, e.g. strength.friction_angle"),
+            number("factor_of_safety", &RequiredValue::factor_of_safety, Dimension::ratio, more_than(0),
+                   "factor of safety to reach")};
+    }
+};
+
+template <class T = double>
+struct PlaneFailureStudy {
+    PlaneFailure<T> model;
+    std::optional<CriticalSearch<T>> critical;
+    std::vector<RequiredValue<T>> required;
+
+    static constexpr std::string_view kind = "plane_failure";
+    static constexpr auto fields() {
+        return std::tuple{inlined(&PlaneFailureStudy::model, "the slope and its failure plane"),
+                          section("critical", &PlaneFailureStudy::critical, "search for the least stable geometry"),
+                          section("required", &PlaneFailureStudy::required, "inputs solved for")};
+    }
+};
+
+}  // namespace delabole

@@ -1,0 +1,25 @@
+# Run by the target delabole_revision: fills version.cpp.in. Leaves an up-to-date output untouched.
+set(revision unknown)
+find_program(git_program git)
+if(git_program)
+    # Sources unpacked inside somebody else's checkout must not take that checkout's commit for their own.
+    execute_process(
+        COMMAND ${git_program} rev-parse --show-toplevel
+        WORKING_DIRECTORY ${source_directory}
+        OUTPUT_VARIABLE checkout
+        OUTPUT_STRIP_TRAILING_WHITESPACE
+        ERROR_QUIET)
+    file(REAL_PATH "${source_directory}" real_source_directory)
+    if(checkout AND checkout STREQUAL real_source_directory)
+        execute_process(
+            COMMAND ${git_program} describe --always --exclude=* --abbrev=12 --dirty=-modified
+            WORKING_DIRECTORY ${source_directory}
+            OUTPUT_VARIABLE described
+            OUTPUT_STRIP_TRAILING_WHITESPACE
+            ERROR_QUIET)
+        if(described)
+            set(revision ${described})
+        endif()
+    endif()
+endif()
+configure_file(${template} ${output} @ONLY)
