@@ -1,0 +1,38 @@
+// The minimisation algorithms on offer, all derivative-free and bounded.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace delabole {
+
+enum class Algorithm {
+    sbplx,     // local, simplex in subspaces; robust against failures and kinks
+    bobyqa,    // local, quadratic model; fastest where the objective is smooth
+    cobyla,    // local, linear models
+    crs2,      // global, random population
+    direct_l,  // global, deterministic division of the box; ignores the starting point
+    mlsl,      // global, local sbplx runs from a low-discrepancy sequence
+    isres,     // global, evolution strategy; slow and sure
+};
+
+constexpr std::array<std::string_view, 7> enum_names(Algorithm) {
+    return {"sbplx", "bobyqa", "cobyla", "crs2", "direct_l", "mlsl", "isres"};
+}
+
+constexpr bool is_global(Algorithm algorithm) {
+    switch (algorithm) {
+    case Algorithm::sbplx:
+    case Algorithm::bobyqa:
+    case Algorithm::cobyla:
+        return false;
+    case Algorithm::crs2:
+    case Algorithm::direct_l:
+    case Algorithm::mlsl:
+    case Algorithm::isres:
+        break;
+    }
+    return true;
+}
+
+}  // namespace delabole

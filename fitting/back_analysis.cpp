@@ -1,0 +1,164 @@
+#include "fitting/back_analysis.hpp"
+
+#include "fitting/check_problem.hpp"
+#include "fitting/failure_locus.hpp"
+#include "fitting/identifiability.hpp"
+#include "fitting/misfit.hpp"
+#include "fitting/misfit_map.hpp"
+#include "fitting/multi_start.hpp"
+#include "fitting/profile_likelihood.hpp"
+#include "fitting/search.hpp"
+#include "fitting/summary.hpp"
+#include "fitting/verdict.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace delabole {
+
+namespace {
+
+// Evaluations to expect, for the progress report only.
+struct Expected {
+    long starts = 0;
+    long profiles = 0;
+    long loci = 0;
+    long map = 0;
+
+    long total() const { return starts + profiles + loci + map; }
+};
+
+Expected expected_evaluations(const Mechanism& mechanism, const FitSettings& settings) {
+    const auto count = static_cast<long>(mechanism.parameters.size());
+    const long usual_start = std::min(settings.evaluations_per_start, 150);
+    Expected expected;
+    expected.starts = count == 0 ? 1
+                                 : (is_global(settings.algorithm) ? settings.evaluations_per_start : usual_start) *
+                                       static_cast<long>(settings.starts);
+    expected.profiles = 2 * count * (settings.profile_points + 12) * (count > 1 ? 12 * count : 2);
+    expected.loci = count * (count - 1) / 2 * settings.map_points * 24;
+    expected.map = count < 2 ? 0 : static_cast<long>(settings.map_points) * settings.map_points;
+    return expected;
+}
+
+FitStatus status_of(MinimiseStatus status) {
+    switch (status) {
+    case MinimiseStatus::converged:
+    case MinimiseStatus::roundoff_limited:
+        return FitStatus::converged;
+    case MinimiseStatus::evaluation_limit:
+    case MinimiseStatus::algorithm_failure:
+        return FitStatus::evaluation_limit;
+    case MinimiseStatus::interrupted:
+        return FitStatus::interrupted;
+    case MinimiseStatus::no_valid_point:
+        break;
+    }
+    return FitStatus::no_valid_point;
+}
+
+// The data alone may prefer another place than data and priors together.
+std::vector<ProfileLikelihood> profiles_of_data(const Search& search, const MechanismFit& fit,
+                                                EvaluationCount& account) {
+    std::vector<std::vector<double>> starts = {fit.best};
+    constexpr std::size_t further_minima = 3;
+    for (std::size_t index = 1; index < fit.minima.size() && index <= further_minima; ++index) {
+        starts.push_back(fit.minima[index].parameters);
+    }
+    MinimiseResult best = polish_best_of(search, Priors::ignored, starts);
+    std::vector<ProfileLikelihood> profiles = trace_profiles(search, Priors::ignored, fit.minima, best);
+    account.add(best.evaluations);
+    return profiles;
+}
+
+void add_profiles(const Search& search, MultiStartResult& found, MechanismFit& fit) {
+    MinimiseResult& best = found.best;
+    fit.profiles = trace_profiles(search, Priors::counted, found.minima, best);
+    fit.minima = found.minima;
+    if (best.value < fit.minima.front().misfit) {
+        add_minimum(fit.minima, best.point, best.value, search.misfit.bounds());
+    }
+    fit.best = best.point;
+    std::vector<ProfileLikelihood> data_only;
+    if (search.misfit.has_priors()) {
+        data_only = profiles_of_data(search, fit, fit.evaluations);
+    } else {
+        data_only = fit.profiles;
+        for (ProfileLikelihood& profile : data_only) {
+            profile.with_priors = false;
+        }
+    }
+    fit.profiles.insert(fit.profiles.end(), data_only.begin(), data_only.end());
+}
+
+void analyse_best(const Search& search, const Expected& expected, MultiStartResult& found, MechanismFit& fit) {
+    search.progress.begin_stage(fit.name, "profiles", expected.profiles);
+    add_profiles(search, found, fit);
+    if (!search.stopped()) {
+        fit.identifiability = identify(search, fit.best, fit.evaluations);
+        fit.identifiability.verdict += doubt_from_profiles(fit.identifiability, fit.profiles);
+    }
+    search.progress.begin_stage(fit.name, "failure loci", expected.loci);
+    if (!search.stopped()) {
+        fit.loci = trace_failure_loci(search, fit.best, fit.evaluations);
+    }
+    search.progress.begin_stage(fit.name, "map", expected.map);
+    if (!search.stopped()) {
+        fit.map = map_misfit(search, fit.best, found.best.value, fit.evaluations);
+    }
+}
+
+MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem, ProgressMeter& progress,
+                           StopFlag stop) {
+    const Expected expected = expected_evaluations(mechanism, problem.settings);
+    const Misfit misfit(mechanism, problem);
+    const Search search{misfit, progress, stop};
+    MechanismFit fit;
+    fit.name = mechanism.name;
+    fit.title = mechanism.title;
+    fit.parameters = mechanism.parameters;
+    fit.dimensions = misfit.dimensions();
+
+    progress.begin_stage(mechanism.name, "starts", expected.starts);
+    MultiStartResult found = search_from_many_starts(search, Priors::counted);
+    const bool valid = found.best.found();
+    if (valid) {
+        fit.minima = found.minima;
+        fit.best = found.best.point;
+        analyse_best(search, expected, found, fit);
+    }
+    fit.status = search.stopped() ? FitStatus::interrupted : status_of(found.best.status);
+    fit.evaluations.add(found.best.evaluations);
+    summarise(misfit, valid, fit);
+    return fit;
+}
+
+}  // namespace
+
+FitResult fit(const FitProblem& problem, const FitProgressCallback& progress, StopFlag stop) {
+    const auto started = std::chrono::steady_clock::now();
+    std::string faults;
+    for (const std::string& fault : check_problem(problem)) {
+        faults += (faults.empty() ? "" : "\n") + fault;
+    }
+    if (!faults.empty()) {
+        throw std::invalid_argument(faults);
+    }
+    long expected = 0;
+    for (const Mechanism& mechanism : problem.mechanisms) {
+        expected += expected_evaluations(mechanism, problem.settings).total();
+    }
+    ProgressMeter meter(progress, expected);
+    FitResult result;
+    for (const Mechanism& mechanism : problem.mechanisms) {
+        result.mechanisms.push_back(fit_mechanism(mechanism, problem, meter, stop));
+    }
+    meter.finish();
+    std::stable_sort(result.mechanisms.begin(), result.mechanisms.end(),
+                     [](const auto& left, const auto& right) { return left.ranking_score < right.ranking_score; });
+    result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    return result;
+}
+
+}  // namespace delabole

@@ -1,0 +1,137 @@
+#include "fitting/check_problem.hpp"
+
+#include "fitting/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace delabole {
+
+namespace {
+
+using Faults = std::vector<std::string>;
+
+const Quantity* find(const std::vector<Quantity>& quantities, const std::string& name) {
+    const auto place = std::find_if(quantities.begin(), quantities.end(),
+                                    [&name](const Quantity& quantity) { return quantity.name == name; });
+    return place == quantities.end() ? nullptr : &*place;
+}
+
+void check_positive(const std::string& where, double standard_deviation, Faults& faults) {
+    if (!(std::isfinite(standard_deviation) && standard_deviation > 0)) {
+        faults.push_back(where + ": standard_deviation = " + number_in_words(standard_deviation) +
+                         " must be finite and > 0");
+    }
+}
+
+void check_finite(const std::string& where, const char* key, double value, Faults& faults) {
+    if (!std::isfinite(value)) {
+        faults.push_back(where + ": " + key + " = " + number_in_words(value) + " must be finite");
+    }
+}
+
+void check_parameter(const std::string& where, const FreeParameter& parameter, const Quantity& input, Faults& faults) {
+    check_finite(where, "lower", parameter.lower, faults);
+    check_finite(where, "upper", parameter.upper, faults);
+    const std::string lower = value_in_words(parameter.lower, input.dimension);
+    const std::string upper = value_in_words(parameter.upper, input.dimension);
+    if (parameter.lower > parameter.upper) {
+        faults.push_back(where + ": lower = " + lower + " exceeds upper = " + upper);
+    }
+    // Open ends may be touched: the model reports the failure of that one value.
+    if (parameter.lower < input.range.lower || parameter.upper > input.range.upper) {
+        faults.push_back(where + ": the bounds " + lower + " to " + upper + " leave the input's range " +
+                         value_in_words(input.range.lower, input.dimension) + " to " +
+                         value_in_words(input.range.upper, input.dimension));
+    }
+    if (parameter.prior) {
+        check_finite(where + ", prior", "mean", parameter.prior->mean, faults);
+        check_positive(where + ", prior", parameter.prior->standard_deviation, faults);
+    }
+}
+
+void check_mechanism(const Mechanism& mechanism, Faults& faults) {
+    if (!mechanism.model.predict) {
+        faults.push_back(mechanism.name + ": the model cannot predict");
+    }
+    if (mechanism.parameters.size() > 40) {
+        faults.push_back(mechanism.name + ": " + std::to_string(mechanism.parameters.size()) +
+                         " free parameters, at most 40");
+    }
+    std::set<std::string> seen;
+    for (const FreeParameter& parameter : mechanism.parameters) {
+        const std::string where = mechanism.name + ", parameter " + parameter.name;
+        const Quantity* input = find(mechanism.model.inputs, parameter.name);
+        if (!seen.insert(parameter.name).second) {
+            faults.push_back(where + ": given twice");
+        } else if (input == nullptr) {
+            faults.push_back(where + ": the model has no such input");
+        } else {
+            check_parameter(where, parameter, *input, faults);
+        }
+    }
+}
+
+void check_observation(const QuantityObservation& observation, Faults& faults) {
+    const std::string where = "observation " + observation.label;
+    check_finite(where, "value", observation.value, faults);
+    check_positive(where, observation.standard_deviation, faults);
+    std::set<std::string> seen;
+    for (const Condition& condition : observation.conditions) {
+        check_finite(where + ", condition " + condition.input, "value", condition.value, faults);
+        if (!seen.insert(condition.input).second) {
+            faults.push_back(where + ", condition " + condition.input + ": given twice");
+        }
+    }
+}
+
+void check_profile(const ProfileObservation& profile, Faults& faults) {
+    check_positive("profile", profile.standard_deviation, faults);
+    for (const Point& point : profile.profile) {
+        if (!point.allFinite()) {
+            faults.push_back("profile: coordinates must be finite");
+            return;
+        }
+    }
+    if (!(length(profile.profile) > 0)) {
+        faults.push_back("profile: needs at least two distinct points");
+    }
+}
+
+void check_settings(const FitSettings& settings, Faults& faults) {
+    const auto check = [&faults](const char* key, double value, double least) {
+        if (value < least) {
+            faults.push_back("settings: " + std::string(key) + " = " + number_in_words(value) +
+                             " must be >= " + number_in_words(least));
+        }
+    };
+    check("starts", settings.starts, 1);
+    check("evaluations_per_start", settings.evaluations_per_start, 10);
+    check("profile_points", settings.profile_points, 5);
+    check("map_points", settings.map_points, 5);
+    check("threads", settings.threads, 1);
+    if (!(settings.relative_tolerance > 0 && settings.relative_tolerance < 1)) {
+        faults.push_back("settings: relative_tolerance = " + number_in_words(settings.relative_tolerance) +
+                         " must be > 0 and < 1");
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> check_problem(const FitProblem& problem) {
+    Faults faults;
+    for (const Mechanism& mechanism : problem.mechanisms) {
+        check_mechanism(mechanism, faults);
+    }
+    for (const QuantityObservation& observation : problem.observations) {
+        check_observation(observation, faults);
+    }
+    if (problem.profile) {
+        check_profile(*problem.profile, faults);
+    }
+    check_settings(problem.settings, faults);
+    return faults;
+}
+
+}  // namespace delabole

@@ -1,0 +1,32 @@
+// What one evaluation of an objective gives, and the account kept of many.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace delabole {
+
+struct Evaluation {
+    double value = 0;
+    // Why there is no value; empty when there is one. The text must outlive the evaluation (a literal, or a string
+    // owned by the objective).
+    std::string_view failure;
+
+    // A value that is not finite is never an answer, whatever the objective says.
+    bool valid() const;
+};
+
+struct EvaluationCount {
+    long total = 0;
+    long optimiser_rejections = 0;  // failed evaluations handed to an algorithm as a finite penalty
+    std::vector<std::pair<std::string, long>> failed_by_cause;  // sorted by cause
+
+    // Counts one evaluation, under the cause "not_a_number" or "infinite" if it failed without saying why.
+    void record(const Evaluation& evaluation);
+    void add(const EvaluationCount& other);
+    long failed() const;
+};
+
+}  // namespace delabole

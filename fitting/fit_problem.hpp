@@ -1,0 +1,104 @@
+// A back-analysis: what was observed, which mechanisms may explain it, and what is free in each.
+//
+// The objective of one mechanism is
+//     misfit(p) = sum over observations ((predicted - observed) / standard deviation)^2
+//               + sum over priors ((p - mean) / standard deviation)^2
+// in natural units of chi-square. An inequality adds its square only where it is broken. A profile adds (number of its
+// vertices) times the mean square of distance / standard deviation over profile_samples points spaced equally along the
+// observed line, the distance being that to the nearest point of the predicted line.
+#pragma once
+
+#include "fitting/algorithm.hpp"
+#include "geometry/polyline.hpp"
+#include "parameters/model_interface.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+// Normal, cut off at the parameter's bounds.
+struct Prior {
+    double mean;
+    double standard_deviation;  // > 0
+    std::string source;
+};
+
+struct FreeParameter {
+    std::string name;  // an input of the mechanism's model
+    double lower;      // lower == upper fixes the parameter
+    double upper;
+    std::optional<Prior> prior;
+};
+
+enum class Relation { equal, at_least, at_most };
+
+constexpr std::array<std::string_view, 3> enum_names(Relation) {
+    return {"equal", "at_least", "at_most"};
+}
+
+// Value that an input had when the observation was made, where it differs from the mechanism's (for example the water
+// level on the day the slope still stood). Overrides a free parameter of the same name.
+struct Condition {
+    std::string input;
+    double value;
+};
+
+struct QuantityObservation {
+    std::string label;
+    std::string quantity;  // an output of the model; a mechanism without that output leaves the observation unexplained
+    Relation relation = Relation::equal;
+    double value;
+    double standard_deviation;  // > 0; of measurement, or of the model for a factor of safety at failure
+    std::vector<Condition> conditions;
+    std::string source;
+};
+
+struct ProfileObservation {
+    Polyline profile;           // at least two distinct points, from the toe into the slope, same axes as the model
+    double standard_deviation;  // m, > 0
+    std::string source;
+};
+
+// Evidence without a number, such as "crest_block_rotation": a mechanism explains it or it does not.
+struct FieldEvidence {
+    std::string name;
+    std::string statement;
+    std::string source;
+};
+
+struct Mechanism {
+    std::string name;
+    std::string title;
+    ModelInterface model;
+    std::vector<FreeParameter> parameters;
+};
+
+// Points along an observed profile at which its distance from the predicted one is taken.
+inline constexpr std::size_t profile_samples = 50;
+
+struct FitSettings {
+    Algorithm algorithm = Algorithm::sbplx;
+    int starts = 16;                   // local runs: from the prior means, then from a Sobol sequence; >= 1. A global
+                                       // algorithm makes one run with the evaluations of all of them
+    int evaluations_per_start = 400;   // own cap, whatever the algorithm's, >= 10; a quarter is kept for the polish
+    double relative_tolerance = 1e-8;  // stop when parameters, scaled by their bounds, move less than this; > 0
+    int profile_points = 41;           // points of each profile likelihood, >= 5
+    int map_points = 61;               // points along each side of the misfit map, >= 5
+    std::uint64_t seed = 1;            // of the algorithms that use chance (crs2, mlsl, isres)
+    int threads = 1;                   // >= 1; the result does not depend on it
+};
+
+struct FitProblem {
+    std::vector<Mechanism> mechanisms;
+    std::vector<QuantityObservation> observations;
+    std::optional<ProfileObservation> profile;
+    std::vector<FieldEvidence> evidence;
+    FitSettings settings;
+};
+
+}  // namespace delabole

@@ -1,0 +1,20 @@
+// What the data can tell about the parameters near the best point.
+//
+// J_ij = change of residual i (in standard deviations) per range of parameter j, by central differences with a step of
+// 1e-4 of the range, moved inside the bounds where the best point is closer to one than that. A second step four times
+// as long must agree within 1 % of the larger of 1 and the column's length, otherwise the status says so. Where the
+// model fails on one side the difference is one-sided. Truncation: about 1e-8 times the third derivative per range.
+// Source: Press et al., Numerical Recipes, 15.4 (singular values of the design matrix).
+#pragma once
+
+#include "fitting/fit_result.hpp"
+#include "fitting/search.hpp"
+
+#include <span>
+
+namespace delabole {
+
+// The evaluations are added to the account. `best` needs a valid misfit.
+Identifiability identify(const Search& search, std::span<const double> best, EvaluationCount& account);
+
+}  // namespace delabole

@@ -1,0 +1,36 @@
+// What every step of a back-analysis works with.
+#pragma once
+
+#include "fitting/minimise.hpp"
+#include "fitting/misfit.hpp"
+#include "fitting/progress.hpp"
+
+#include <span>
+
+namespace delabole {
+
+struct Search {
+    const Misfit& misfit;
+    ProgressMeter& progress;
+    StopFlag stop = nullptr;
+
+    bool stopped() const { return stop_requested(stop); }
+
+    Evaluation evaluate(std::span<const double> parameters, Priors priors) const {
+        progress.count();
+        return misfit.value(parameters, priors);
+    }
+
+    // The same, entered in an account.
+    Evaluation evaluate(std::span<const double> parameters, Priors priors, EvaluationCount& account) const {
+        const Evaluation evaluation = evaluate(parameters, priors);
+        account.record(evaluation);
+        return evaluation;
+    }
+
+    Objective objective(Priors priors) const {
+        return [this, priors](std::span<const double> parameters) { return evaluate(parameters, priors); };
+    }
+};
+
+}  // namespace delabole

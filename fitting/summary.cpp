@@ -1,0 +1,95 @@
+#include "fitting/summary.hpp"
+
+#include "fitting/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace delabole {
+
+namespace {
+
+constexpr double large_pull = 2;
+constexpr double score_of_silence = large_pull * large_pull;
+
+void sort_evidence(const Misfit& misfit, MechanismFit& fit) {
+    const std::vector<std::string>& explains = misfit.mechanism().model.explains;
+    for (const FieldEvidence& evidence : misfit.problem().evidence) {
+        if (std::find(explains.begin(), explains.end(), evidence.name) != explains.end()) {
+            fit.explained.push_back(evidence.name);
+        } else {
+            fit.unexplained.push_back(evidence.name + ": " + evidence.statement);
+        }
+    }
+}
+
+std::string miss_in_words(const ObservationFit& row) {
+    const char* relation = row.relation == Relation::equal      ? ""
+                           : row.relation == Relation::at_least ? "at least "
+                                                                : "at most ";
+    return row.label + ": predicted " + value_in_words(*row.predicted, row.dimension) + ", observed " + relation +
+           value_in_words(row.observed, row.dimension) + ", " + number_in_words(std::abs(row.pull)) +
+           " standard deviations away";
+}
+
+void add_misses(const Misfit& misfit, MechanismFit& fit) {
+    for (const ObservationFit& row : fit.observations) {
+        if (row.predicted && std::abs(row.pull) > large_pull) {
+            fit.unexplained.push_back(miss_in_words(row));
+        }
+    }
+    if (fit.profile_pull > large_pull) {
+        fit.unexplained.push_back("post-failure profile: " + value_in_words(*fit.profile_rms_m, Dimension::length) +
+                                  " root mean square distance, " + number_in_words(fit.profile_pull) +
+                                  " standard deviations of " +
+                                  value_in_words(misfit.problem().profile->standard_deviation, Dimension::length));
+    }
+}
+
+// A fitted value far outside what was known beforehand: the mechanism needs it, so it is something left unexplained.
+void add_prior_conflicts(MechanismFit& fit) {
+    for (std::size_t index = 0; index < fit.best.size(); ++index) {
+        const FreeParameter& parameter = fit.parameters[index];
+        if (!parameter.prior) {
+            continue;
+        }
+        const double pull = (fit.best[index] - parameter.prior->mean) / parameter.prior->standard_deviation;
+        if (std::abs(pull) > large_pull) {
+            fit.unexplained.push_back(parameter.name + ": needs " +
+                                      value_in_words(fit.best[index], fit.dimensions[index]) + ", " +
+                                      number_in_words(std::abs(pull)) + " standard deviations from its prior of " +
+                                      value_in_words(parameter.prior->mean, fit.dimensions[index]));
+        }
+    }
+}
+
+}  // namespace
+
+void summarise(const Misfit& misfit, bool found, MechanismFit& fit) {
+    sort_evidence(misfit, fit);
+    const double silent = static_cast<double>(fit.unexplained.size()) + misfit.missing_count();
+    for (std::string& sentence : misfit.not_compared()) {
+        fit.unexplained.push_back(std::move(sentence));
+    }
+    fit.data_count = misfit.data_count();
+    if (!found) {
+        fit.misfit = fit.data_misfit = fit.ranking_score = std::numeric_limits<double>::infinity();
+        return;
+    }
+    const MisfitParts parts = misfit.parts(fit.best);
+    fit.data_misfit = parts.data;
+    fit.prior_misfit = parts.prior;
+    fit.misfit = parts.data + parts.prior;
+    fit.ranking_score = fit.misfit + score_of_silence * silent;
+    fit.prediction = misfit.predict(fit.best);
+    fit.observations = misfit.compare(fit.best);
+    fit.profile_rms_m = misfit.profile_rms(fit.best);
+    if (fit.profile_rms_m) {
+        fit.profile_pull = *fit.profile_rms_m / misfit.problem().profile->standard_deviation;
+    }
+    add_misses(misfit, fit);
+    add_prior_conflicts(fit);
+}
+
+}  // namespace delabole

@@ -1,0 +1,20 @@
+// Numbers as people read them in sentences.
+#pragma once
+
+#include "parameters/fields.hpp"
+
+#include <string>
+#include <vector>
+
+namespace delabole {
+
+// Three significant digits, "0.0432", "27", "1.2e-05"; the same in every locale.
+std::string number_in_words(double value);
+
+// An SI value in its display unit with the unit's symbol, "12.5 deg", "0.043".
+std::string value_in_words(double value, Dimension dimension);
+
+// "a", "a and b", "a, b and c".
+std::string list_in_words(const std::vector<std::string>& items);
+
+}  // namespace delabole
