@@ -1,0 +1,199 @@
+#include "plots/fit_figures.hpp"
+
+#include "plots/contour.hpp"
+#include "plots/figures.hpp"
+#include "plots/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+// Quantiles of chi-square with one degree of freedom.
+constexpr double level_68 = 0.988946481478023;
+constexpr double level_95 = 3.841458820694124;
+
+std::optional<std::size_t> parameter_index(const MechanismFit& fit, std::string_view name) {
+    for (std::size_t index = 0; index < fit.parameters.size(); ++index) {
+        if (fit.parameters[index].name == name) {
+            return index;
+        }
+    }
+    return std::nullopt;
+}
+
+Dimension parameter_dimension(const MechanismFit& fit, std::string_view name) {
+    const std::optional<std::size_t> index = parameter_index(fit, name);
+    return index && *index < fit.dimensions.size() ? fit.dimensions[*index] : Dimension::ratio;
+}
+
+double unit_of(Dimension dimension) {
+    return display_unit(dimension).si_per_unit;
+}
+
+double least(const Eigen::MatrixXd& values) {
+    double result = std::numeric_limits<double>::infinity();
+    for (const double value : values.reshaped()) {
+        result = std::isfinite(value) ? std::min(result, value) : result;
+    }
+    return result;
+}
+
+std::vector<double> scaled(std::vector<double> values, double unit) {
+    for (double& value : values) {
+        value /= unit;
+    }
+    return values;
+}
+
+// Points of the locus in the axes of the map, whichever way round the locus names them.
+std::optional<Polyline> locus_in_map(const FailureLocus& locus, const MisfitMap& map, const Point& unit) {
+    const bool same = locus.x == map.x && locus.y == map.y;
+    const bool swapped = locus.x == map.y && locus.y == map.x;
+    if (!same && !swapped) {
+        return std::nullopt;
+    }
+    Polyline line;
+    for (std::size_t index = 0; index < locus.points.size(); ++index) {
+        const Point& point = locus.points[index];
+        if (index > 0 && locus.branch[index] != locus.branch[index - 1]) {
+            constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+            line.emplace_back(gap, gap);
+        }
+        const Point turned = same ? point : Point(point.y(), point.x());
+        line.push_back(turned.cwiseQuotient(unit));
+    }
+    return line;
+}
+
+void add_minima(const MechanismFit& fit, const MisfitMap& map, const Point& unit, Figure& figure) {
+    const std::optional<std::size_t> x = parameter_index(fit, map.x);
+    const std::optional<std::size_t> y = parameter_index(fit, map.y);
+    if (!x || !y) {
+        return;
+    }
+    Points others{.legend = "other minima of the starts", .marker = Marker::filled_circle, .size = 1.2};
+    Points best{.legend = "least misfit", .marker = Marker::filled_diamond, .size = 2.0};
+    for (const MinimumCluster& cluster : fit.minima) {
+        if (std::max(*x, *y) < cluster.parameters.size()) {
+            Points& points = best.points.empty() ? best : others;
+            points.points.push_back(Point(cluster.parameters[*x], cluster.parameters[*y]).cwiseQuotient(unit));
+        }
+    }
+    // A white rim, because the marks lie on light and on dark ground.
+    for (const Points* points : {&others, &best}) {
+        figure.series.emplace_back(Points{.points = points->points,
+                                          .colour = Colour::white,
+                                          .marker = Marker::filled_circle,
+                                          .size = points->size + 0.5});
+    }
+    figure.series.emplace_back(std::move(others));
+    figure.series.emplace_back(std::move(best));
+}
+
+}  // namespace
+
+std::optional<Figure> misfit_map_figure(const MechanismFit& fit) {
+    if (!fit.map) {
+        return std::nullopt;
+    }
+    const MisfitMap& map = *fit.map;
+    const Dimension x_dimension = parameter_dimension(fit, map.x);
+    const Dimension y_dimension = parameter_dimension(fit, map.y);
+    const Point unit{unit_of(x_dimension), unit_of(y_dimension)};
+    Figure figure{.title = fit.title, .x = axis_of(map.x, x_dimension), .y = axis_of(map.y, y_dimension)};
+    figure.x.grid = false;
+    figure.y.grid = false;
+    figure.height = 500;
+
+    const double lowest = std::min(least(map.misfit), fit.minima.empty() ? least(map.misfit) : fit.minima[0].misfit);
+    const std::vector<double> x_values = scaled(map.x_values, unit.x());
+    const std::vector<double> y_values = scaled(map.y_values, unit.y());
+    // Three times the 95 % level: enough of the surroundings, and the region itself keeps a third of the colours.
+    figure.series.emplace_back(HeatMap{.x_values = x_values,
+                                       .y_values = y_values,
+                                       .values = map.misfit.array() - lowest,
+                                       .scale_title = "misfit above the least",
+                                       .ceiling = std::max(3 * (map.level_95 - lowest), 1e-12),
+                                       .no_answer_legend = "no answer"});
+    figure.series.emplace_back(Line{.points = broken_line(contour_lines(x_values, y_values, map.misfit, map.level_95)),
+                                    .legend = "95 % region",
+                                    .dash = Dash::dashed});
+    figure.series.emplace_back(Line{.points = broken_line(contour_lines(x_values, y_values, map.misfit, map.level_68)),
+                                    .legend = "68 % region"});
+    for (const FailureLocus& locus : fit.loci) {
+        if (const std::optional<Polyline> line = locus_in_map(locus, map, unit)) {
+            figure.series.emplace_back(
+                Line{.points = *line, .legend = "factor of safety 1", .colour = Colour::vermilion, .width = 3.5});
+        }
+    }
+    add_minima(fit, map, unit, figure);
+    // The locus may reach beyond the map.
+    if (x_values.size() > 1 && y_values.size() > 1) {
+        const double half_column = 0.5 * (x_values[1] - x_values[0]);
+        const double half_line = 0.5 * (y_values[1] - y_values[0]);
+        figure.x.range = std::pair{x_values.front() - half_column, x_values.back() + half_column};
+        figure.y.range = std::pair{y_values.front() - half_line, y_values.back() + half_line};
+    }
+    return figure;
+}
+
+std::optional<Figure> profile_likelihood_figure(const MechanismFit& fit, std::string_view parameter) {
+    const Dimension dimension = parameter_dimension(fit, parameter);
+    const double unit = unit_of(dimension);
+    Figure figure{.title = fit.title, .x = axis_of(parameter, dimension), .y = {.title = "misfit above its least"}};
+
+    // Where the interval ends matters; how badly the rest fits does not.
+    constexpr double top = 3 * level_95;
+    double left = std::numeric_limits<double>::infinity();
+    double right = -left;
+    Points ends{.legend = "ends of the 95 % interval", .marker = Marker::filled_triangle, .size = 1.8};
+    for (const ProfileLikelihood& profile : fit.profiles) {
+        if (profile.parameter != parameter) {
+            continue;
+        }
+        double lowest = std::numeric_limits<double>::infinity();
+        for (const double misfit : profile.misfits) {
+            lowest = std::isfinite(misfit) ? std::min(lowest, misfit) : lowest;
+        }
+        Line line{.legend = profile.with_priors ? "with priors" : "data alone",
+                  .colour = profile.with_priors ? Colour::blue : Colour::vermilion,
+                  .dash = profile.with_priors ? Dash::solid : Dash::dashed,
+                  .width = 3};
+        for (std::size_t index = 0; index < std::min(profile.values.size(), profile.misfits.size()); ++index) {
+            line.points.emplace_back(profile.values[index] / unit, profile.misfits[index] - lowest);
+            left = std::min(left, profile.values[index] / unit);
+            right = std::max(right, profile.values[index] / unit);
+        }
+        // An interval that stops at the bound of the parameter has no end there.
+        for (const double end : {profile.interval_95.lower, profile.interval_95.upper}) {
+            if (!profile.values.empty() && end > profile.values.front() && end < profile.values.back()) {
+                ends.points.emplace_back(end / unit, level_95);
+            }
+        }
+        figure.series.emplace_back(std::move(line));
+    }
+    if (figure.series.empty()) {
+        return std::nullopt;
+    }
+    if (left < right) {
+        for (const auto& [level, text] : {std::pair{level_68, "68 %"}, std::pair{level_95, "95 %"}}) {
+            figure.series.emplace_back(Line{
+                .points = {{left, level}, {right, level}}, .colour = Colour::grey, .dash = Dash::dotted, .width = 2});
+            figure.labels.push_back({.at = {right - 0.02 * (right - left), level},
+                                     .text = text,
+                                     .align = Label::Align::right,
+                                     .raise = 0.6});
+        }
+        figure.x.range = std::pair{left, right};
+    }
+    figure.series.emplace_back(std::move(ends));
+    figure.y.range = std::pair{0.0, top};
+    return figure;
+}
+
+}  // namespace delabole

@@ -1,0 +1,21 @@
+// The figures of a back-analysis.
+#pragma once
+
+#include "fitting/fit_result.hpp"
+#include "plots/figure.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace delabole {
+
+// Misfit above the least one over the plane of the first two free parameters, with the 68 and 95 % regions, the minima
+// of the starts and the locus of factor of safety 1. Nothing when the fit holds no map.
+std::optional<Figure> misfit_map_figure(const MechanismFit& fit);
+
+// Least misfit above its minimum against the value of one free parameter, with and without priors, as far as the fit
+// holds them; the 68 and 95 % levels of chi-square with one degree of freedom, and the ends of the 95 % interval.
+// Nothing when the fit holds no profile of that parameter.
+std::optional<Figure> profile_likelihood_figure(const MechanismFit& fit, std::string_view parameter);
+
+}  // namespace delabole

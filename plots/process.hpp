@@ -1,0 +1,28 @@
+// Running another program without a shell.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+// The first executable of that name in the folders of the environment variable PATH, as an absolute path; empty
+// entries of PATH are passed over.
+std::optional<std::filesystem::path> find_program(std::string_view name);
+
+struct ProcessResult {
+    bool succeeded = false;  // ran, and ended by itself with exit code 0
+    std::string problem;     // why it did not succeed: "exit code 1", "stopped by signal 9"; empty otherwise
+    std::string output;      // what it wrote to standard output and standard error, at most 64 KiB of it
+};
+
+// Runs `program` with `arguments` in `folder`, with empty standard input, and waits for its end; it is killed after
+// `time_limit`. Never throws for what the program does, and never raises a signal in the caller.
+ProcessResult run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                          const std::filesystem::path& folder, std::chrono::seconds time_limit);
+
+}  // namespace delabole

@@ -1,0 +1,24 @@
+// Plain UTF-8 text for pictures and pages.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace delabole {
+
+// Characters, not bytes.
+std::size_t letter_count(std::string_view text);
+
+// Line breaks instead of spaces, so that no line has more than `letters` characters unless a single word has.
+std::string wrapped(std::string_view text, std::size_t letters);
+
+// "strength.friction_angle" -> "strength: friction angle".
+std::string human_name(std::string_view name);
+
+// "kN/m3" -> "kN/m³".
+std::string human_unit(std::string_view unit);
+
+// Number in the classic locale with so many significant digits, without trailing zeros; "none" for NaN, "infinite".
+std::string human_number(double value, int significant_digits);
+
+}  // namespace delabole

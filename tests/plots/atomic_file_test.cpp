@@ -1,0 +1,157 @@
+#include "plots/atomic_file.hpp"
+#include "scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace delabole {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// Every write beyond so many bytes of a file fails, as on a full disk.
+class FileSizeLimit {
+  public:
+    explicit FileSizeLimit(rlim_t bytes) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        rlimit limit = before_;
+        limit.rlim_cur = bytes;
+        handler_ = ::signal(SIGXFSZ, SIG_IGN);
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileSizeLimit() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        ::signal(SIGXFSZ, handler_);
+    }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+  private:
+    rlimit before_{};
+    void (*handler_)(int) = nullptr;
+};
+
+std::string message_of_writing(const std::filesystem::path& path, std::string_view text) {
+    try {
+        write_file_atomically(path, text);
+    } catch (const OutputError& error) {
+        EXPECT_EQ(error.path(), path);
+        EXPECT_FALSE(error.reason().empty());
+        return error.what();
+    }
+    return "written";
+}
+
+TEST(AtomicFile, WritesAndReplacesWholeFiles) {
+    const ScratchFolder folder;
+    const std::string bytes("a\0b\r\n", 5);
+    write_file_atomically(folder.path() / "result.json", bytes);
+    EXPECT_EQ(content_of(folder.path() / "result.json"), bytes);
+    write_file_atomically(folder.path() / "result.json", "");
+    EXPECT_EQ(content_of(folder.path() / "result.json"), "");
+    EXPECT_EQ(folder.names(), Names{"result.json"});
+}
+
+TEST(AtomicFile, LeavesTheRightsToTheUmask) {
+    const ScratchFolder folder;
+    const mode_t before = ::umask(027);
+    write_file_atomically(folder.path() / "result.json", "{}");
+    ::umask(before);
+    struct stat status {};
+    ASSERT_EQ(::stat((folder.path() / "result.json").c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777U, 0640U);
+}
+
+TEST(AtomicFile, NamesPathAndReasonWhenTheFolderIsMissing) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "missing" / "result.json";
+    EXPECT_EQ(message_of_writing(path, "x"), "cannot write " + path.string() + ": No such file or directory");
+}
+
+TEST(AtomicFile, KeepsTheOldFileAndLeavesNothingWhenTheDiskIsFull) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "result.json";
+    write_file_atomically(path, "old");
+    {
+        const FileSizeLimit limit(4096);
+        EXPECT_EQ(message_of_writing(path, std::string(100'000, 'x')),
+                  "cannot write " + path.string() + ": File too large");
+    }
+    EXPECT_EQ(content_of(path), "old");
+    EXPECT_EQ(folder.names(), Names{"result.json"});
+}
+
+TEST(AtomicFile, RefusesWhatIsNotARegularFile) {
+    const ScratchFolder folder;
+    std::filesystem::create_directory(folder.path() / "folder");
+    EXPECT_EQ(message_of_writing(folder.path() / "folder", "x"),
+              "cannot write " + (folder.path() / "folder").string() + ": it is a folder");
+    // Renaming over a device would replace it for the whole system.
+    EXPECT_EQ(message_of_writing("/dev/full", "x"), "cannot write /dev/full: it is not a regular file");
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+TEST(AtomicFile, FollowsASymbolicLink) {
+    const ScratchFolder folder;
+    write_file_atomically(folder.path() / "real", "old");
+    std::filesystem::create_symlink("real", folder.path() / "link");
+    write_file_atomically(folder.path() / "link", "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link"));
+    EXPECT_EQ(content_of(folder.path() / "real"), "new");
+}
+
+TEST(AtomicFile, RefusesAFolderThatIsNotWritable) {
+    const ScratchFolder folder;
+    using std::filesystem::perms;
+    std::filesystem::permissions(folder.path(), perms::owner_read | perms::owner_exec | perms::group_read |
+                                                    perms::group_exec | perms::others_read | perms::others_exec);
+    // Root may write everywhere, so that it has to be someone else for a moment.
+    const bool root = ::geteuid() == 0;
+    ASSERT_TRUE(!root || ::seteuid(65534) == 0);
+    const std::string message = message_of_writing(folder.path() / "result.json", "x");
+    ASSERT_TRUE(!root || ::seteuid(0) == 0);
+    EXPECT_EQ(message, "cannot write " + (folder.path() / "result.json").string() + ": Permission denied");
+}
+
+TEST(AtomicFile, ManyWritersOfOneFileLeaveOneWholeFile) {
+    const ScratchFolder folder;
+    std::vector<std::thread> writers;
+    for (const char letter : {'a', 'b', 'c', 'd'}) {
+        writers.emplace_back([&folder, letter] {
+            for (int round = 0; round < 20; ++round) {
+                write_file_atomically(folder.path() / "result", std::string(20'000, letter));
+            }
+        });
+    }
+    for (std::thread& writer : writers) {
+        writer.join();
+    }
+    const std::string content = content_of(folder.path() / "result");
+    ASSERT_EQ(content.size(), 20'000U);
+    EXPECT_EQ(content, std::string(20'000, content[0]));
+    EXPECT_EQ(folder.names(), Names{"result"});
+}
+
+TEST(OutputFolder, IsCreatedWithItsParents) {
+    const ScratchFolder folder;
+    create_output_folder(folder.path() / "a" / "b");
+    create_output_folder(folder.path() / "a" / "b");
+    EXPECT_TRUE(std::filesystem::is_directory(folder.path() / "a" / "b"));
+}
+
+TEST(OutputFolder, CannotTakeThePlaceOfAFile) {
+    const ScratchFolder folder;
+    write_file_atomically(folder.path() / "a", "");
+    EXPECT_THROW(create_output_folder(folder.path() / "a"), OutputError);
+    EXPECT_THROW(create_output_folder(folder.path() / "a" / "b"), OutputError);
+}
+
+}  // namespace
+}  // namespace delabole

@@ -1,0 +1,257 @@
+#include "plots/figure.hpp"
+#include "plots/atomic_file.hpp"
+#include "plots/process.hpp"
+#include "samples.hpp"
+#include "scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+#include <locale>
+#include <stdexcept>
+
+namespace delabole {
+namespace {
+
+using Names = std::vector<std::string>;
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+class Environment {
+  public:
+    Environment(const char* name, const char* value)
+        : name_(name), before_(std::getenv(name) ? std::getenv(name) : "") {
+        ::setenv(name, value, 1);
+    }
+    ~Environment() { ::setenv(name_, before_.c_str(), 1); }
+    Environment(const Environment&) = delete;
+    Environment& operator=(const Environment&) = delete;
+
+  private:
+    const char* name_;
+    std::string before_;
+};
+
+Figure simple_figure() {
+    return {.title = "it's factor_of_safety, 50 % `date` @{x}^2",
+            .x = {.title = "a_b", .unit = "kN/m³"},
+            .y = {.ticks = {{1, "50 %"}}},
+            .series = {Line{.points = {{0, 1.0 / 3}, {1234.5, 1}}, .legend = "c_1 & <2>"}}};
+}
+
+TEST(GnuplotScript, IsReadableText) {
+    const std::string script = gnuplot_script(simple_figure(), "figure");
+    for (const char* line :
+         {"# Draw again, in this folder: gnuplot figure.gp\n", "set encoding utf8\n", "set xlabel 'a_b (kN/m³)'\n",
+          "$series_1 << EOD\n0 0.333333333333\n1234.5 1\nEOD\n", "set ytics ('50 %%' 1)\n", "set output 'figure.svg'\n",
+          "set output 'figure.png'\n", "plot $series_1 using 1:2 with lines"}) {
+        EXPECT_NE(script.find(line), std::string::npos) << line << "not in:\n" << script;
+    }
+}
+
+// noenhanced: '_' and '^' stay letters. Single quotes: back quotes do not run commands.
+TEST(GnuplotScript, TakesTextsLiterally) {
+    const std::string script = gnuplot_script(simple_figure(), "figure");
+    EXPECT_NE(script.find("set title 'it''s factor_of_safety, 50 % `date` @{x}^2'\n"), std::string::npos) << script;
+    EXPECT_NE(script.find("title 'c_1 & <2>'"), std::string::npos);
+    std::size_t terminals = 0;
+    for (std::size_t at = script.find("set terminal"); at != std::string::npos;
+         at = script.find("set terminal", at + 1)) {
+        EXPECT_NE(script.substr(at, script.find('\n', at) - at).find(" noenhanced "), std::string::npos);
+        ++terminals;
+    }
+    EXPECT_EQ(terminals, 2U);
+}
+
+TEST(GnuplotScript, CannotBeBrokenOutOfByATextWithLineBreaks) {
+    Figure figure = simple_figure();
+    figure.title = "one\nset output '/tmp/elsewhere'";
+    figure.labels = {{.at = {0, 0}, .text = "two\nlines\r'"}};
+    const std::string script = gnuplot_script(figure, "figure");
+    EXPECT_EQ(script.find("\nset output '/tmp"), std::string::npos) << script;
+    EXPECT_NE(script.find("set label 'two'.\"\\n\".'lines '''"), std::string::npos) << script;
+}
+
+struct CommaForPoint : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(GnuplotScript, DoesNotDependOnTheLocale) {
+    for (const auto& [name, figure] : samples::figures()) {
+        const std::string script = gnuplot_script(figure, name);
+        const std::locale before = std::locale::global(std::locale(std::locale(), new CommaForPoint));
+        const std::string elsewhere = gnuplot_script(figure, name);
+        std::locale::global(before);
+        EXPECT_EQ(script, elsewhere) << name;
+    }
+}
+
+TEST(GnuplotScript, BreaksLinesAndLeavesOutPointsThatAreNotFinite) {
+    Figure figure{.series = {Line{.points = {{not_a_number, 0}, {0, 0}, {1, infinity}, {2, 2}}},
+                             Points{.points = {{0, 0}, {1, not_a_number}, {-infinity, 1}, {3, 3}}}}};
+    const std::string script = gnuplot_script(figure, "figure");
+    EXPECT_NE(script.find("$series_1 << EOD\n0 0\nnan nan\n2 2\nEOD\n"), std::string::npos) << script;
+    EXPECT_NE(script.find("$series_2 << EOD\n0 0\n3 3\nEOD\n"), std::string::npos) << script;
+    EXPECT_EQ(script.find("inf"), std::string::npos) << script;
+}
+
+TEST(WriteFigure, DrawsEveryKindOfFigureWithoutARemark) {
+    const ScratchFolder folder;
+    for (const auto& [name, figure] : samples::figures()) {
+        const FigureFiles files = write_figure(figure, folder.path() / "figures", name);
+        EXPECT_EQ(files.status, FigureStatus::ok) << name << ": " << files.message;
+        EXPECT_EQ(files.message, "") << name;
+        EXPECT_GT(std::filesystem::file_size(files.svg), 5000U) << name;
+        EXPECT_GT(std::filesystem::file_size(files.png), 5000U) << name;
+    }
+}
+
+TEST(WriteFigure, LeavesScriptAndPicturesAndNothingElse) {
+    const ScratchFolder folder;
+    ASSERT_EQ(write_figure(simple_figure(), folder.path(), "figure").status, FigureStatus::ok);
+    EXPECT_EQ(folder.names(), (Names{"figure.gp", "figure.png", "figure.svg"}));
+    const std::string svg = content_of(folder.path() / "figure.svg");
+    EXPECT_NE(svg.find("it's factor_of_safety, 50 % `date` @{x}^2"), std::string::npos);
+    EXPECT_NE(svg.find("c_1 &amp; &lt;2>"), std::string::npos);
+    EXPECT_NE(svg.find(">50 %<"), std::string::npos);
+}
+
+TEST(WriteFigure, ScriptCanBeDrawnAgainByHandInAMovedFolder) {
+    const ScratchFolder folder;
+    ASSERT_EQ(write_figure(simple_figure(), folder.path() / "first", "figure").status, FigureStatus::ok);
+    const std::string svg = content_of(folder.path() / "first" / "figure.svg");
+    std::filesystem::rename(folder.path() / "first", folder.path() / "moved");
+    std::filesystem::remove(folder.path() / "moved" / "figure.svg");
+    const ProcessResult run =
+        run_program(find_program("gnuplot").value(), {"figure.gp"}, folder.path() / "moved", std::chrono::seconds(30));
+    EXPECT_TRUE(run.succeeded) << run.output;
+    EXPECT_EQ(content_of(folder.path() / "moved" / "figure.svg"), svg);
+}
+
+TEST(WriteFigure, DrawsAnEmptyFrameWithoutData) {
+    const ScratchFolder folder;
+    const Figure nothing{
+        .series = {Line{}, Points{}, Region{}, Boxes{}, HeatMap{}, Line{.points = {{infinity, 0}}, .legend = "x"}}};
+    for (const Figure& figure : {Figure{}, nothing}) {
+        const FigureFiles files = write_figure(figure, folder.path(), "figure");
+        EXPECT_EQ(files.status, FigureStatus::ok) << files.message;
+        EXPECT_EQ(files.message, "");
+        EXPECT_NE(content_of(files.svg).find("no data"), std::string::npos);
+    }
+}
+
+TEST(WriteFigure, DrawsEveryMarkColourArrowAndLegendPlace) {
+    const ScratchFolder folder;
+    Figure figure{.arrows = {{.from = {0, 0}, .to = {1, 1}},
+                             {.from = {0, 1}, .to = {1, 0}, .colour = Colour::blue, .both_heads = true},
+                             {.from = {0, infinity}, .to = {1, 0}}}};
+    for (int mark = 0; mark <= static_cast<int>(Marker::cross); ++mark) {
+        figure.series.emplace_back(
+            Points{.points = {{1.0 * mark, 1}}, .legend = "mark", .marker = static_cast<Marker>(mark)});
+    }
+    for (int colour = 0; colour <= static_cast<int>(Colour::white); ++colour) {
+        figure.series.emplace_back(Region{.outline = {{1.0 * colour, 0}, {colour + 1.0, 0}, {1.0 * colour, 1}},
+                                          .colour = static_cast<Colour>(colour)});
+    }
+    for (int place = 0; place <= static_cast<int>(LegendPlace::bottom_right); ++place) {
+        figure.legend = static_cast<LegendPlace>(place);
+        const FigureFiles files = write_figure(figure, folder.path(), "figure");
+        EXPECT_EQ(files.status, FigureStatus::ok) << files.message;
+        const bool shown = content_of(files.svg).find(">mark<") != std::string::npos;
+        EXPECT_EQ(shown, figure.legend != LegendPlace::none);
+        const std::string script = content_of(files.script);
+        EXPECT_NE(script.find("set arrow from 0,1 to 1,0 heads"), std::string::npos);
+        EXPECT_EQ(script.find("inf"), std::string::npos);
+    }
+}
+
+TEST(WriteFigure, DrawsASinglePointAndAMapWithoutAnyAnswer) {
+    const ScratchFolder folder;
+    const Figure point{.series = {Points{.points = {{3, 0}}}}};
+    const Figure map{.series = {HeatMap{.x_values = {0, 1},
+                                        .y_values = {0, 1},
+                                        .values = Eigen::MatrixXd::Constant(2, 2, infinity),
+                                        .no_answer_legend = "no answer"}}};
+    for (const Figure& figure : {point, map}) {
+        const FigureFiles files = write_figure(figure, folder.path(), "figure");
+        EXPECT_EQ(files.status, FigureStatus::ok) << files.message;
+    }
+}
+
+TEST(WriteFigure, SaysThatGnuplotIsMissingAndKeepsTheScript) {
+    const ScratchFolder folder;
+    ASSERT_EQ(write_figure(simple_figure(), folder.path(), "figure").status, FigureStatus::ok);
+    const Environment path("PATH", "");
+    const FigureFiles files = write_figure(simple_figure(), folder.path(), "figure");
+    EXPECT_EQ(files.status, FigureStatus::gnuplot_missing);
+    EXPECT_NE(files.message.find("gnuplot is not installed"), std::string::npos) << files.message;
+    // Pictures of the earlier run would pass for pictures of this one.
+    EXPECT_EQ(folder.names(), Names{"figure.gp"});
+}
+
+TEST(WriteFigure, ReportsWhatGnuplotSays) {
+    const ScratchFolder folder;
+    const FigureFiles files = write_script_and_draw("set encoding utf8\nplot nonsense(x\n", folder.path(), "figure");
+    EXPECT_EQ(files.status, FigureStatus::gnuplot_failed);
+    EXPECT_EQ(files.message, "gnuplot failed on figure.gp (exit code 1): \"../figure.gp\" line 2: ')' expected");
+    EXPECT_EQ(folder.names(), Names{"figure.gp"});
+}
+
+TEST(WriteFigure, DoesNotTrustAnExitCodeOfZero) {
+    const ScratchFolder folder;
+    for (const char* script : {"", "set terminal svg\nset output 'figure.svg'\nset output\n",
+                               "set terminal svg\nset output 'figure.svg'\nplot x\nset output 'figure.png'\n"}) {
+        const FigureFiles files = write_script_and_draw(script, folder.path(), "figure");
+        EXPECT_EQ(files.status, FigureStatus::gnuplot_failed) << script;
+        EXPECT_NE(files.message.find("empty or incomplete picture"), std::string::npos) << files.message;
+        EXPECT_EQ(folder.names(), Names{"figure.gp"});
+    }
+}
+
+TEST(WriteFigure, SaysWhereItCannotWrite) {
+    const ScratchFolder folder;
+    write_file_atomically(folder.path() / "file", "");
+    const FigureFiles files = write_figure(simple_figure(), folder.path() / "file", "figure");
+    EXPECT_EQ(files.status, FigureStatus::cannot_write);
+    EXPECT_NE(files.message.find("cannot write " + (folder.path() / "file").string()), std::string::npos)
+        << files.message;
+
+    std::filesystem::create_directory(folder.path() / "figure.gp");
+    EXPECT_EQ(write_figure(simple_figure(), folder.path(), "figure").status, FigureStatus::cannot_write);
+    EXPECT_EQ(folder.names(), (Names{"figure.gp", "file"}));
+}
+
+TEST(WriteFigure, RefusesNamesThatLeaveTheFolder) {
+    const ScratchFolder folder;
+    for (const char* name : {"", "../figure", "a/b", "it's", ".hidden"}) {
+        EXPECT_THROW(write_figure(simple_figure(), folder.path(), name), std::invalid_argument) << name;
+    }
+}
+
+TEST(RunProgram, ReportsExitSignalAndTimeLimit) {
+    const std::filesystem::path shell = find_program("sh").value();
+    const auto run = [&](const char* command, int seconds) {
+        return run_program(shell, {"-c", command}, "/", std::chrono::seconds(seconds));
+    };
+    EXPECT_TRUE(run("cat", 10).succeeded) << "standard input is empty";
+    EXPECT_EQ(run("echo here; pwd >&2", 10).output, "here\n/\n");
+    EXPECT_EQ(run("exit 3", 10).problem, "exit code 3");
+    EXPECT_EQ(run("kill -TERM $$", 10).problem, "stopped by signal 15");
+    EXPECT_EQ(run("exec sleep 20", 1).problem, "no end within 1 s");
+    EXPECT_EQ(run("yes | head -c 1000000", 10).output.size(), 65536U);
+    EXPECT_FALSE(run_program("/nowhere/gnuplot", {}, "/", std::chrono::seconds(1)).succeeded);
+    EXPECT_FALSE(run_program(shell, {}, "/nowhere", std::chrono::seconds(1)).succeeded);
+}
+
+TEST(FindProgram, PassesOverFoldersAndEmptyEntries) {
+    const ScratchFolder folder;
+    std::filesystem::create_directory(folder.path() / "gnuplot");
+    const Environment path("PATH", ("::" + folder.path().string() + ":").c_str());
+    EXPECT_EQ(find_program("gnuplot"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace delabole

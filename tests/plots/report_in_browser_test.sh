@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Usage: report_in_browser_test.sh
+# report_in_browser has to refuse what it is there to refuse.
+set -euo pipefail
+here=$(dirname "$(realpath "$0")")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failed=0
+
+page() {
+    printf '<!DOCTYPE html>\n<html><head><title>t</title></head><body><h1>t</h1>%s</body></html>\n' "$1"
+}
+drawing='<figure><svg viewBox="0 0 64 45" style="width:100%"><path d="M0,0 L9,9"/></svg></figure>'
+
+expect_refused() {
+    local why=$1 message=$2
+    page "$3" >"$work/page.html"
+    if "$here/report_in_browser" "$work/page.html" >"$work/said" 2>&1; then
+        echo "accepted: $why" >&2
+        failed=1
+    elif ! grep -q "$message" "$work/said"; then
+        echo "refused, but not because of: $why" >&2
+        cat "$work/said" >&2
+        failed=1
+    fi
+}
+
+page "$drawing" >"$work/page.html"
+"$here/report_in_browser" "$work/page.html" || { echo "refused a good page" >&2; failed=1; }
+expect_refused "console error" "console is not empty" "$drawing<script>console.error('broken')</script>"
+expect_refused "script error" "console is not empty" "$drawing<script>nothing()</script>"
+expect_refused "missing drawing" "figure 2 has no drawing" "$drawing
+<figure>Figure missing</figure>"
+expect_refused "drawing without size" "figure 1 measures" \
+    '<figure><svg width="0" height="0"><path d="M0,0 L9,9"/></svg></figure>'
+expect_refused "sideways scrolling on a phone" "px wide in a window of 390 px" "$drawing<div style='width:800px'>wide</div>"
+expect_refused "ids used twice" "ids are not unique" "$drawing<p id='a'></p><p id='a'></p>"
+expect_refused "something fetched" "outside itself" "$drawing<img src='https://example.org/a.png' alt=''>"
+exit "$failed"

@@ -1,0 +1,30 @@
+// Figures and a report with the numbers of a real slope, for tests and for looking at.
+#pragma once
+
+#include "fitting/fit_result.hpp"
+#include "plots/figures.hpp"
+#include "plots/report.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delabole::samples {
+
+// Hoek & Bray's plane failure for H = 225 ft, face 70 deg, plane 40 deg, crack base 75 ft above the toe.
+double factor_of_safety(double cohesion, double friction_angle, double water_ratio);
+
+SectionDrawing section();
+WaterDepthCurves water_depth_curves();
+FailureLoci failure_loci();
+MechanismFit mechanism_fit();
+std::vector<SensitivityBar> sensitivities();
+CriticalSearchDrawing critical_dip();
+CriticalSearchDrawing critical_crack();
+
+// Every kind of figure, with the name of its file.
+std::vector<std::pair<std::string, Figure>> figures();
+
+Report report(const std::vector<FigureFiles>& drawn);
+
+}  // namespace delabole::samples
