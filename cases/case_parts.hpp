@@ -1,0 +1,36 @@
+// The parts of a case that are not its model; used by case_file.cpp only.
+#pragma once
+
+#include "cases/case_file.hpp"
+
+namespace delabole {
+
+// What the reader knows of a model while it reads names of inputs and outputs.
+struct ModelNames {
+    std::vector<Quantity> inputs;
+    std::vector<Quantity> outputs;
+    bool inputs_known = true;  // false: the model itself could not be read, so a name that is not found may be right
+};
+
+ModelNames names_of(const CaseModel& model, const OutputsOf& outputs_of, bool inputs_known);
+
+const Quantity* find_quantity(const std::vector<Quantity>& quantities, std::string_view name);
+std::vector<std::string> names_in(const std::vector<Quantity>& quantities);
+
+// `with = { "water.filled_ratio" = 1.0 }`: inputs of any of the models. Empty when absent.
+std::vector<Condition> read_conditions(Section& section, const std::vector<ModelNames>& models);
+
+std::vector<Expectation> read_expectations(Section& root, const ModelNames& names);
+CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outputs_of);
+// The keys that need not exist are checked after everything else was read.
+std::map<std::string, std::string> read_sources(Section& root);
+void check_sources(Reading& reading, const std::map<std::string, std::string>& sources);
+
+// Reads what a mechanism or the case says of its model.
+void read_model(Section& section, CaseModel& model);
+void replace_in_model(Section& section, CaseModel& model);
+
+// What concerns several inputs at once. `prefix` is the mechanism's path with a dot, or empty for the case.
+void check_model(Reading& reading, const CaseModel& model, const std::string& prefix);
+
+}  // namespace delabole

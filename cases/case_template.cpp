@@ -1,0 +1,307 @@
+// The commented template of a model: an example that is a valid case, and everything else as comments.
+#include "cases/case_writer.hpp"
+#include "cases/described_reader.hpp"
+#include "cases/described_writer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+namespace delabole {
+namespace {
+
+struct ExampleNumber {
+    std::string_view key;
+    double value;  // SI
+};
+
+// Examples that make sense beside each other once uncommented.
+constexpr std::array<ExampleNumber, 20> examples{{
+    {"toe_elevation", 100.0},
+    {"width", 5.0},
+    {"daylight_height", 1.0},
+    {"distance_behind_crest", 4.0},
+    {"depth", 4.35},
+    {"base_below_crest", 4.35},
+    {"base_elevation", 108.0},
+    {"water_depth", 3.0},
+    {"water_elevation", 110.0},
+    {"unit_weight", 9810.0},
+    {"from_distance", 1.0},
+    {"horizontal_coefficient", 0.1},
+    {"vertical_coefficient", 0.0},
+    {"lower_dip", degrees(20)},
+    {"upper_dip", degrees(55)},
+    {"factor_of_safety", 1.0},
+    {"joint_roughness_coefficient", 8.0},
+    {"roughness_angle", degrees(10)},
+    {"residual_friction_angle", degrees(30)},
+    {"joint_wall_strength", 50e6},
+}};
+
+double example_number(const FieldInfo& info) {
+    const auto* const found = std::ranges::find(examples, info.key, &ExampleNumber::key);
+    if (found != examples.end()) {
+        return found->value;
+    }
+    if (info.dimension == Dimension::ratio) {
+        return 0.5;
+    }
+    const std::string_view in_quotation_marks = example_of(info.dimension);
+    return parse_quantity(in_quotation_marks.substr(1, in_quotation_marks.size() - 2), info.dimension).value;
+}
+
+template <class Member>
+void fill_with_examples(const FieldInfo& info, Member& member) {
+    if constexpr (NumberType<Member>) {
+        member = example_number(info);
+    } else if constexpr (is_variant<Member>) {
+        std::visit([&](auto& alternative) { fill_with_examples(info, alternative); }, member);
+    } else if constexpr (std::same_as<Member, std::string>) {
+        member = "strength.friction_angle";
+    } else if constexpr (Described<Member>) {
+        visit_fields(member,
+                     [](const FieldInfo& inner, auto& inner_member) { fill_with_examples(inner, inner_member); });
+    }
+}
+
+template <class Type>
+Type example() {
+    Type value{};
+    fill_with_examples(FieldInfo{}, value);
+    return value;
+}
+
+std::string commented(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        result += line.empty() ? "#\n" : "# " + std::string(line) + "\n";
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return result;
+}
+
+// `value` with its explanation behind it.
+std::string explained(const std::string& line, const std::string& explanation) {
+    constexpr std::size_t explanation_column = 36;
+    const std::size_t padding = line.size() < explanation_column ? explanation_column - line.size() : 2;
+    return line + std::string(padding, ' ') + "# " + explanation + "\n";
+}
+
+std::string after_blank_line(const std::string& text) {
+    return std::string(1, '\n').append(text);
+}
+
+std::string header_of(const std::string& path) {
+    return std::string(1, '[').append(path).append(1, ']');
+}
+
+template <Described Object>
+std::string annotated_values(const Object& object);
+template <Described Object>
+std::string annotated_sections(const Object& object, const std::string& path);
+
+template <class Enum>
+std::string enum_choices() {
+    return choices(detail::enum_words<Enum>());
+}
+
+template <class Member>
+std::string annotated_value(const FieldInfo& info, const Member& member) {
+    if constexpr (is_optional<Member>) {
+        using Inner = typename Member::value_type;
+        if (member) {
+            return annotated_value(info, *member);
+        }
+        if constexpr (NumberType<Inner>) {
+            return commented(annotated_value(info, example_number(info)));
+        }
+    } else if constexpr (NumberType<Member>) {
+        const std::string range = readable_range(info.range, info.dimension);
+        return explained(std::string(info.key) + " = " + written_quantity(member, info.dimension),
+                         std::string(info.meaning) + (range.empty() ? "" : "; " + range));
+    } else if constexpr (std::is_enum_v<Member>) {
+        return explained(std::string(info.key) + " = " + in_quotes(word_of(member)),
+                         std::string(info.meaning) + "; " + enum_choices<Member>());
+    } else if constexpr (std::same_as<Member, std::string>) {
+        return explained(std::string(info.key) + " = " + in_quotes(member), std::string(info.meaning));
+    } else if constexpr (is_variant<Member>) {
+        if (!info.key.empty()) {
+            return {};
+        }
+        std::string text = std::visit([](const auto& alternative) { return annotated_values(alternative); }, member);
+        detail::for_each_alternative<Member>([&]<std::size_t index, class Alternative>() {
+            if (index != member.index()) {
+                text += commented("or:\n" + annotated_values(example<Alternative>()));
+            }
+        });
+        return text;
+    } else if constexpr (Described<Member>) {
+        return info.key.empty() ? annotated_values(member) : "";
+    }
+    return {};
+}
+
+template <class Alternative>
+std::string annotated_kind(const Alternative& alternative, const FieldInfo& info, const std::string& path) {
+    std::string text = "kind = " + in_quotes(Alternative::kind) + "\n" + annotated_values(alternative);
+    return text + annotated_sections(alternative, joined_path(path, info.key));
+}
+
+template <class Member>
+std::string annotated_section(const FieldInfo& info, const Member& member, const std::string& path) {
+    const std::string inner = joined_path(path, info.key);
+    if constexpr (is_optional<Member>) {
+        using Inner = typename Member::value_type;
+        if (member) {
+            return annotated_section(info, *member, path);
+        }
+        if constexpr (!NumberType<Inner>) {
+            return after_blank_line(commented(annotated_section(info, example<Inner>(), path).substr(1)));
+        }
+    } else if constexpr (is_vector<Member>) {
+        using Element = typename Member::value_type;
+        const auto one = [&](const Element& element) {
+            return explained(header_of(header_of(inner)), std::string(info.meaning) + "; one section each") +
+                   annotated_values(element) + annotated_sections(element, inner);
+        };
+        std::string text;
+        for (const Element& element : member) {
+            text += after_blank_line(one(element));
+        }
+        return member.empty() ? after_blank_line(commented(one(example<Element>()))) : text;
+    } else if constexpr (detail::is_keyed_variant<Member>) {
+        std::string text = after_blank_line(explained(header_of(inner), std::string(info.meaning)));
+        text += std::visit([&](const auto& alternative) { return annotated_kind(alternative, info, path); }, member);
+        detail::for_each_alternative<Member>([&]<std::size_t index, class Alternative>() {
+            if (index != member.index()) {
+                text += commented("or:\n" + annotated_kind(example<Alternative>(), info, path));
+            }
+        });
+        return text;
+    } else if constexpr (Described<Member>) {
+        if (info.key.empty()) {
+            return annotated_sections(member, path);
+        }
+        return after_blank_line(explained(header_of(inner), std::string(info.meaning))) + annotated_values(member) +
+               annotated_sections(member, inner);
+    }
+    return {};
+}
+
+template <Described Object>
+std::string annotated_values(const Object& object) {
+    std::string text;
+    visit_fields(object, [&](const FieldInfo& info, const auto& member) { text += annotated_value(info, member); });
+    return text;
+}
+
+template <Described Object>
+std::string annotated_sections(const Object& object, const std::string& path) {
+    std::string text;
+    visit_fields(object,
+                 [&](const FieldInfo& info, const auto& member) { text += annotated_section(info, member, path); });
+    return text;
+}
+
+// Wyllie & Mah (2004), example 7.1, with 3 m of water in the crack.
+PlaneFailureStudy<> example_study() {
+    PlaneFailureStudy<> study{};
+    study.model.slope = {.height = 12,
+                         .face_dip = degrees(60),
+                         .upper_surface_dip = 0,
+                         .bench = std::nullopt,
+                         .toe_elevation = std::nullopt};
+    study.model.failure_plane = {.dip = degrees(35), .daylight_height = std::nullopt};
+    study.model.tension_crack = TensionCrack<>{.dip = degrees(90), .position = CrackAtDistance<>{4}};
+    study.model.rock = {.unit_weight = 26e3};
+    study.model.strength = Coulomb<>{.cohesion = 25e3, .friction_angle = degrees(37)};
+    study.model.water = CrackAndBaseWater<>{.unit_weight = 9.81e3, .level = WaterDepth<>{3}};
+    return study;
+}
+
+constexpr std::string_view study_parts = R"(
+[sources]                           # where a value comes from, by its key
+"slope.height" = "survey of 1966"
+
+[[expect]]                          # a printed value: delabole verify compares
+quantity = "factor_of_safety"
+value = 1.247
+tolerance = 0.001                   # absolute, or relative_tolerance
+with = { "water.water_depth" = "3 m" }  # inputs that differ
+source = "example 7.1"
+note = "printed to three decimals"
+# unreachable = "why the printed value cannot be reached: it is shown, but does not fail"
+
+[fit]                               # delabole fit
+algorithm = "sbplx"                 # sbplx, bobyqa, cobyla, crs2, direct_l, mlsl or isres
+starts = 16                         # starting points
+evaluations_per_start = 400
+relative_tolerance = 1e-8           # of the parameters, scaled by their bounds
+profile_points = 41                 # points of each profile likelihood
+map_points = 61                     # points along each side of the misfit map
+seed = 1
+
+[[fit.parameter]]                   # an input that is free; or [[fit.mechanism]] with [[fit.mechanism.parameter]]
+name = "strength.friction_angle"
+lower = "20 deg"
+upper = "45 deg"
+prior = { mean = "37 deg", standard_deviation = "3 deg", source = "shear box tests" }
+
+[[fit.observation]]
+label = "it failed"
+quantity = "factor_of_safety"
+relation = "equal"                  # equal, at_least or at_most
+value = 1
+standard_deviation = 0.05
+with = { "water.water_depth" = "4 m" }
+source = "report of the failure"
+
+[fit.profile]                       # ground after the failure, from the toe into the slope
+points = [["0 m", "0 m"], ["10.9 m", "7.65 m"], ["10.9 m", "12 m"]]
+standard_deviation = "0.5 m"
+source = "survey after the failure"
+
+[[fit.evidence]]                    # evidence without a number
+name = "crest_cracks"
+statement = "cracks parallel to the crest opened weeks before"
+source = "quarry manager"
+)";
+
+constexpr std::string_view column_parts = R"(
+[[expect]]                          # a printed value: delabole verify compares
+quantity = "tilt"
+value = "12 deg"
+tolerance = "0.5 deg"               # absolute, or relative_tolerance
+source = "tilting test"
+)";
+
+template <Described Model>
+std::string template_of(const Model& model, std::string_view title, std::string_view further_parts) {
+    return "schema = 1\n"
+           "title = " +
+           in_quotes(title) +
+           "\n"
+           "# description = \"what the case is about\"\n"
+           "model = " +
+           in_quotes(Model::kind) + "\n" + annotated_values(model) + annotated_sections(model, "") + "\n" +
+           commented(further_parts.substr(1));
+}
+
+}  // namespace
+
+std::string commented_template(std::string_view model) {
+    if (model == PlaneFailureStudy<>::kind) {
+        return template_of(example_study(), "Plane failure of a slope 12 m high", study_parts);
+    }
+    if (model == TiltedColumn<>::kind) {
+        const TiltedColumn<> column{.joint_dip = degrees(70), .saturated_tilt = degrees(47.5), .filled_ratio = 0.5};
+        return template_of(column, "Groundwater by tilting", column_parts);
+    }
+    throw std::invalid_argument("no model is named " + std::string(model) + suggestion(model, model_names()));
+}
+
+}  // namespace delabole

@@ -1,0 +1,95 @@
+// delabole check, show and init
+#include "cases/analysis.hpp"
+#include "cases/case_error.hpp"
+#include "cases/case_writer.hpp"
+#include "cases/commands.hpp"
+#include "cases/fit_problem_of_case.hpp"
+#include "cases/impossible_case.hpp"
+#include "cases/result_folder.hpp"
+#include "cases/spelling.hpp"
+#include "plots/atomic_file.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+namespace delabole {
+
+namespace {
+
+// A case can be well formed and yet describe a slope that cannot be: the model has the last word.
+void check_model(const CaseFile& file) {
+    const Analysis analysis = analyse_model(file.model);
+    if (!analysis.failure.empty()) {
+        throw CaseError({impossible(file, analysis.failure)});
+    }
+    if (file.fit) {
+        fit_problem_of(file, 1, std::nullopt);
+    }
+}
+
+}  // namespace
+
+ExitCode check_command(const Paths& cases, const Options& options) {
+    Json json = Json::array();
+    bool all_valid = true;
+    for (const std::filesystem::path& path : cases) {
+        Json entry;
+        entry["case"] = path.string();
+        try {
+            const CaseFile file = read_case(path, settings_of(options));
+            check_model(file);
+            entry["status"] = "ok";
+            if (!options.json && !options.quiet) {
+                std::cout << path.string() << ": ok\n";
+            }
+        } catch (const CaseError& error) {
+            all_valid = false;
+            entry["status"] = "invalid";
+            entry["problems"] = Json::array();
+            for (const Problem& problem : error.problems()) {
+                entry["problems"].push_back(to_string(problem));
+            }
+            std::cerr << error.what() << '\n';
+        }
+        json.push_back(std::move(entry));
+    }
+    if (options.json) {
+        std::cout << json_text(json);
+    }
+    return all_valid ? ExitCode::ok : ExitCode::invalid_case;
+}
+
+ExitCode show_command(const std::filesystem::path& path, const Options& options) {
+    const CaseFile file = read_case(path, settings_of(options));
+    if (options.json) {
+        Json json;
+        json["case"] = file.name;
+        json["hash"] = case_hash(file);
+        json["resolved"] = resolved_toml(file);
+        std::cout << json_text(json);
+    } else {
+        std::cout << resolved_toml(file);
+    }
+    return ExitCode::ok;
+}
+
+ExitCode init_command(const std::string& model, const Options& options) {
+    const std::vector<std::string> models = model_names();
+    if (std::ranges::find(models, model) == models.end()) {
+        throw UsageError("init: no model is named '" + model + "'; there is " + choices(models) +
+                         suggestion(model, models));
+    }
+    const std::string text = commented_template(model);
+    if (options.out.empty()) {
+        std::cout << text;
+        return ExitCode::ok;
+    }
+    std::error_code ignored;  // what cannot be looked at cannot be written either, and the writer says why
+    if (std::filesystem::exists(options.out, ignored)) {
+        throw OutputError(options.out, "it exists already and is not overwritten");
+    }
+    write_file_atomically(options.out, text);
+    return ExitCode::ok;
+}
+
+}  // namespace delabole

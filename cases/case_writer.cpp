@@ -1,0 +1,226 @@
+#include "cases/case_writer.hpp"
+
+#include "cases/case_parts.hpp"
+#include "cases/described_writer.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace delabole {
+namespace {
+
+std::string written(const WrittenValue& value) {
+    if (const auto* number = std::get_if<double>(&value)) {
+        return written_quantity(*number, Dimension::ratio);
+    }
+    return in_quotes(std::get<std::string>(value));
+}
+
+void write_text(std::string& text, std::string_view key, const std::string& value) {
+    if (!value.empty()) {
+        write_line(text, key, in_quotes(value));
+    }
+}
+
+void write_conditions(std::string& text, const std::vector<Condition>& conditions,
+                      const std::vector<std::vector<Quantity>>& inputs) {
+    if (conditions.empty()) {
+        return;
+    }
+    std::string table;
+    for (const Condition& condition : conditions) {
+        const Quantity* input = nullptr;
+        for (const std::vector<Quantity>& of_model : inputs) {
+            input = input != nullptr ? input : find_quantity(of_model, condition.input);
+        }
+        const Dimension dimension = input == nullptr ? Dimension::ratio : input->dimension;
+        table += (table.empty() ? "" : ", ") + in_quotes(condition.input) + " = " +
+                 written_quantity(condition.value, dimension);
+    }
+    write_line(text, "with", "{ " + table + " }");
+}
+
+void write_expectation(std::string& text, const Expectation& expectation, const CaseModel& model) {
+    text += "\n[[expect]]\n";
+    write_line(text, "quantity", in_quotes(expectation.quantity));
+    write_line(text, "value", written(expectation.value));
+    if (expectation.tolerance) {
+        write_line(text, "tolerance", written(*expectation.tolerance));
+    }
+    if (expectation.relative_tolerance) {
+        write_line(text, "relative_tolerance", written_quantity(*expectation.relative_tolerance, Dimension::ratio));
+    }
+    write_conditions(text, expectation.conditions, {named_inputs(model)});
+    write_text(text, "source", expectation.source);
+    write_text(text, "note", expectation.note);
+    if (expectation.unreachable) {
+        write_line(text, "unreachable", in_quotes(*expectation.unreachable));
+    }
+}
+
+void write_parameter(std::string& text, const FreeParameter& parameter, const std::vector<Quantity>& inputs) {
+    const Quantity* input = find_quantity(inputs, parameter.name);
+    const Dimension dimension = input == nullptr ? Dimension::ratio : input->dimension;
+    text += "\n[[fit.mechanism.parameter]]\n";
+    write_line(text, "name", in_quotes(parameter.name));
+    write_line(text, "lower", written_quantity(parameter.lower, dimension));
+    write_line(text, "upper", written_quantity(parameter.upper, dimension));
+    if (parameter.prior) {
+        std::string prior =
+            "{ mean = " + written_quantity(parameter.prior->mean, dimension) +
+            ", standard_deviation = " + written_quantity(parameter.prior->standard_deviation, dimension);
+        prior += parameter.prior->source.empty() ? " }" : ", source = " + in_quotes(parameter.prior->source) + " }";
+        write_line(text, "prior", prior);
+    }
+}
+
+void write_mechanism(std::string& text, const FitMechanism& mechanism, const CaseModel& base) {
+    text += "\n[[fit.mechanism]]\n";
+    write_line(text, "name", in_quotes(mechanism.name));
+    write_line(text, "title", in_quotes(mechanism.title));
+    std::string sections;
+    std::visit(
+        [&](const auto& model) {
+            const auto& base_model = std::get<std::remove_cvref_t<decltype(model)>>(base);
+            write_differences(text, sections, base_model, model, "fit.mechanism");
+        },
+        mechanism.model);
+    text += sections;
+    const std::vector<Quantity> inputs = named_inputs(mechanism.model);
+    for (const FreeParameter& parameter : mechanism.parameters) {
+        write_parameter(text, parameter, inputs);
+    }
+}
+
+void write_settings(std::string& text, const FitSettings& settings) {
+    text += "\n[fit]\n";
+    write_line(text, "algorithm", in_quotes(word_of(settings.algorithm)));
+    write_line(text, "starts", std::to_string(settings.starts));
+    write_line(text, "evaluations_per_start", std::to_string(settings.evaluations_per_start));
+    write_line(text, "relative_tolerance", written_quantity(settings.relative_tolerance, Dimension::ratio));
+    write_line(text, "profile_points", std::to_string(settings.profile_points));
+    write_line(text, "map_points", std::to_string(settings.map_points));
+    write_line(text, "seed", std::to_string(settings.seed));
+}
+
+void write_observation(std::string& text, const CaseObservation& observation,
+                       const std::vector<std::vector<Quantity>>& inputs) {
+    const QuantityObservation& values = observation.observation;
+    text += "\n[[fit.observation]]\n";
+    write_line(text, "label", in_quotes(values.label));
+    write_line(text, "quantity", in_quotes(values.quantity));
+    write_line(text, "relation", in_quotes(word_of(values.relation)));
+    write_line(text, "value", written_quantity(values.value, observation.dimension));
+    write_line(text, "standard_deviation", written_quantity(values.standard_deviation, observation.dimension));
+    write_conditions(text, values.conditions, inputs);
+    write_text(text, "source", values.source);
+}
+
+void write_profile(std::string& text, const ProfileObservation& profile) {
+    text += "\n[fit.profile]\npoints = [\n";
+    for (const Point& point : profile.profile) {
+        text += "    [" + written_quantity(point.x(), Dimension::length) + ", " +
+                written_quantity(point.y(), Dimension::length) + "],\n";
+    }
+    text += "]\n";
+    write_line(text, "standard_deviation", written_quantity(profile.standard_deviation, Dimension::length));
+    write_text(text, "source", profile.source);
+}
+
+void write_fit(std::string& text, const CaseFit& fit, const CaseModel& base) {
+    write_settings(text, fit.settings);
+    std::vector<std::vector<Quantity>> inputs;
+    for (const FitMechanism& mechanism : fit.mechanisms) {
+        inputs.push_back(named_inputs(mechanism.model));
+        write_mechanism(text, mechanism, base);
+    }
+    for (const CaseObservation& observation : fit.observations) {
+        write_observation(text, observation, inputs);
+    }
+    if (fit.profile) {
+        write_profile(text, *fit.profile);
+    }
+    for (const FieldEvidence& evidence : fit.evidence) {
+        text += "\n[[fit.evidence]]\n";
+        write_line(text, "name", in_quotes(evidence.name));
+        write_line(text, "statement", in_quotes(evidence.statement));
+        write_text(text, "source", evidence.source);
+    }
+}
+
+std::size_t characters_in(std::string_view text) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));
+}
+
+}  // namespace
+
+std::string resolved_toml(const CaseFile& case_file) {
+    std::string text = "schema = 1\n";
+    write_text(text, "title", case_file.title);
+    write_text(text, "description", case_file.description);
+    write_line(text, "model", in_quotes(model_name(case_file.model)));
+    std::visit(
+        [&](const auto& model) {
+            write_values(text, model);
+            write_sections(text, model, "");
+        },
+        case_file.model);
+    if (!case_file.sources.empty()) {
+        text += "\n[sources]\n";
+        for (const auto& [key, source] : case_file.sources) {
+            write_line(text, in_quotes(key), in_quotes(source));
+        }
+    }
+    for (const Expectation& expectation : case_file.expectations) {
+        write_expectation(text, expectation, case_file.model);
+    }
+    if (case_file.fit) {
+        write_fit(text, *case_file.fit, case_file.model);
+    }
+    return text;
+}
+
+std::string case_hash(const CaseFile& case_file) {
+    constexpr std::uint64_t offset_basis = 0xCBF29CE484222325U;
+    constexpr std::uint64_t prime = 0x100000001B3U;
+    std::uint64_t hash = offset_basis;
+    for (const char byte : resolved_toml(case_file)) {
+        hash = (hash ^ static_cast<unsigned char>(byte)) * prime;
+    }
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text(16, '0');
+    for (auto digit = text.rbegin(); digit != text.rend(); ++digit, hash >>= 4U) {
+        *digit = digits[hash & 0xFU];
+    }
+    return text;
+}
+
+std::string described_inputs(const CaseFile& case_file) {
+    constexpr std::size_t columns = 5;
+    std::vector<std::array<std::string, columns>> rows{{"input", "value", "allowed", "meaning", "source"}};
+    for (const Quantity& input : named_inputs(case_file.model)) {
+        const auto source = case_file.sources.find(input.name);
+        const std::string range = readable_range(input.range, input.dimension);
+        rows.push_back({input.name, readable_quantity(input.value, input.dimension), range.empty() ? "any" : range,
+                        input.meaning, source == case_file.sources.end() ? "" : source->second});
+    }
+    std::array<std::size_t, columns> widths{};
+    for (const auto& row : rows) {
+        for (std::size_t column = 0; column < columns; ++column) {
+            widths[column] = std::max(widths[column], characters_in(row[column]));
+        }
+    }
+    std::string text;
+    for (const auto& row : rows) {
+        std::string line;
+        for (std::size_t column = 0; column < columns; ++column) {
+            line += row[column] + std::string(widths[column] - characters_in(row[column]) + 2, ' ');
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + "\n";
+    }
+    return text;
+}
+
+}  // namespace delabole

@@ -1,0 +1,52 @@
+// The commands of the program, apart from how their arguments are spelt.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace delabole {
+
+enum class ExitCode {
+    ok = 0,
+    mismatch = 1,  // verify: a value outside its tolerance
+    usage = 2,
+    invalid_case = 3,   // also: a physical impossibility in a case that asks for an answer
+    not_converged = 4,  // also: interrupted
+    output_failure = 5,
+    internal_error = 70,  // a fault of the program or the machine, not of the user
+};
+
+// The command line asks for something that does not exist or does not go together.
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+struct Options {
+    std::filesystem::path out;          // empty: results/<name of the case>
+    std::vector<std::string> settings;  // key=value
+    bool json = false;
+    bool quiet = false;
+    int threads = 1;
+    std::optional<std::uint64_t> seed;
+};
+
+using Paths = std::vector<std::filesystem::path>;
+
+// Each may throw UsageError (usage), CaseError (invalid_case) and OutputError (output_failure).
+ExitCode run_command(const Paths& cases, const Options& options);
+ExitCode fit_command(const std::filesystem::path& path, const Options& options);
+ExitCode check_command(const Paths& cases, const Options& options);
+ExitCode show_command(const std::filesystem::path& path, const Options& options);
+ExitCode init_command(const std::string& model, const Options& options);
+ExitCode verify_command(const Paths& cases, const Options& options);
+ExitCode reproduce_command(const std::string& what, const Options& options);
+
+// What reproduce accepts, with a line on each.
+std::vector<std::pair<std::string, std::string>> reproducible();
+
+}  // namespace delabole

@@ -1,0 +1,110 @@
+// delabole fit
+#include "cases/case_error.hpp"
+#include "cases/case_writer.hpp"
+#include "cases/commands.hpp"
+#include "cases/fit_problem_of_case.hpp"
+#include "cases/fit_report.hpp"
+#include "cases/inputs_report.hpp"
+#include "cases/interrupt.hpp"
+#include "cases/progress.hpp"
+#include "fitting/back_analysis.hpp"
+#include "fitting/check_problem.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+namespace delabole {
+
+namespace {
+
+bool any_status(const FitResult& result, FitStatus status) {
+    return std::any_of(result.mechanisms.begin(), result.mechanisms.end(),
+                       [&](const MechanismFit& fit) { return fit.status == status; });
+}
+
+FitResult fit_with_progress(const FitProblem& problem, const Options& options) {
+    Progress progress(options.quiet);
+    return fit(
+        problem,
+        [&](const FitProgress& state) {
+            progress.report(state.fraction, std::string(state.mechanism) + ": " + std::string(state.stage));
+        },
+        &interrupt_flag());
+}
+
+std::string status_of(const FitResult& result) {
+    if (any_status(result, FitStatus::interrupted)) {
+        return "interrupted";
+    }
+    return any_status(result, FitStatus::no_valid_point)     ? "no_valid_point"
+           : any_status(result, FitStatus::evaluation_limit) ? "evaluation_limit"
+                                                             : "converged";
+}
+
+// What keeps a result from being the answer; empty where nothing does.
+std::string reservation(const std::string& status) {
+    if (status == "interrupted") {
+        return "interrupted: the back-analysis was stopped early; what it had found is shown";
+    }
+    if (status == "evaluation_limit") {
+        return "not converged: the best search of a mechanism ended at its limit of evaluations before its tolerance; "
+               "fit.evaluations_per_start sets the limit";
+    }
+    if (status == "no_valid_point") {
+        return "not converged: a mechanism has no valid geometry anywhere between the bounds of its parameters";
+    }
+    return {};
+}
+
+}  // namespace
+
+ExitCode fit_command(const std::filesystem::path& path, const Options& options) {
+    const Stopwatch watch;
+    const CaseFile file = read_case(path, settings_of(options));
+    if (!file.fit) {
+        throw CaseError(
+            {{file.name, 0, 0, "fit", {}, "the case has no [fit] section: there is nothing to back-analyse"}});
+    }
+    const FitProblem problem = fit_problem_of(file, options.threads, options.seed);
+    const ResultFolder folder(options, stem_of(file));
+    const FitResult result = fit_with_progress(problem, options);
+
+    Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    const std::string status = status_of(result);
+    const std::string reserved = reservation(status);
+    if (!reserved.empty()) {
+        report.blocks.emplace_back(
+            Notice{NoticeKind::warning, status == "interrupted" ? "Interrupted" : "Not converged", {reserved}});
+    }
+    FitDocuments documents = document_fit(file, problem, result, folder, report);
+    documents.json["status"] = status;
+    Json source = provenance(file, "fit", options, watch.seconds());
+    source["fit_seconds"] = result.wall_seconds;
+    source["algorithm"] = std::string(word_of(problem.settings.algorithm));
+    source["starts"] = problem.settings.starts;
+    source["evaluations_per_start"] = problem.settings.evaluations_per_start;
+    source["seed"] = problem.settings.seed;
+    documents.json["provenance"] = source;
+    report.blocks.emplace_back(Heading{"Inputs"});
+    report.blocks.emplace_back(inputs_table(file));
+    report.blocks.emplace_back(evidence_table(problem));
+    report.blocks.emplace_back(Heading{"Provenance"});
+    report.blocks.emplace_back(provenance_block(source));
+
+    folder.write("resolved.toml", resolved_toml(file));
+    folder.write_report(report);
+    folder.write("result.json", json_text(documents.json));
+    if (options.json) {
+        std::cout << json_text(documents.json);
+    } else if (!options.quiet) {
+        std::cout << report.title << "\n\n"
+                  << documents.screen << "report in " << (folder.path() / "report.html").string() << '\n';
+    }
+    if (!reserved.empty()) {
+        std::cerr << "delabole: " << reserved << '\n';
+        return ExitCode::not_converged;
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace delabole

@@ -1,0 +1,33 @@
+#include "cases/fit_problem_of_case.hpp"
+
+#include "cases/analysis.hpp"
+#include "fitting/check_problem.hpp"
+
+namespace delabole {
+
+FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::uint64_t> seed) {
+    const CaseFit& fit = *file.fit;
+    FitProblem problem;
+    for (const CaseObservation& observation : fit.observations) {
+        problem.observations.push_back(observation.observation);
+    }
+    problem.profile = fit.profile;
+    problem.evidence = fit.evidence;
+    problem.settings = fit.settings;
+    problem.settings.threads = threads;
+    problem.settings.seed = seed.value_or(fit.settings.seed);
+    for (const FitMechanism& mechanism : fit.mechanisms) {
+        problem.mechanisms.push_back(
+            {mechanism.name, mechanism.title, interface_of(mechanism.model), mechanism.parameters});
+    }
+    std::vector<Problem> problems;
+    for (const std::string& sentence : check_problem(problem)) {
+        problems.push_back(problem_at(file, "fit", sentence));
+    }
+    if (!problems.empty()) {
+        throw CaseError(std::move(problems));
+    }
+    return problem;
+}
+
+}  // namespace delabole

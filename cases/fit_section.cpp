@@ -1,0 +1,287 @@
+// [fit]: what was observed, what is free, how to search.
+#include "cases/case_parts.hpp"
+#include "cases/described_reader.hpp"
+#include "cases/spelling.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace delabole {
+namespace {
+
+// Inputs and outputs under the names used in the case, over all mechanisms.
+std::vector<std::string> all_outputs(const std::vector<ModelNames>& models) {
+    std::vector<std::string> names;
+    for (const ModelNames& model : models) {
+        for (const std::string& name : names_in(model.outputs)) {
+            if (std::ranges::find(names, name) == names.end()) {
+                names.push_back(name);
+            }
+        }
+    }
+    return names;
+}
+
+template <class Enum>
+void read_word(Section& section, std::string_view key, Enum& value) {
+    if (const Node* node = section.take(key)) {
+        const auto index = read_choice(section.reading(), *node, section.path_of(key), detail::enum_words<Enum>());
+        value = index ? static_cast<Enum>(*index) : value;
+    }
+}
+
+void read_count(Section& section, std::string_view key, int lower, int upper, int& value) {
+    std::int64_t wide = value;
+    read_integer(section, key, lower, upper, wide);
+    value = static_cast<int>(wide);
+}
+
+FitSettings read_settings(Section& section) {
+    constexpr int most_starts = 100'000;
+    constexpr int most_evaluations = 100'000'000;
+    constexpr int most_points = 2001;
+    FitSettings settings;
+    read_word(section, "algorithm", settings.algorithm);
+    read_count(section, "starts", 1, most_starts, settings.starts);
+    read_count(section, "evaluations_per_start", 10, most_evaluations, settings.evaluations_per_start);
+    read_count(section, "profile_points", 5, most_points, settings.profile_points);
+    read_count(section, "map_points", 5, most_points, settings.map_points);
+    auto seed = static_cast<std::int64_t>(settings.seed);
+    read_integer(section, "seed", 0, std::numeric_limits<std::int64_t>::max(), seed);
+    settings.seed = static_cast<std::uint64_t>(seed);
+    if (const Node* node = section.take("relative_tolerance")) {
+        settings.relative_tolerance = read_number(section.reading(), *node, section.path_of("relative_tolerance"),
+                                                  Dimension::ratio, between(0, 1))
+                                          .value_or(settings.relative_tolerance);
+    }
+    return settings;
+}
+
+std::optional<Prior> read_prior(Section& parameter, const Quantity& input) {
+    const Node* node = parameter.take("prior");
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    const std::string path = parameter.path_of("prior");
+    const Node* table = as_table(parameter.reading(), *node, path);
+    if (table == nullptr) {
+        return std::nullopt;
+    }
+    Section section(parameter.reading(), *table, path);
+    Prior prior{};
+    prior.mean = read_number(section, "mean", input.dimension, input.range, "mean of the prior").value_or(0);
+    prior.standard_deviation =
+        read_number(section, "standard_deviation", input.dimension, more_than(0), "standard deviation of the prior")
+            .value_or(1);
+    prior.source = read_optional_text(section, "source");
+    section.finish();
+    return prior;
+}
+
+void read_parameter(Section& section, const ModelNames& names, std::vector<FreeParameter>& parameters) {
+    const std::string name = require_text(section, "name", "the input that is free, e.g. strength.friction_angle");
+    for (const std::string_view key : {"lower", "upper", "prior"}) {
+        section.allow(key);
+    }
+    const Quantity* input = find_quantity(names.inputs, name);
+    if (input == nullptr) {
+        if (!name.empty() && names.inputs_known) {
+            section.complain("name", *section.peek("name"),
+                             "is not an input of this case" + suggestion(name, names_in(names.inputs)));
+        }
+        return;
+    }
+    if (std::ranges::find(parameters, name, &FreeParameter::name) != parameters.end()) {
+        section.complain("name", *section.peek("name"), "is free already: each input once");
+    }
+    const auto lower = read_number(section, "lower", input->dimension, input->range, "lower bound");
+    const auto upper = read_number(section, "upper", input->dimension, input->range, "upper bound");
+    if (lower && upper && *lower > *upper) {
+        section.complain("lower", *section.peek("lower"),
+                         "bounds are reversed: lower must not exceed upper = " + shown(*section.peek("upper")));
+    }
+    parameters.push_back(
+        {.name = name, .lower = lower.value_or(0), .upper = upper.value_or(0), .prior = read_prior(section, *input)});
+}
+
+std::vector<FreeParameter> read_parameters(Section& section, const ModelNames& names) {
+    std::vector<FreeParameter> parameters;
+    for_each_table(section, "parameter", [&](Section& element) { read_parameter(element, names, parameters); });
+    return parameters;
+}
+
+void check_mechanism_name(Section& section, const std::string& name, const std::vector<FitMechanism>& others) {
+    const auto plain = [](char character) {
+        return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||
+               (character >= '0' && character <= '9') || character == '_' || character == '-';
+    };
+    if (name.empty()) {
+        return;
+    }
+    if (!std::ranges::all_of(name, plain)) {
+        section.complain("name", *section.peek("name"), "must consist of letters, digits, - and _ (it names files)");
+    }
+    if (std::ranges::find(others, name, &FitMechanism::name) != others.end()) {
+        section.complain("name", *section.peek("name"), "names two mechanisms");
+    }
+}
+
+FitMechanism read_mechanism(Section& section, const CaseFile& case_file, const OutputsOf& outputs_of,
+                            const std::vector<FitMechanism>& others, std::vector<ModelNames>& names) {
+    FitMechanism mechanism;
+    mechanism.name = require_text(section, "name", "a short name, e.g. critical_geometry");
+    check_mechanism_name(section, mechanism.name, others);
+    mechanism.title = read_optional_text(section, "title");
+    if (mechanism.title.empty()) {
+        mechanism.title = mechanism.name;
+    }
+    mechanism.model = case_file.model;
+    replace_in_model(section, mechanism.model);
+    if (section.reading().clean()) {
+        check_model(section.reading(), mechanism.model, section.path() + ".");
+    }
+    names.push_back(names_of(mechanism.model, outputs_of, section.reading().inputs_known()));
+    mechanism.parameters = read_parameters(section, names.back());
+    if (!section.contains("parameter")) {
+        section.reading().complain(section.place(), section.path(), {},
+                                   "has nothing free: [[fit.mechanism.parameter]] is required");
+    }
+    return mechanism;
+}
+
+std::vector<FitMechanism> read_mechanisms(Section& section, const CaseFile& case_file, const OutputsOf& outputs_of,
+                                          std::vector<ModelNames>& names) {
+    std::vector<FitMechanism> mechanisms;
+    const bool own = section.contains("parameter");
+    const bool several = section.contains("mechanism");
+    if (own == several) {
+        section.reading().complain(section.place(), section.path(), {},
+                                   own ? "takes either [[fit.parameter]] or [[fit.mechanism]], not both"
+                                       : "has nothing free: [[fit.parameter]] or [[fit.mechanism]] is required");
+    }
+    for_each_table(section, "mechanism", [&](Section& element) {
+        mechanisms.push_back(read_mechanism(element, case_file, outputs_of, mechanisms, names));
+    });
+    if (mechanisms.empty()) {
+        names.push_back(names_of(case_file.model, outputs_of, section.reading().inputs_known()));
+        const std::string name(model_name(case_file.model));
+        mechanisms.push_back({.name = name,
+                              .title = case_file.title.empty() ? name : case_file.title,
+                              .model = case_file.model,
+                              .parameters = read_parameters(section, names.back())});
+    } else {
+        section.allow("parameter");
+    }
+    return mechanisms;
+}
+
+void read_observation(Section& section, const std::vector<ModelNames>& names,
+                      std::vector<CaseObservation>& observations) {
+    QuantityObservation observation{};
+    observation.label = require_text(section, "label", "what was observed, in a few words");
+    observation.quantity = require_text(section, "quantity", "name of an output of the model");
+    read_word(section, "relation", observation.relation);
+    observation.conditions = read_conditions(section, names);
+    observation.source = read_optional_text(section, "source");
+    section.allow("value");
+    section.allow("standard_deviation");
+    const Quantity* output = nullptr;
+    for (const ModelNames& model : names) {
+        output = output != nullptr ? output : find_quantity(model.outputs, observation.quantity);
+    }
+    if (output == nullptr) {
+        if (!observation.quantity.empty()) {
+            section.complain(
+                "quantity", *section.peek("quantity"),
+                "is not an output of any mechanism" + suggestion(observation.quantity, all_outputs(names)));
+        }
+        return;
+    }
+    observation.value =
+        read_number(section, "value", output->dimension, any_number(), "the observed value").value_or(0);
+    observation.standard_deviation = read_number(section, "standard_deviation", output->dimension, more_than(0),
+                                                 "standard deviation of the observation, or of the model")
+                                         .value_or(1);
+    observations.push_back({.observation = std::move(observation), .dimension = output->dimension});
+}
+
+std::optional<Point> read_point(Reading& reading, const Node& node, const std::string& path) {
+    if (node.kind != Node::Kind::array || node.elements.size() != 2) {
+        reading.complain(node.place, path, shown(node), "must be a point [x, y], e.g. [\"0 ft\", \"350 ft\"]");
+        return std::nullopt;
+    }
+    const auto x = read_number(reading, node.elements[0], path + "[1]", Dimension::length, any_number());
+    const auto y = read_number(reading, node.elements[1], path + "[2]", Dimension::length, any_number());
+    return x && y ? std::optional(Point(*x, *y)) : std::nullopt;
+}
+
+std::optional<ProfileObservation> read_profile(Section& fit) {
+    const Node* node = fit.take("profile");
+    const Node* table = node == nullptr ? nullptr : as_table(fit.reading(), *node, fit.path_of("profile"));
+    if (table == nullptr) {
+        return std::nullopt;
+    }
+    Section section(fit.reading(), *table, fit.path_of("profile"));
+    ProfileObservation profile{};
+    const Node* points = section.require("points", "the ground after the failure, from the toe into the slope");
+    if (points != nullptr && points->kind != Node::Kind::array) {
+        section.complain("points", *points, "must be a list of points [x, y]");
+    } else if (points != nullptr) {
+        for (std::size_t index = 0; index < points->elements.size(); ++index) {
+            const std::string path = section.path_of("points") + "[" + std::to_string(index + 1) + "]";
+            profile.profile.push_back(
+                read_point(section.reading(), points->elements[index], path).value_or(Point::Zero()));
+        }
+        const auto differs = [&](const Point& point) { return point != profile.profile.front(); };
+        if (section.reading().clean() && std::ranges::none_of(profile.profile, differs)) {
+            section.complain("points", *points, "must hold at least two different points");
+        }
+    }
+    profile.standard_deviation = read_number(section, "standard_deviation", Dimension::length, more_than(0),
+                                             "standard deviation of the distance from the profile")
+                                     .value_or(1);
+    profile.source = read_optional_text(section, "source");
+    section.finish();
+    return profile;
+}
+
+void read_evidence(Section& section, std::vector<FieldEvidence>& evidence) {
+    FieldEvidence item;
+    item.name = require_text(section, "name", "a short name, e.g. crest_block_rotation");
+    item.statement = require_text(section, "statement", "what was seen");
+    item.source = read_optional_text(section, "source");
+    if (!item.name.empty() && std::ranges::find(evidence, item.name, &FieldEvidence::name) != evidence.end()) {
+        section.complain("name", *section.peek("name"), "names two pieces of evidence");
+    }
+    evidence.push_back(std::move(item));
+}
+
+}  // namespace
+
+CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outputs_of) {
+    CaseFit fit;
+    const Node* node = root.take("fit");
+    const Node* table = as_table(root.reading(), *node, "fit");
+    if (table == nullptr) {
+        return fit;
+    }
+    Section section(root.reading(), *table, "fit");
+    fit.settings = read_settings(section);
+    std::vector<ModelNames> names;
+    fit.mechanisms = read_mechanisms(section, case_file, outputs_of, names);
+    const Node* observations = section.peek("observation");
+    for_each_table(section, "observation",
+                   [&](Section& element) { read_observation(element, names, fit.observations); });
+    fit.profile = read_profile(section);
+    for_each_table(section, "evidence", [&](Section& element) { read_evidence(element, fit.evidence); });
+    const bool empty_list =
+        observations == nullptr || (observations->kind == Node::Kind::array && observations->elements.empty());
+    if (empty_list && !section.contains("profile")) {
+        section.reading().complain(section.place(), "fit", {},
+                                   "has no observations: [[fit.observation]] or [fit.profile] is required");
+    }
+    section.finish();
+    return fit;
+}
+
+}  // namespace delabole

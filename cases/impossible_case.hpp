@@ -1,0 +1,15 @@
+// A case that reads well and yet describes a slope that cannot be: which of its values is to blame, and for what.
+#pragma once
+
+#include "cases/case_file.hpp"
+
+#include <string_view>
+
+namespace delabole {
+
+// The complaint about a failed check (the name of a PlaneFailureCheck), at the place of the value that broke it and
+// with the limit that it broke, where the model can tell. Values not in the case, such as those of a critical search,
+// are not blamed.
+Problem impossible(const CaseFile& file, std::string_view failure);
+
+}  // namespace delabole

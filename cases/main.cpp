@@ -1,0 +1,208 @@
+// Arguments in, exit code out; everything else is in the commands.
+#include "cases/case_error.hpp"
+#include "cases/commands.hpp"
+#include "cases/interrupt.hpp"
+#include "plots/atomic_file.hpp"
+#include "version/version.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace {
+
+using delabole::ExitCode;
+using delabole::Options;
+using delabole::Paths;
+
+int code(ExitCode exit_code) {
+    return static_cast<int>(exit_code);
+}
+
+// CLI11 takes -1 for the largest number there is, and anything too large as well. Empty where all is well.
+std::string is_seed(const std::string& text) {
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    return error == std::errc{} && end == text.data() + text.size() ? ""
+                                                                    : text + " is not an integer from 0 to 2^64 - 1";
+}
+
+void add_common(CLI::App& command, Options& options) {
+    command.add_option("--set", options.settings, "Replace a value of the case, key=value; may be given several times")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command.add_flag("--json", options.json, "Print the result as JSON on standard output");
+    command.add_flag("--quiet", options.quiet, "Print nothing but errors (and what --json asks for)");
+}
+
+void add_output(CLI::App& command, Options& options) {
+    command.add_option("--out", options.out, "Folder for the results; by default results/<name of the case>")
+        ->type_name("DIR");
+}
+
+void add_loops(CLI::App& command, Options& options) {
+    command.add_option("--threads", options.threads, "Threads to use; the result does not depend on their number")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command.add_option("--seed", options.seed, "Replace the seed of the case")->check(is_seed)->type_name("N");
+}
+
+std::string reproduce_help() {
+    std::string text = "Recompute what the thesis prints, printed value beside computed value. WHAT is one of\n";
+    for (const auto& [name, meaning] : delabole::reproducible()) {
+        text.append("  ").append(name).append(": ").append(meaning).append("\n");
+    }
+    return text;
+}
+
+std::string example(const std::string& command) {
+    return "Example:\n  " + command;
+}
+
+// Options that lead to a command, and the command.
+struct Program {
+    CLI::App app{
+        "Back-analysis of rock-slope failures.\n"
+        "Exit codes: 0 ok, 1 verify mismatch, 2 usage, 3 invalid case, 4 not converged or interrupted, "
+        "5 output failure, 70 a fault of the program itself.",
+        "delabole"};
+    Options options;
+    Paths cases;
+    std::filesystem::path one_case;
+    std::string word;
+    std::function<ExitCode()> chosen;
+
+    Program() {
+        app.set_version_flag("--version",
+                             std::string(delabole::version()) + " (" + std::string(delabole::revision()) + ")");
+        app.require_subcommand(1);
+        app.footer(example("delabole run cases/plane_failure/wyllie_mah_7_1.toml"));
+        add_analysis();
+        add_case_tools();
+        add_proof();
+    }
+
+    void add_analysis() {
+        CLI::App* run = app.add_subcommand("run", "Analyse cases; prints a table and writes a result folder for each");
+        run->add_option("CASE", cases, "Case files")->required();
+        add_common(*run, options);
+        add_output(*run, options);
+        run->footer(example("delabole run cases/plane_failure/wyllie_mah_7_1.toml --set water.water_depth=\"2 m\""));
+        run->callback([this] { chosen = [this] { return delabole::run_command(cases, options); }; });
+
+        CLI::App* fit = app.add_subcommand(
+            "fit", "Back-analyse a failure: what its evidence determines, fitted parameters, ranking of mechanisms");
+        fit->add_option("CASE", one_case, "Case file with a [fit] section")->required();
+        add_common(*fit, options);
+        add_output(*fit, options);
+        add_loops(*fit, options);
+        fit->footer(example("delabole fit cases/delabole_1967.toml --out results/delabole_1967"));
+        fit->callback([this] { chosen = [this] { return delabole::fit_command(one_case, options); }; });
+    }
+
+    void add_case_tools() {
+        CLI::App* check = app.add_subcommand("check", "Read cases and report every error in them");
+        check->add_option("CASE", cases, "Case files")->required();
+        add_common(*check, options);
+        check->footer(example("delabole check cases/delabole_1967.toml"));
+        check->callback([this] { chosen = [this] { return delabole::check_command(cases, options); }; });
+
+        CLI::App* show =
+            app.add_subcommand("show", "Print a case as it is understood, with defaults, in standard units");
+        show->add_option("CASE", one_case, "Case file")->required();
+        add_common(*show, options);
+        show->footer(example("delabole show cases/delabole_1967.toml"));
+        show->callback([this] { chosen = [this] { return delabole::show_command(one_case, options); }; });
+
+        CLI::App* init =
+            app.add_subcommand("init", "Write a commented case to start from, to standard output or --out");
+        init->add_option("MODEL", word, "plane_failure or tilted_column")->required();
+        init->add_option("--out", options.out, "File to write; an existing one is not overwritten")->type_name("FILE");
+        init->footer(example("delabole init plane_failure --out my_slope.toml"));
+        init->callback([this] { chosen = [this] { return delabole::init_command(word, options); }; });
+    }
+
+    void add_proof() {
+        CLI::App* verify = app.add_subcommand("verify", "Compare computed values with the [[expect]] entries of cases");
+        verify->add_option("CASE", cases, "Case files or folders of them");
+        add_common(*verify, options);
+        verify->footer(example("delabole verify cases"));
+        verify->callback([this] { chosen = [this] { return delabole::verify_command(cases, options); }; });
+
+        CLI::App* reproduce = app.add_subcommand("reproduce", reproduce_help());
+        reproduce->add_option("WHAT", word, "What to reproduce; everything by default");
+        reproduce->add_flag("--json", options.json, "Print the result as JSON on standard output");
+        reproduce->add_flag("--quiet", options.quiet, "Print nothing but errors (and what --json asks for)");
+        add_output(*reproduce, options);
+        reproduce->footer(example("delabole reproduce fig2.8"));
+        reproduce->callback([this] { chosen = [this] { return delabole::reproduce_command(word, options); }; });
+    }
+};
+
+// A standard stream that the caller closed would lend its number to the next file that is opened, and what is meant for
+// the reader would end up in a result. Such a stream is replaced by one that refuses to be used.
+void occupy_standard_streams() {
+    for (const auto& [descriptor, mode] :
+         {std::pair{STDIN_FILENO, O_WRONLY}, std::pair{STDOUT_FILENO, O_RDONLY}, std::pair{STDERR_FILENO, O_RDONLY}}) {
+        if (::fcntl(descriptor, F_GETFD) < 0) {
+            ::open("/dev/null", mode);  // takes the lowest free number, which is this one
+        }
+    }
+}
+
+// A result that did not reach its reader is an error, a full disk behind `> file` among them.
+int code_if_output_arrived(ExitCode exit_code) {
+    if (!std::cout.flush() || std::fflush(stdout) != 0) {
+        std::cerr << "delabole: cannot write to standard output\n";
+        return code(ExitCode::output_failure);
+    }
+    return code(exit_code);
+}
+
+int guarded(const std::function<ExitCode()>& command) {
+    try {
+        return code_if_output_arrived(command());
+    } catch (const delabole::UsageError& error) {
+        std::cerr << "delabole: " << error.what() << '\n';
+        return code(ExitCode::usage);
+    } catch (const delabole::CaseError& error) {
+        std::cerr << error.what() << '\n';
+        return code(ExitCode::invalid_case);
+    } catch (const delabole::OutputError& error) {
+        std::cerr << "delabole: " << error.what() << '\n';
+        return code(ExitCode::output_failure);
+    }
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+    occupy_standard_streams();
+    try {
+        Program program;
+        try {
+            program.app.parse(argument_count, arguments);
+        } catch (const CLI::ParseError& error) {
+            // CLI11 has exit codes of its own, above 100; help and version are no errors.
+            const bool asked_for = program.app.exit(error) == 0;
+            return asked_for ? code_if_output_arrived(ExitCode::ok) : code(ExitCode::usage);
+        }
+        delabole::catch_interrupts();
+        return guarded(program.chosen);
+    } catch (const std::exception& error) {
+        std::cerr << "delabole: stopped by an error that lies neither in the case nor in the command: " << error.what()
+                  << '\n';
+        return code(ExitCode::internal_error);
+    }
+}

@@ -1,0 +1,79 @@
+// What a command leaves behind: result.json, resolved.toml, tables as CSV, figures and report.html in one folder.
+#pragma once
+
+#include "cases/analysis.hpp"
+#include "cases/case_file.hpp"
+#include "cases/commands.hpp"
+#include "plots/figure.hpp"
+#include "plots/report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace delabole {
+
+using Json = nlohmann::ordered_json;
+
+// "fig_2_8" of "cases/plane_failure/fig_2_8.toml".
+std::string stem_of(const CaseFile& file);
+
+std::vector<Setting> settings_of(const Options& options);
+
+// A number in its display unit under a name that carries the unit: "crack_depth_m", "plane_dip_deg".
+std::string column_name(std::string_view name, Dimension dimension);
+double in_display_unit(double value, Dimension dimension);
+
+// {"factor_of_safety": 1.247, "crack_depth_m": 4.348, "outcome": "stable"}. Infinite values become the word "infinite".
+Json json_of(const std::vector<NamedOutput>& outputs);
+Json json_number(double value);
+// Indented, with a line end. Bytes that are not UTF-8, as a file name may contain, are replaced.
+std::string json_text(const Json& json);
+
+// Comma-separated, with a header; texts are quoted where they need it, numbers in full precision.
+class CsvTable {
+  public:
+    explicit CsvTable(std::vector<std::string> columns);
+    void add_row(const std::vector<std::variant<double, std::string>>& row);
+    const std::string& text() const { return text_; }
+
+  private:
+    std::string text_;
+};
+
+// Version, revision, case, hash, settings, wall time: what a result was made from.
+Json provenance(const CaseFile& file, const std::string& command, const Options& options, double wall_seconds);
+Provenance provenance_block(const Json& provenance);
+
+class ResultFolder {
+  public:
+    // Creates the folder. OutputError where that is impossible. result.json is to be written last and so says that all
+    // the rest is there: an earlier one is removed first.
+    ResultFolder(const Options& options, const std::string& name);
+
+    const std::filesystem::path& path() const { return path_; }
+    void write(const std::string& name, std::string_view text) const;
+    // A figure that cannot be drawn is reported inside the report and by a warning on standard error.
+    FigureInReport draw(const Figure& figure, const std::string& name, const std::string& caption) const;
+    void write_report(const Report& report) const;
+
+  private:
+    std::filesystem::path path_;
+    bool quiet_;
+};
+
+// Columns aligned for a terminal, the first to the left, the others to the right.
+std::string text_table(const std::vector<std::vector<std::string>>& rows);
+
+class Stopwatch {
+  public:
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace delabole

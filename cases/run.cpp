@@ -1,0 +1,179 @@
+// delabole run
+#include "cases/analysis.hpp"
+#include "cases/case_error.hpp"
+#include "cases/case_writer.hpp"
+#include "cases/commands.hpp"
+#include "cases/impossible_case.hpp"
+#include "cases/inputs_report.hpp"
+#include "cases/interrupt.hpp"
+#include "cases/plane_failure_figures.hpp"
+#include "cases/result_folder.hpp"
+#include "cases/units.hpp"
+#include "plots/text.hpp"
+
+#include <iostream>
+
+namespace delabole {
+
+namespace {
+
+// Six digits for a reader, who compares with printed values; CSV and JSON have all of them.
+std::string in_six_digits(double value, Dimension dimension) {
+    const DisplayUnit unit = display_unit(dimension);
+    std::string text = human_number(value / unit.si_per_unit, 6);
+    if (!unit.symbol.empty()) {
+        text.append(" ").append(unit.symbol);
+    }
+    return text;
+}
+
+std::string shown(const NamedOutput& output) {
+    const auto* number = std::get_if<double>(&output.value);
+    return number != nullptr ? in_six_digits(*number, output.dimension) : std::get<std::string>(output.value);
+}
+
+Table output_table(const Analysis& analysis) {
+    Table table{"Results", {{"quantity"}, {"value", true}, {"meaning"}}, {}};
+    for (const NamedOutput& output : analysis.outputs) {
+        table.rows.push_back({output.name, shown(output), output.meaning});
+    }
+    return table;
+}
+
+void write_outputs(const ResultFolder& folder, const Analysis& analysis) {
+    CsvTable csv({"quantity", "value", "unit", "meaning"});
+    for (const NamedOutput& output : analysis.outputs) {
+        const std::string unit(display_unit(output.dimension).symbol);
+        if (const auto* number = std::get_if<double>(&output.value)) {
+            csv.add_row({output.name, in_display_unit(*number, output.dimension), unit, output.meaning});
+        } else {
+            csv.add_row({output.name, std::get<std::string>(output.value), std::string(), output.meaning});
+        }
+    }
+    folder.write("results.csv", csv.text());
+}
+
+Table sensitivity_table(const SensitivityResult& sensitivities, CsvTable& csv) {
+    Table table{"Exact derivatives of the factor of safety",
+                {{"input"}, {"value", true}, {"dFS per unit", true}, {"unit"}},
+                {}};
+    for (const Sensitivity& input : sensitivities.derivatives) {
+        const DisplayUnit unit = display_unit(input.dimension);
+        const double per_unit = input.derivative * unit.si_per_unit;
+        table.rows.push_back({input.parameter, in_six_digits(input.value, input.dimension),
+                              in_six_digits(per_unit, Dimension::ratio),
+                              unit.symbol.empty() ? "1" : "1/(" + std::string(unit.symbol) + ")"});
+        csv.add_row(
+            {input.parameter, in_display_unit(input.value, input.dimension), std::string(unit.symbol), per_unit});
+    }
+    return table;
+}
+
+// Figures and tables that only plane failure has.
+void append_plane_failure(Report& report, const ResultFolder& folder, const PlaneFailureStudy<>& study) {
+    const PlaneFailure<> problem = resolve(study).problem;
+    report.blocks.emplace_back(Heading{"Section"});
+    SectionDrawing section = section_drawing(problem, "Slope, failure plane, crack and water");
+    section.predicted_profile = profile_after_failure(problem);
+    report.blocks.emplace_back(folder.draw(section_figure(section), "section",
+                                           "The slope, what slides, and the water pressure on it (not to the scale "
+                                           "of the section)."));
+    if (const auto critical = critical_plane_drawing(study)) {
+        report.blocks.emplace_back(folder.draw(critical_figure(*critical), "critical_plane",
+                                               "Least factor of safety for each dip of the failure plane."));
+    }
+    report.blocks.emplace_back(Heading{"Water and strength"});
+    if (const auto curves = water_depth_curves(problem)) {
+        report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(*curves), "water",
+                                               "Factor of safety against the filled ratio of the water level."));
+    }
+    report.blocks.emplace_back(folder.draw(failure_locus_figure(failure_loci(problem)), "failure_loci",
+                                           "Pairs of friction angle and cohesion at which the slope just fails."));
+    const SensitivityResult derivatives = sensitivities(problem);
+    CsvTable csv({"input", "value", "unit", "derivative_per_unit"});
+    report.blocks.emplace_back(Heading{"Sensitivity"});
+    report.blocks.emplace_back(folder.draw(tornado_figure("Change of the factor of safety", sensitivity_bars(problem)),
+                                           "sensitivity", "To first order, from exact derivatives."));
+    report.blocks.emplace_back(sensitivity_table(derivatives, csv));
+    folder.write("sensitivities.csv", csv.text());
+}
+
+void print(const CaseFile& file, const Analysis& analysis, const ResultFolder& folder) {
+    std::vector<std::vector<std::string>> rows;
+    for (const NamedOutput& output : analysis.outputs) {
+        rows.push_back({output.name, shown(output)});
+    }
+    std::cout << (file.title.empty() ? file.name : file.title) << '\n' << text_table(rows);
+    for (const std::string& warning : analysis.warnings) {
+        std::cout << "warning: " << warning << '\n';
+    }
+    std::cout << "results in " << folder.path().string() << "\n\n";
+}
+
+ExitCode run_one(const CaseFile& file, const Options& options) {
+    const Stopwatch watch;
+    const Analysis analysis = analyse_model(file.model);
+    if (!analysis.failure.empty()) {
+        throw CaseError({impossible(file, analysis.failure)});
+    }
+    const ResultFolder folder(options, stem_of(file));
+    const Json source = provenance(file, "run", options, watch.seconds());
+
+    Json json;
+    json["status"] = "ok";
+    json["title"] = file.title;
+    json["model"] = std::string(model_name(file.model));
+    json["results"] = json_of(analysis.outputs);
+    json["warnings"] = analysis.warnings;
+    json["provenance"] = source;
+
+    Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    if (!analysis.warnings.empty()) {
+        report.blocks.emplace_back(Notice{NoticeKind::warning, "Warnings", analysis.warnings});
+    }
+    report.blocks.emplace_back(Heading{"Results"});
+    report.blocks.emplace_back(output_table(analysis));
+    if (const auto* study = std::get_if<PlaneFailureStudy<>>(&file.model)) {
+        append_plane_failure(report, folder, *study);
+    }
+    report.blocks.emplace_back(Heading{"Inputs"});
+    report.blocks.emplace_back(inputs_table(file));
+    report.blocks.emplace_back(Heading{"Provenance"});
+    report.blocks.emplace_back(provenance_block(source));
+
+    folder.write("resolved.toml", resolved_toml(file));
+    write_outputs(folder, analysis);
+    folder.write_report(report);
+    folder.write("result.json", json_text(json));
+    if (options.json) {
+        std::cout << json_text(json);
+    } else if (!options.quiet) {
+        print(file, analysis, folder);
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+ExitCode run_command(const Paths& cases, const Options& options) {
+    if (cases.size() > 1 && !options.out.empty()) {
+        throw UsageError("--out names one folder, but there are several cases");
+    }
+    // Every case is read before the first is analysed: a mistake in the last one costs nothing.
+    std::vector<CaseFile> files;
+    for (const std::filesystem::path& path : cases) {
+        files.push_back(read_case(path, settings_of(options)));
+    }
+    std::size_t analysed = 0;
+    for (const CaseFile& file : files) {
+        if (interrupt_flag()) {
+            std::cerr << "delabole: interrupted, " << analysed << " of " << files.size() << " cases were analysed\n";
+            return ExitCode::not_converged;
+        }
+        run_one(file, options);
+        ++analysed;
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace delabole

@@ -1,0 +1,23 @@
+// The units of udunits2 behind a narrow door: linear factors to SI, nothing else.
+#pragma once
+
+#include "parameters/fields.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace delabole {
+
+struct UnitFactor {
+    bool known = false;                 // the text is a unit
+    std::optional<double> si_per_unit;  // set when the unit has the dimension asked for
+};
+
+// Any dimension but an angle. The text must consist of named units with exponents only. Throws std::runtime_error when
+// the unit database is missing.
+UnitFactor unit_factor(std::string_view unit, Dimension dimension);
+
+// The SI unit as people write it, "N/m3"; empty for a ratio.
+std::string si_symbol(Dimension dimension);
+
+}  // namespace delabole

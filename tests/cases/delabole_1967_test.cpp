@@ -1,0 +1,87 @@
+// The back-analysis of the 1967 failure: what the README says of it.
+#include "cases/fit_problem_of_case.hpp"
+#include "fitting/back_analysis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace delabole {
+namespace {
+
+constexpr double foot = 0.3048;
+
+const FitResult& result_of_1967() {
+    static const FitResult result = [] {
+        const CaseFile file = read_case(std::string(DELABOLE_CASES) + "/delabole_1967.toml");
+        return fit(fit_problem_of(file, 1, std::nullopt));
+    }();
+    return result;
+}
+
+const MechanismFit& mechanism(const std::string& name) {
+    const auto& mechanisms = result_of_1967().mechanisms;
+    return *std::find_if(mechanisms.begin(), mechanisms.end(),
+                         [&](const MechanismFit& fit) { return fit.name == name; });
+}
+
+const ProfileLikelihood& data_alone(const MechanismFit& fit, const std::string& parameter) {
+    return *std::find_if(fit.profiles.begin(), fit.profiles.end(), [&](const ProfileLikelihood& profile) {
+        return !profile.with_priors && profile.parameter == parameter;
+    });
+}
+
+bool leaves_unexplained(const MechanismFit& fit, const std::string& word) {
+    return std::any_of(fit.unexplained.begin(), fit.unexplained.end(),
+                       [&](const std::string& sentence) { return sentence.find(word) != std::string::npos; });
+}
+
+TEST(Delabole1967, FrictionAndWaterAreNotDeterminedSeparately) {
+    const MechanismFit& fit = mechanism("structural_sliding");
+    ASSERT_EQ(fit.status, FitStatus::converged);
+    EXPECT_EQ(fit.identifiability.rank, 1);
+    EXPECT_NE(fit.identifiability.verdict.find("only one combination is determined"), std::string::npos);
+    EXPECT_NE(data_alone(fit, "strength.friction_angle").determination, Determination::determined);
+    EXPECT_NE(data_alone(fit, "water.water_elevation").determination, Determination::determined);
+}
+
+TEST(Delabole1967, StructuralSlidingNeedsWaterFarAboveTheSeepageLevels) {
+    const MechanismFit& fit = mechanism("structural_sliding");
+    // A regression of the compromise between data and priors; three digits are what the README shows.
+    EXPECT_NEAR(fit.best[0], degrees(15.44), degrees(0.05));
+    EXPECT_NEAR(fit.best[1], 157.9, 0.1);
+    EXPECT_GT(fit.best[1], 475 * foot);  // the upper seepage level
+    EXPECT_TRUE(leaves_unexplained(fit, "water.water_elevation"));
+    EXPECT_LT(fit.data_misfit, 1);  // its geometry is the observed one
+}
+
+TEST(Delabole1967, CriticalSlidingCannotPlaceTheCrack) {
+    const MechanismFit& fit = mechanism("critical_sliding");
+    ASSERT_EQ(fit.status, FitStatus::converged);
+    // Full rank near the best point, but no closed interval: the verdict has to say both.
+    EXPECT_EQ(fit.identifiability.rank, 3);
+    EXPECT_EQ(data_alone(fit, "water.water_elevation").determination, Determination::undetermined);
+    EXPECT_NE(fit.identifiability.verdict.find("the data alone close no 95 % interval"), std::string::npos);
+    EXPECT_NEAR(fit.best[0], degrees(21.8), degrees(0.1));
+    EXPECT_NEAR(fit.best[1], 139, 0.5);
+    EXPECT_NEAR(fit.best[2], 359e3, 1e3);
+    ASSERT_GE(fit.prediction.profile.size(), 2U);
+    const double crack_base = fit.prediction.profile[1].y();  // toe, bottom of the crack, ...
+    EXPECT_LT(crack_base, 75 * foot - 4);
+}
+
+TEST(Delabole1967, SlidingExplainsNoneOfTheMovementsAtTheCrest) {
+    for (const MechanismFit& fit : result_of_1967().mechanisms) {
+        EXPECT_TRUE(leaves_unexplained(fit, "parallel_crest_cracks")) << fit.name;
+        EXPECT_TRUE(leaves_unexplained(fit, "crest_block_rotation")) << fit.name;
+    }
+}
+
+TEST(Delabole1967, StructureRanksFirst) {
+    ASSERT_EQ(result_of_1967().mechanisms.size(), 2U);
+    EXPECT_EQ(result_of_1967().mechanisms.front().name, "structural_sliding");
+}
+
+}  // namespace
+}  // namespace delabole

@@ -1,0 +1,88 @@
+// A complete case to break in one place at a time.
+#pragma once
+
+#include "cases/case_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+namespace delabole::testing {
+
+inline constexpr std::string_view example_text = R"(schema = 1
+title = "Example"
+model = "plane_failure"
+
+[slope]
+height = "225 ft"
+face_dip = "70 deg"
+upper_surface_dip = "0 deg"
+
+[failure_plane]
+dip = "40 deg"
+
+[tension_crack]
+dip = "90 deg"
+depth = "40 m"
+
+[rock]
+unit_weight = "26 kN/m3"
+
+[strength]
+kind = "coulomb"
+cohesion = "30 lbf/in^2"
+friction_angle = "30 deg"
+
+[water]
+kind = "crack_and_base"
+unit_weight = "9.81 kN/m3"
+water_depth = "10 m"
+)";
+
+inline constexpr std::string_view fit_text = R"(
+[fit]
+algorithm = "bobyqa"
+
+[[fit.parameter]]
+name = "strength.friction_angle"
+lower = "20 deg"
+upper = "45 deg"
+
+[[fit.observation]]
+label = "it failed"
+quantity = "factor_of_safety"
+value = 1
+standard_deviation = 0.05
+)";
+
+// The text with its first `from` replaced by `to`.
+inline std::string changed(std::string_view text, std::string_view from, std::string_view to) {
+    std::string result(text);
+    const std::size_t position = result.find(from);
+    EXPECT_NE(position, std::string::npos) << from;
+    return position == std::string::npos ? result : result.replace(position, from.size(), to);
+}
+
+inline std::string complaint(std::string_view text, const std::vector<Setting>& settings = {}) {
+    try {
+        parse_case(text, "slope.toml", settings);
+    } catch (const CaseError& error) {
+        return error.what();
+    }
+    return "no complaint";
+}
+
+inline std::string complaint_after(std::string_view from, std::string_view to) {
+    return complaint(changed(example_text, from, to));
+}
+
+inline std::string fit_complaint(std::string_view from, std::string_view to) {
+    return complaint(changed(std::string(example_text) + std::string(fit_text), from, to));
+}
+
+inline const PlaneFailure<>& plane_failure(const CaseFile& case_file) {
+    return std::get<PlaneFailureStudy<>>(case_file.model).model;
+}
+
+}  // namespace delabole::testing

@@ -1,0 +1,121 @@
+#include "cases/case_file.hpp"
+
+#include "example_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace delabole {
+namespace {
+
+using testing::changed;
+using testing::complaint;
+using testing::example_text;
+using testing::fit_complaint;
+using testing::fit_text;
+
+TEST(FitReader, OneMechanism) {
+    const CaseFile file = parse_case(std::string(example_text) + std::string(fit_text), "slope.toml");
+    ASSERT_TRUE(file.fit);
+    EXPECT_EQ(file.fit->settings.algorithm, Algorithm::bobyqa);
+    EXPECT_EQ(file.fit->settings.starts, FitSettings{}.starts);
+    ASSERT_EQ(file.fit->mechanisms.size(), 1U);
+    EXPECT_EQ(file.fit->mechanisms.front().name, "plane_failure");
+    ASSERT_EQ(file.fit->mechanisms.front().parameters.size(), 1U);
+    EXPECT_EQ(file.fit->mechanisms.front().parameters.front().upper, degrees(45));
+    ASSERT_EQ(file.fit->observations.size(), 1U);
+    EXPECT_EQ(file.fit->observations.front().observation.relation, Relation::equal);
+}
+
+TEST(FitReader, MechanismsReplaceSectionsWholly) {
+    const std::string text = std::string(example_text) + R"(
+[fit]
+[[fit.mechanism]]
+name = "given"
+[[fit.mechanism.parameter]]
+name = "water.water_depth"
+lower = "0 m"
+upper = "40 m"
+[[fit.mechanism]]
+name = "predicted"
+title = "Geometry predicted"
+[fit.mechanism.strength]
+kind = "stepped_surface"
+cohesion = "0 kPa"
+friction_angle = "20 deg"
+roughness_angle = "40 deg"
+[fit.mechanism.critical]
+find = "both"
+under = "dry_slope"
+[[fit.mechanism.parameter]]
+name = "strength.roughness_angle"
+lower = "0 deg"
+upper = "46 deg"
+prior = { mean = "40 deg", standard_deviation = "3 deg" }
+[fit.profile]
+points = [["0 ft", "0 ft"], ["100 ft", "75 ft"]]
+standard_deviation = "5 ft"
+)";
+    const CaseFile file = parse_case(text, "slope.toml");
+    ASSERT_EQ(file.fit->mechanisms.size(), 2U);
+    const auto& given = std::get<PlaneFailureStudy<>>(file.fit->mechanisms[0].model);
+    const auto& predicted = std::get<PlaneFailureStudy<>>(file.fit->mechanisms[1].model);
+    EXPECT_TRUE(std::holds_alternative<Coulomb<>>(given.model.strength));
+    EXPECT_FALSE(given.critical);
+    EXPECT_TRUE(std::holds_alternative<SteppedSurface<>>(predicted.model.strength));
+    EXPECT_TRUE(predicted.critical);
+    EXPECT_TRUE(predicted.model.tension_crack);
+    EXPECT_EQ(file.fit->mechanisms[1].parameters.front().prior->mean, degrees(40));
+    ASSERT_TRUE(file.fit->profile);
+    EXPECT_DOUBLE_EQ(file.fit->profile->profile.back().x(), 30.48);
+    EXPECT_EQ(complaint(changed(text, "cohesion = \"0 kPa\"\n", "")),
+              "slope.toml:40:1: fit.mechanism[2].strength.cohesion: is required: apparent cohesion (at least 0 kPa)");
+    EXPECT_EQ(complaint(changed(text, "\"predicted\"", "\"given\"")),
+              "slope.toml:38:8: fit.mechanism[2].name = \"given\": names two mechanisms");
+    EXPECT_EQ(complaint(changed(text, "\"100 ft\", \"75 ft\"", "\"0 ft\", \"0 ft\"")),
+              "slope.toml:54:10: fit.profile.points = [ ... ]: must hold at least two different points");
+}
+
+TEST(FitReader, Parameters) {
+    EXPECT_EQ(
+        fit_complaint("lower = \"20 deg\"", "lower = \"50 deg\""),
+        "slope.toml:35:9: fit.parameter[1].lower = \"50 deg\": bounds are reversed: lower must not exceed upper = "
+        "\"45 deg\"");
+    EXPECT_EQ(fit_complaint("upper = \"45 deg\"", "upper = \"95 deg\""),
+              "slope.toml:36:9: fit.parameter[1].upper = \"95 deg\": must be from 0 to 89.9 deg");
+    EXPECT_EQ(fit_complaint("upper = \"45 deg\"", "upper = nan"),
+              "slope.toml:36:9: fit.parameter[1].upper = nan: must be a finite number that a double can hold");
+    EXPECT_EQ(fit_complaint("\"strength.friction_angle\"", "\"strength.friction_angel\""),
+              "slope.toml:34:8: fit.parameter[1].name = \"strength.friction_angel\": is not an input of this case (did "
+              "you mean strength.friction_angle?)");
+    EXPECT_EQ(fit_complaint("[[fit.observation]]",
+                            "[[fit.parameter]]\nname = \"strength.friction_angle\"\nlower = \"1 deg\"\nupper = \"2 "
+                            "deg\"\n[[fit.observation]]"),
+              "slope.toml:39:8: fit.parameter[2].name = \"strength.friction_angle\": is free already: each input once");
+    EXPECT_EQ(fit_complaint("upper = \"45 deg\"",
+                            "upper = \"45 deg\"\nprior = { mean = \"30 deg\", standard_deviation = \"0 deg\" }"),
+              "slope.toml:37:49: fit.parameter[1].prior.standard_deviation = \"0 deg\": must be more than 0 deg");
+}
+
+TEST(FitReader, ObservationsAndSettings) {
+    EXPECT_EQ(fit_complaint("standard_deviation = 0.05", "standard_deviation = 0"),
+              "slope.toml:42:22: fit.observation[1].standard_deviation = 0: must be more than 0");
+    EXPECT_EQ(fit_complaint("standard_deviation = 0.05", "standard_deviation = -1"),
+              "slope.toml:42:22: fit.observation[1].standard_deviation = -1: must be more than 0");
+    EXPECT_EQ(fit_complaint("\"factor_of_safety\"", "\"factor_of_saftey\""),
+              "slope.toml:40:12: fit.observation[1].quantity = \"factor_of_saftey\": is not an output of any mechanism "
+              "(did you mean factor_of_safety?)");
+    EXPECT_EQ(
+        fit_complaint("\"bobyqa\"", "\"boby\""),
+        "slope.toml:31:13: fit.algorithm = \"boby\": must be sbplx, bobyqa, cobyla, crs2, direct_l, mlsl or isres "
+        "(did you mean bobyqa?)");
+    EXPECT_EQ(fit_complaint("algorithm = \"bobyqa\"", "starts = 0"),
+              "slope.toml:31:10: fit.starts = 0: must be a whole number from 1 to 100000");
+    EXPECT_EQ(complaint(std::string(example_text) + std::string(fit_text).substr(0, fit_text.find("[[fit.obs"))),
+              "slope.toml:30:1: fit: has no observations: [[fit.observation]] or [fit.profile] is required");
+    EXPECT_EQ(complaint(std::string(example_text) + "[fit]\nobservation = []\n"),
+              "slope.toml:29:1: fit: has no observations: [[fit.observation]] or [fit.profile] is required\n"
+              "slope.toml:29:1: fit: has nothing free: [[fit.parameter]] or [[fit.mechanism]] is required");
+}
+
+}  // namespace
+}  // namespace delabole

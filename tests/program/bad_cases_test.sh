@@ -1,0 +1,199 @@
+#!/usr/bin/env bash
+# A case that is wrong is refused: exit code 3, the place, the value and what would be right on standard error, nothing
+# on standard output, no result folder. `check`, `run` and, where it can, `fit` say the same.
+source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
+
+write_good_case good.toml
+write_good_fit good_fit.toml
+
+# bad WHAT SED MESSAGE: the case changed by a sed script; the message is the whole of standard error.
+bad() {
+    title "$1"
+    sed -E "$2" good.toml >case.toml
+    expect "the case was changed" refuse cmp -s good.toml case.toml
+    refused_by "$3" check run
+}
+
+bad_fit() {
+    title "$1"
+    sed -E "$2" good_fit.toml >case.toml
+    expect "the case was changed" refuse cmp -s good_fit.toml case.toml
+    refused_by "$3" check fit
+}
+
+refused_by() {
+    local message=$1 command
+    shift
+    for command in "$@"; do
+        delabole "$command" case.toml $([[ $command == check ]] || echo --out results)
+        expect_status 3
+        expect_silence out
+        expect_error "$message"
+        expect_one_line_of_error
+        expect "$command leaves no result folder" refuse test -e results
+    done
+}
+
+title "the cases that everything below changes are in order"
+delabole check good.toml good_fit.toml
+expect_status 0
+
+bad "wrong unit" '/^height/s/12 m/12 kPa/' 'case.toml:6:10: slope.height = "12 kPa": '
+bad "unit that does not exist" '/^height/s/12 m/12 furlonk/' 'case.toml:6:10: slope.height = "12 furlonk": '
+bad "missing unit" '/^height/s/"12 m"/12/' 'case.toml:6:10: slope.height = 12: '
+bad "negative height" '/^height/s/12/-3/' 'case.toml:6:10: slope.height = "-3 m": must be more than 0 m'
+bad "height that is not a number" '/^height/s/"12 m"/nan/' 'case.toml:6:10: slope.height = nan: must be a finite number'
+bad "missing key" '/^face_dip/d' 'case.toml:5:1: slope.face_dip: is required'
+bad "mistyped model" 's/plane_failure/plane_failrue/' 'case.toml:2:9: model = "plane_failrue": '
+bad "not TOML" '/^height/s/=/:/' 'case.toml:6:'
+
+# Well formed, and yet a slope that cannot be.
+bad "plane steeper than the face" '/^\[failure_plane/,/^dip/s/35/61/' \
+    'case.toml:12:7: failure_plane.dip = "61 deg": the failure plane is as steep as the face or steeper: must be less than slope.face_dip = 60 deg'
+bad "plane as steep as the face" '/^\[failure_plane/,/^dip/s/35/60/' 'case.toml:12:7: failure_plane.dip = "60 deg": '
+bad "water above the crack, as a depth" '/^water_depth/s/3 m/5 m/' \
+    'case.toml:29:15: water.water_depth = "5 m": exceeds the depth of the crack, 4.34798 m'
+bad "water above the crack, as an elevation" 's/^water_depth.*/water_elevation = "113 m"/' \
+    'case.toml:29:19: water.water_elevation = "113 m": is above the top of the crack, elevation 112 m'
+bad "water above the base" 's/crack_and_base/base_peak_mid_height/;/^water_depth/s/3 m/9 m/' \
+    'case.toml:29:15: water.water_depth = "9 m": exceeds the height of the upper end of the base above the lower end of the base, 7.65201 m'
+bad "water above the crack, from the toe" 's/crack_and_base/peak_at_toe/;/^water_depth/s/3 m/13 m/' \
+    'case.toml:29:15: water.water_depth = "13 m": exceeds the height of the top of the crack above the lower end of the base, 12 m'
+bad "water for a crack that is not there" '/^\[tension_crack/,/^distance/d' \
+    'case.toml:24:8: water.kind = "crack_and_base": '
+bad "crack deeper than the mass" 's/^distance_behind_crest.*/depth = "8 m"/' \
+    'case.toml:16:9: tension_crack.depth = "8 m": nowhere behind the crest is there so much rock above the failure plane: a crack of this dip can be at most 7.14881 m deep'
+bad "crack deeper than the slope" 's/^distance_behind_crest.*/base_below_crest = "13 m"/' \
+    'case.toml:16:20: tension_crack.base_below_crest = "13 m": the crack is deeper than the slope: its bottom must lie above the toe, less than 12 m below the crest'
+bad "crack deeper than the slope, as an elevation" 's/^distance_behind_crest.*/base_elevation = "99 m"/' \
+    'case.toml:16:18: tension_crack.base_elevation = "99 m": the crack is deeper than the slope: its bottom must lie above the toe, elevation 100 m'
+bad "crack behind the plane" '/^distance/s/4 m/20 m/' \
+    'case.toml:16:25: tension_crack.distance_behind_crest = "20 m": lies behind the point where the failure plane meets the ground, 10.2095 m behind the crest'
+bad "crack flatter than the plane" '/^\[tension_crack/,/^dip/s/90/30/' \
+    'case.toml:15:7: tension_crack.dip = "30 deg": must be more than failure_plane.dip = 35 deg'
+bad "plane that never meets the ground" '/^upper_surface_dip/s/0/40/;/^\[tension_crack/,/^distance/d;s/crack_and_base/dry/;/^water_depth/d;/9\.81/d' \
+    'case.toml:8:21: slope.upper_surface_dip = "40 deg": the ground behind the crest is as steep as the failure plane'
+
+title "what the message allows is accepted"
+sed '/^water_depth/s/3 m/4.34798 m/' good.toml >case.toml
+delabole check case.toml
+expect_status 0
+sed -E 's/^distance_behind_crest.*/depth = "7.14881 m"/;/^water_depth/s/3 m/1 m/' good.toml >case.toml
+delabole check case.toml
+expect_status 0
+
+title "a value given by --set is blamed as such"
+delabole run good.toml --set 'water.water_depth=5 m' --out results
+expect_status 3
+expect_error '--set: water.water_depth = "5 m": exceeds the depth of the crack, 4.34798 m'
+expect_one_line_of_error
+delabole run good.toml --set slope.heigth=5 --out results
+expect_status 3
+expect_error 'did you mean'
+delabole run good.toml --set slope.height --out results
+expect_status 3
+expect_error 'is not of the form key=value'
+expect "no result folder" refuse test -e results
+
+bad_fit "bounds reversed" '/^lower = "15/s/15/65/' \
+    'fit.parameter[1].lower = "65 deg": bounds are reversed: lower must not exceed upper = "60 deg"'
+bad_fit "empty observations" '/^\[\[fit.observation/,/^standard_deviation/d' 'fit: has no observations'
+bad_fit "zero standard deviation" '/^standard_deviation/s/0\.05/0/' \
+    'fit.observation[1].standard_deviation = 0: must be more than 0'
+bad_fit "unknown algorithm" '/^algorithm/s/sbplx/sbplex/' 'fit.algorithm = "sbplex": '
+bad_fit "no free parameter" '/^\[\[fit.parameter/,$d' 'has nothing free'
+bad_fit "quantity that no model has" 's/^quantity.*/quantity = "factor_of_safty"/' 'did you mean factor_of_safety?'
+bad_fit "free parameter that is no input" 's/^name = "water.water_depth"/name = "water.water_deepth"/' \
+    'did you mean water.water_depth?'
+
+title "a mistyped key: place and suggestion"
+sed 's/^title/tilte/;s/^face_dip/face_dpi/' good.toml >case.toml
+delabole check case.toml
+expect_status 3
+expect_error 'case.toml:3:1: tilte: is not a key of a case of this model (did you mean title?)'
+expect_error 'case.toml:7:1: slope.face_dpi: is not a key of slope (did you mean face_dip?)'
+expect_error 'case.toml:5:1: slope.face_dip: is required'
+
+title "several errors are shown at once, in the order of the file"
+sed -E '/^height/s/12 m/-3 m/;/^cohesion/s/kPa/m/;/^unit_weight = "26/s/26 kN\/m3/heavy/' good.toml >case.toml
+delabole run case.toml --out results
+expect_status 3
+expect "three lines" test "$(wc -l <"$scratch/err")" == 3
+expect "in order" test "$(cut -d: -f2 "$scratch/err" | tr '\n' ' ')" == "6 19 23 "
+expect "no result folder" refuse test -e results
+
+title "several cases: one that is wrong stops all before the first is analysed; check goes through all"
+delabole run good.toml case.toml
+expect_status 3
+expect "no result folder" refuse test -e results
+delabole check good.toml case.toml good_fit.toml
+expect_status 3
+expect_output 'good.toml: ok'
+expect_output 'good_fit.toml: ok'
+delabole check --json good.toml case.toml
+expect_status 3
+cp "$scratch/out" check.json
+expect "JSON in spite of errors" is_json check.json
+expect_output '"status": "invalid"'
+
+title "an earlier result survives a case that is refused"
+delabole run good.toml --out results --quiet
+expect_status 0
+cp -r results before
+delabole run case.toml --out results
+expect_status 3
+expect "nothing has changed" diff -r before results
+
+# Files that cannot be read. A user may give any of these names by mistake; none may make the program wait.
+unreadable() {
+    title "$1"
+    local command
+    for command in check run show fit verify; do
+        run timeout 20 "$program" "$command" "$2"
+        expect_status 3
+        expect_silence out
+        expect_error "$3"
+        expect_one_line_of_error
+    done
+}
+rm -rf results
+mkdir folder.toml
+ln -s nowhere dangling.toml
+ln -s loop.toml loop.toml
+mkfifo pipe.toml
+head -c 5000000 /dev/zero | tr '\0' '#' >huge.toml
+head -c 3000 /dev/urandom >random.toml
+: >empty.toml
+unreadable "missing file" missing.toml 'missing.toml: there is no such file'
+unreadable "dangling link" dangling.toml 'dangling.toml: there is no such file'
+unreadable "link to itself" loop.toml 'loop.toml: cannot be read'
+unreadable "pipe" pipe.toml 'pipe.toml: is not an ordinary file'
+unreadable "device" /dev/zero '/dev/zero: is not an ordinary file'
+unreadable "path through a file" good.toml/case.toml 'good.toml/case.toml: '
+unreadable "huge file" huge.toml 'huge.toml: is larger than 4 MiB'
+unreadable "not text" random.toml 'random.toml'
+title "folder (verify looks into it)"
+for command in check run show fit; do
+    delabole "$command" folder.toml
+    expect_status 3
+    expect_error 'folder.toml: is a folder, not a case file'
+done
+delabole verify folder.toml
+expect_status 3
+expect_error 'there is nothing to compare'
+title "empty file"
+delabole check empty.toml
+expect_status 3
+expect_error 'schema: is required'
+expect "no result folder" refuse test -e results
+
+if [[ $(id -u) != 0 ]]; then
+    title "file that may not be read"
+    cp good.toml secret.toml
+    chmod 000 secret.toml
+    unreadable "no permission" secret.toml 'secret.toml: cannot be read'
+else
+    title "file that may not be read: not checked, as nothing is hidden from root"
+fi
+
+finish

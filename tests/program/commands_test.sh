@@ -1,0 +1,204 @@
+#!/usr/bin/env bash
+# What each command leaves and prints: the files of design's result folder, tables or JSON or nothing on standard output,
+# --set and --seed in the provenance, folders of any name.
+source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
+
+write_good_case good.toml
+write_good_fit good_fit.toml
+
+# No number that is none, in any form, in what a reader or a program reads.
+expect_only_numbers() {
+    local file
+    while IFS= read -r file; do
+        checks=$((checks + 1))
+        if grep -nwiE '(nan|-nan|infinity|inf|-inf)' "$file" | grep -vF 'd="M' >"$scratch/bad_numbers"; then
+            fail "$file: $(head -n 3 "$scratch/bad_numbers")"
+        fi
+    done < <(find "$1" -name '*.json' -o -name '*.csv' -o -name '*.toml' -o -name '*.html' -o -name '*.svg')
+}
+
+expect_figures() {
+    local folder=$1 script figures=0
+    for script in "$folder"/figures/*.gp; do
+        expect "${script%.gp}.svg is whole" contains "${script%.gp}.svg" '</svg>'
+        expect "${script%.gp}.png is there" test -s "${script%.gp}.png"
+        figures=$((figures + 1))
+    done
+    expect "figures in the report" test "$(grep -c '<figure>' "$folder/report.html")" == "$figures"
+    expect "at least $2 figures" test "$figures" -ge "$2"
+}
+
+# result.json is the last file to be written: where it is, the rest is. Files of one tick of the clock are equally old.
+expect_result_is_newest() {
+    checks=$((checks + 1))
+    local newer
+    newer=$(find "$1" -type f -newer "$1/result.json")
+    [[ -z $newer ]] || fail "newer than $1/result.json: $newer"
+}
+
+title "run: table on standard output, folder named after the case"
+delabole run good.toml
+expect_status 0
+expect_silence err
+expect_output 'factor_of_safety'
+expect_output 'results in results/good'
+expect_complete_results results/good
+expect_only_numbers results/good
+expect_figures results/good 3
+expect_result_is_newest results/good
+expect "a table of results" contains results/good/results.csv 'factor_of_safety,'
+expect "a table of sensitivities" contains results/good/sensitivities.csv 'slope.height,'
+expect "status" test "$(json_value results/good/result.json status)" == '"ok"'
+expect "a factor of safety" grep -qE '"factor_of_safety": 1\.24[67]' results/good/result.json
+expect "the unit is in the name" contains results/good/result.json '"crack_depth_m": 4.34'
+
+title "run: a slope whose factor of safety is infinite"
+delabole run good.toml --set failure_plane.dip='0 deg' --set water.water_depth='0 m' --out level
+if [[ $status == 0 ]]; then
+    expect_only_numbers level
+    expect "said in a word" contains level/result.json '"infinite"'
+else
+    expect_status 3
+fi
+
+title "fit"
+delabole fit good_fit.toml
+expect_status 0
+expect_output 'report in results/good_fit/report.html'
+expect_complete_results results/good_fit
+expect_only_numbers results/good_fit
+expect_figures results/good_fit 3
+expect_result_is_newest results/good_fit
+expect "status" test "$(json_value results/good_fit/result.json status)" == '"converged"'
+expect "the seed of the case is recorded" contains results/good_fit/resolved.toml 'seed = 7'
+
+title "fit needs a [fit] section"
+delabole fit good.toml --out none
+expect_status 3
+expect_error 'good.toml: fit: the case has no [fit] section'
+expect_one_line_of_error
+expect "no folder" refuse test -e none
+
+title "reproduce: all of chapter 2, or one part"
+delabole reproduce
+expect_status 0
+expect_complete_results_of_reproduce() {
+    expect "report" contains "$1/report.html" '</html>'
+    expect "result.json is JSON" is_json "$1/result.json"
+    expect_only_numbers "$1"
+    expect_no_leftovers "$1"
+    expect_result_is_newest "$1"
+}
+expect_complete_results_of_reproduce results/chapter2
+expect_figures results/chapter2 2
+for what in fig2.8 tilting dry_friction; do
+    delabole reproduce "$what" --out "part_$what"
+    expect_status 0
+    expect_complete_results_of_reproduce "part_$what"
+done
+expect "printed beside computed" contains part_tilting/report.html 'half saturated'
+
+title "--set works and is recorded"
+delabole run good.toml --set water.water_depth='2 m' --set strength.friction_angle=40deg --out set
+expect_status 0
+expect "recorded" contains set/result.json 'water.water_depth=2 m'
+expect "recorded in the report" contains set/report.html 'water.water_depth=2 m'
+expect "resolved" contains set/resolved.toml 'water_depth = "2 m"'
+expect "the result differs" test "$(json_value set/result.json factor_of_safety)" != \
+    "$(json_value results/good/result.json factor_of_safety)"
+sed 's/water_depth = "3 m"/water_depth = "2 m"/;s/37 deg/40 deg/' good.toml >edited.toml
+delabole run edited.toml --out edited
+for key in factor_of_safety case_hash weight_kN_per_m; do
+    expect "the same $key as of the edited case" test "$(json_value set/result.json $key)" == \
+        "$(json_value edited/result.json $key)"
+done
+
+title "--seed is recorded and replaces that of the case"
+delabole fit good_fit.toml --seed 12345 --out seeded --quiet
+expect_status 0
+expect "recorded" test "$(json_value seeded/result.json seed)" == 12345
+
+title "--quiet prints nothing, and writes the same"
+for arguments in "run good.toml" "fit good_fit.toml" "reproduce tilting" "verify $source_folder/cases" "check good.toml"; do
+    # shellcheck disable=SC2086
+    delabole $arguments --quiet
+    expect_status 0
+    expect_silence out
+    expect_silence err
+done
+
+title "--json prints JSON and nothing else, the same as result.json"
+for arguments in "run good.toml --out json" "fit good_fit.toml --out json" "reproduce fig2.8 --out json"; do
+    # shellcheck disable=SC2086
+    delabole $arguments --json
+    expect_status 0
+    expect_silence err
+    cp "$scratch/out" printed.json
+    expect "JSON" is_json printed.json
+    expect "the same as in the file" cmp printed.json json/result.json
+    # shellcheck disable=SC2086
+    delabole $arguments --json --quiet
+    expect "JSON when quiet, too" is_json "$scratch/out"
+done
+for arguments in "check good.toml good_fit.toml" "show good.toml" "verify $source_folder/cases"; do
+    # shellcheck disable=SC2086
+    delabole $arguments --json
+    expect_status 0
+    cp "$scratch/out" printed.json
+    expect "JSON" is_json printed.json
+done
+
+title "show prints a case; init prints one that is in order, for each model"
+delabole show good_fit.toml
+expect_status 0
+cp "$scratch/out" shown.toml
+delabole show shown.toml
+expect "showing what is shown changes nothing" cmp "$scratch/out" shown.toml
+for model in plane_failure tilted_column; do
+    delabole init "$model"
+    expect_status 0
+    cp "$scratch/out" "$model.toml"
+    delabole init "$model" --out "written_$model.toml"
+    expect_status 0
+    expect_silence out
+    expect "the same in a file" cmp "$model.toml" "written_$model.toml"
+    delabole check "$model.toml"
+    expect_status 0
+    delabole run "$model.toml" --out "result_$model"
+    expect_status 0
+    expect_complete_results "result_$model"
+    expect_only_numbers "result_$model"
+done
+
+title "--version"
+delabole --version
+expect_status 0
+expect "a version and a revision" grep -qE '^[0-9]+\.[0-9]+(\.[0-9]+)? \(.+\)$' "$scratch/out"
+expect "the version is in the results" contains results/good/result.json \
+    "\"program\": \"delabole $(cut -d' ' -f1 "$scratch/out")\""
+
+title "folders of any name: relative, deep, with spaces, beyond ASCII, starting with a hyphen"
+mkdir -p "in a folder/Schieferbrüche"
+cp good.toml "in a folder/Schieferbrüche/Old Delabole – 1967.toml"
+delabole run "in a folder/Schieferbrüche/Old Delabole – 1967.toml"
+expect_status 0
+expect_complete_results "results/Old Delabole – 1967"
+expect_figures "results/Old Delabole – 1967" 3
+delabole run "in a folder/Schieferbrüche/Old Delabole – 1967.toml" --out "../work/./deep/er/ärger & \"quotes\" 'n <b>"
+expect_status 0
+expect_complete_results "deep/er/ärger & \"quotes\" 'n <b>"
+expect_figures "deep/er/ärger & \"quotes\" 'n <b>" 3
+(cd "in a folder" && "$program" fit ../good_fit.toml --out "Ergebnisse 1" --quiet)
+expect_complete_results "in a folder/Ergebnisse 1"
+delabole run --out=-hyphen -- good.toml
+expect_status 0
+expect_complete_results ./-hyphen
+expect_figures ./-hyphen 3
+name=$'latin1-\xe9.toml'
+if cp good.toml "$name" 2>/dev/null; then
+    delabole run "$name" --out bytes
+    expect_status 0
+    expect_complete_results bytes
+fi
+
+finish

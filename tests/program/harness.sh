@@ -1,0 +1,203 @@
+# What the tests of the program share; to be sourced. The test works in $work, an empty folder that is removed at its
+# end, and finds the program as $program. Every expectation that fails is printed; `finish` turns them into the exit code.
+set -euo pipefail
+
+program=$DELABOLE_BUILD/bin/delabole
+source_folder=$DELABOLE_SOURCE
+scratch=$(mktemp -d)
+work=$scratch/work
+mkdir "$work"
+trap 'rm -rf "$scratch"' EXIT
+cd "$work"
+
+failures=0
+checks=0
+
+title() {
+    printf '%s\n' "- $*"
+}
+
+fail() {
+    printf '  FAILED: %s\n' "$*"
+    failures=$((failures + 1))
+}
+
+# expect "what must hold" command...
+expect() {
+    local what=$1
+    shift
+    checks=$((checks + 1))
+    "$@" || fail "$what"
+}
+
+refuse() {
+    ! "$@"
+}
+
+# Runs a command; leaves its exit code in $status and what it printed in $scratch/out and $scratch/err.
+run() {
+    status=0
+    "$@" >"$scratch/out" 2>"$scratch/err" </dev/null || status=$?
+}
+
+delabole() {
+    run "$program" "$@"
+}
+
+show_run() {
+    printf '    exit code %s\n' "$status"
+    sed 's/^/    out: /' "$scratch/out" | head -n 12
+    sed 's/^/    err: /' "$scratch/err" | head -n 12
+}
+
+expect_status() {
+    checks=$((checks + 1))
+    if [[ $status != "$1" ]]; then
+        fail "exit code $status instead of $1"
+        show_run
+    fi
+}
+
+contains() {
+    grep -qF -e "$2" "$1"
+}
+
+# What the last run printed on standard error (or output) contains the text.
+expect_error() {
+    checks=$((checks + 1))
+    if ! contains "$scratch/err" "$1"; then
+        fail "standard error lacks: $1"
+        show_run
+    fi
+}
+
+expect_output() {
+    checks=$((checks + 1))
+    if ! contains "$scratch/out" "$1"; then
+        fail "standard output lacks: $1"
+        show_run
+    fi
+}
+
+# One message, and nothing where the result would have been.
+expect_one_line_of_error() {
+    checks=$((checks + 1))
+    if [[ $(wc -l <"$scratch/err") != 1 ]]; then
+        fail "not one line of error"
+        show_run
+    fi
+}
+
+expect_silence() {
+    checks=$((checks + 1))
+    if [[ -s $scratch/$1 ]]; then
+        fail "something was printed (${1/err/error}put)"
+        show_run
+    fi
+}
+
+# No file of a write that did not come to its end.
+expect_no_leftovers() {
+    checks=$((checks + 1))
+    local left
+    left=$(find "$1" -name '.*' ! -path "$1" 2>/dev/null || true)
+    [[ -z $left ]] || fail "left behind: $left"
+}
+
+# The parts of a result folder that every analysis leaves.
+expect_complete_results() {
+    local folder=$1 file
+    for file in result.json resolved.toml report.html; do
+        expect "$folder/$file is there" test -s "$folder/$file"
+    done
+    expect "the report is whole" contains "$folder/report.html" "</html>"
+    expect "result.json is JSON" is_json "$folder/result.json"
+    expect_no_leftovers "$folder"
+}
+
+# With Python where there is one; otherwise a look at its ends, and at words that JSON does not have.
+is_json() {
+    if command -v python3 >/dev/null; then
+        python3 -c 'import json, sys
+def refuse(word): raise ValueError(word)
+json.load(open(sys.argv[1]), parse_constant=refuse)' "$1"
+    else
+        [[ $(head -c 1 "$1") == [{[] && $(tail -n 1 "$1") == [}\]] ]] && ! grep -qwE '(NaN|Infinity|nan|inf)' "$1"
+    fi
+}
+
+# json_value FILE KEY: the first value of that name, as it is written.
+json_value() {
+    sed -nE "s/^ *\"$2\": (.*[^,]),?\$/\\1/p" "$1" | head -n 1
+}
+
+# A case that is in order: a slope of 12 m whose crack is 4.348 m deep.
+write_good_case() {
+    cat >"$1" <<'CASE'
+schema = 1
+model = "plane_failure"
+title = "A slope that is in order"
+
+[slope]
+height = "12 m"
+face_dip = "60 deg"
+upper_surface_dip = "0 deg"
+toe_elevation = "100 m"
+
+[failure_plane]
+dip = "35 deg"
+
+[tension_crack]
+dip = "90 deg"
+distance_behind_crest = "4 m"
+
+[rock]
+unit_weight = "26 kN/m3"
+
+[strength]
+kind = "coulomb"
+cohesion = "25 kPa"
+friction_angle = "37 deg"
+
+[water]
+kind = "crack_and_base"
+unit_weight = "9.81 kN/m3"
+water_depth = "3 m"
+CASE
+}
+
+# The same with something to back-analyse; quick.
+write_good_fit() {
+    write_good_case "$1"
+    cat >>"$1" <<'CASE'
+
+[fit]
+algorithm = "sbplx"
+starts = 4
+evaluations_per_start = 400
+profile_points = 9
+map_points = 9
+seed = 7
+
+[[fit.observation]]
+label = "it failed"
+quantity = "factor_of_safety"
+value = 1
+standard_deviation = 0.05
+
+[[fit.parameter]]
+name = "strength.friction_angle"
+lower = "15 deg"
+upper = "60 deg"
+
+[[fit.parameter]]
+name = "water.water_depth"
+lower = "0 m"
+upper = "4 m"
+CASE
+}
+
+finish() {
+    printf '%d checks, %d failed\n' "$checks" "$failures"
+    [[ $failures == 0 ]]
+}

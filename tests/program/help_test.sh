@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# --help of the program and of each command shows an example, and each example works as it is shown: typed into a shell
+# in a copy of the sources.
+source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
+
+mkdir tree
+cp -r "$source_folder/cases" tree/
+PATH=$DELABOLE_BUILD/bin:$PATH
+
+# All lines between "Example:" and the next empty line.
+examples() {
+    awk '/^Examples?:/ { inside = 1; next } inside && /^ *$/ { exit } inside' "$scratch/out"
+}
+
+title "the program lists its commands"
+delabole --help
+expect_status 0
+expect_output 'Exit codes: 0 ok, 1 verify mismatch, 2 usage, 3 invalid case'
+mapfile -t commands < <(sed -n '/^Subcommands:/,$p' "$scratch/out" | sed -nE 's/^  ([a-z]+) +[A-Z].*/\1/p')
+expect "run fit check show init verify reproduce, not ${commands[*]}" \
+    test "${commands[*]}" == "run fit check show init verify reproduce"
+
+for command in "" "${commands[@]}"; do
+    # shellcheck disable=SC2086
+    delabole $command --help
+    expect_status 0
+    expect_silence err
+    mapfile -t lines < <(examples)
+    expect "delabole $command --help shows an example" test "${#lines[@]}" -ge 1
+    for line in "${lines[@]}"; do
+        title "delabole ${command:+$command }--help: $line"
+        expect "it is an example of the command" contains <(echo "$line") "delabole $command"
+        run bash -euc "cd tree && $line"
+        expect_status 0
+        expect_silence err
+    done
+done
+expect "the examples left results" test -s tree/results/delabole_1967/result.json
+
+finish

@@ -1,0 +1,164 @@
+#!/usr/bin/env bash
+# Ctrl-C during a long back-analysis ends it soon, with exit code 4 and a whole report that says it was interrupted; a
+# second one ends the program at once. Progress: lines now and then, or a bar on a terminal.
+source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
+
+# Hours of work.
+long_fit=(fit "$source_folder/cases/delabole_1967.toml" --set fit.starts=100000
+    --set fit.evaluations_per_start=100000)
+# Far more than it takes on a busy machine, far less than the work.
+patience=60
+
+milliseconds() {
+    date +%s%3N
+}
+
+wait_until() {
+    local count=0
+    until "$@"; do
+        sleep 0.1
+        count=$((count + 1))
+        if ((count > patience * 10)); then
+            fail "waited in vain for: $*"
+            return 1
+        fi
+    done
+}
+
+start_long_fit() {
+    setsid "$program" "${long_fit[@]}" --out "$1" >"$scratch/out" 2>"$scratch/err" </dev/null &
+    child=$!
+    wait_until test -d "$1"
+    sleep 1
+}
+
+# Waits for $child; its exit code in $status, the time it took in $waited.
+wait_for_child() {
+    local from
+    from=$(milliseconds)
+    local count=0
+    while kill -0 "$child" 2>/dev/null && ((count < patience * 20)); do
+        sleep 0.05
+        count=$((count + 1))
+    done
+    ! kill -KILL "$child" 2>/dev/null || fail "it had to be killed"
+    status=0
+    wait "$child" || status=$?
+    waited=$(($(milliseconds) - from))
+}
+
+for signal in INT TERM; do
+    title "SIG$signal, to the whole process group as from a terminal"
+    start_long_fit "stopped_$signal"
+    kill -s "$signal" -- "-$child"
+    wait_for_child
+    echo "  ended after $waited ms"
+    expect_status 4
+    expect_error 'delabole: interrupted: '
+    expect_complete_results "stopped_$signal"
+    expect "marked in result.json" test "$(json_value "stopped_$signal/result.json" status)" == '"interrupted"'
+    expect "marked in the report" contains "stopped_$signal/report.html" 'Interrupted'
+    expect_no_leftovers "stopped_$signal"
+    expect "no scratch folder" test -z "$(find "stopped_$signal" -mindepth 1 -type d ! -name figures)"
+    expect "every figure is drawn" refuse contains "$scratch/err" 'was not drawn'
+    for script in "stopped_$signal"/figures/*.gp; do
+        expect "${script%.gp}.svg is whole" contains "${script%.gp}.svg" '</svg>'
+    done
+    expect_output "report in stopped_$signal/report.html"
+done
+
+title "Ctrl-C while gnuplot draws, as the terminal sends it to all: the picture is finished, too"
+mkdir slow
+cat >slow/gnuplot <<'SCRIPT'
+#!/bin/sh
+echo $$ >>"$PIDS"
+sleep 1
+exec /usr/bin/gnuplot "$@"
+SCRIPT
+chmod +x slow/gnuplot
+write_good_case good.toml
+if [[ -x /usr/bin/gnuplot ]]; then
+    export PIDS=$scratch/pids
+    PATH=$work/slow:$PATH setsid "$program" run good.toml --out drawn >"$scratch/out" 2>"$scratch/err" </dev/null &
+    child=$!
+    wait_until test -s "$PIDS"
+    kill -s INT -- "-$child"
+    wait_for_child
+    expect_status 0
+    expect_complete_results drawn
+    expect "every figure is drawn" refuse contains "$scratch/err" 'was not drawn'
+fi
+
+title "a second Ctrl-C ends the program at once"
+cat >slow/gnuplot <<'SCRIPT'
+#!/bin/sh
+echo $$ >"$PIDS"
+exec sleep 300
+SCRIPT
+export PIDS=$scratch/sleeping
+PATH=$work/slow:$PATH start_long_fit twice
+kill -s INT "$child"
+wait_until test -s "$PIDS"
+expect "the first one did not kill" kill -0 "$child"
+kill -s INT "$child"
+wait_for_child
+kill "$(cat "$PIDS")"
+expect_status 130
+expect "no result.json" refuse test -e twice/result.json
+
+title "Ctrl-C between the cases of run"
+for number in 1 2 3; do
+    write_good_case "case$number.toml"
+done
+rm -rf results
+cat >slow/gnuplot <<'SCRIPT'
+#!/bin/sh
+echo $$ >"$PIDS"
+sleep 0.5
+exit 1
+SCRIPT
+export PIDS=$scratch/between
+PATH=$work/slow:$PATH setsid "$program" run case1.toml case2.toml case3.toml >"$scratch/out" 2>"$scratch/err" </dev/null &
+child=$!
+wait_until test -s "$PIDS"
+kill -s INT "$child"
+wait_for_child
+expect_status 4
+expect_error 'delabole: interrupted, 1 of 3 cases were analysed'
+expect_complete_results results/case1
+expect "the others were not begun" refuse test -e results/case2
+
+title "progress as plain lines where there is no terminal, none when quiet"
+rm "$scratch/err"
+setsid "$program" "${long_fit[@]}" --out lines >"$scratch/out" 2>"$scratch/err" </dev/null &
+child=$!
+wait_until test -s "$scratch/err"
+kill -s INT "$child"
+wait_for_child
+expect_status 4
+expect "percent, what is done" grep -qE '^[0-9]+ %: [a-z_]+: [a-z]' "$scratch/err"
+expect "no carriage returns, no escapes" refuse grep -q $'[\r\033]' "$scratch/err"
+setsid "$program" "${long_fit[@]}" --quiet --out quiet >"$scratch/out" 2>"$scratch/err" </dev/null &
+child=$!
+sleep 6
+kill -s INT "$child"
+wait_for_child
+expect_status 4
+expect_silence out
+expect_error 'delabole: interrupted: '
+expect_one_line_of_error
+
+title "progress as a bar with the time left on a terminal"
+if command -v script >/dev/null; then
+    SHELL=/bin/bash TERM=xterm timeout 120 script -qec \
+        "timeout --foreground -s INT 4 $(printf '%q ' "$program" "${long_fit[@]}" --set fit.starts=2000 --out terminal)" \
+        /dev/null >"$scratch/typed" </dev/null || true
+    tr '\r' '\n' <"$scratch/typed" >"$scratch/bars"
+    expect "a bar" grep -qE '\[[# ]{30}\] +[0-9]+ %  ' "$scratch/bars"
+    expect "with the time left" grep -qE '\[[# ]{30}\] +[0-9]+ %  [0-9]+ (s|min|h) left  [a-z_]+: [a-z]' "$scratch/bars"
+    expect "the bar is wiped before the results" grep -q $'\033\\[K[^\[]*Old Delabole' "$scratch/bars"
+else
+    echo "  not checked: there is no 'script' to make a terminal"
+fi
+
+finish

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Exit code 4: a back-analysis that did not find what it searched for says so on standard error, in result.json and in the
+# report, and still leaves what it has. (That an interrupt is code 4, too, is in interrupt_test.sh.)
+source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
+
+write_good_fit good_fit.toml
+
+not_converged() {
+    local what=$1 word=$2 message=$3
+    shift 3
+    title "$what"
+    delabole "$@" --out results
+    expect_status 4
+    expect_error "delabole: not converged: $message"
+    expect_one_line_of_error
+    expect_complete_results results
+    expect "in result.json" test "$(json_value results/result.json status)" == "\"$word\""
+    expect "in the report" contains results/report.html 'Not converged'
+    rm -rf results
+}
+
+not_converged "too few evaluations" evaluation_limit "the best search of a mechanism ended at its limit" \
+    fit good_fit.toml --set fit.starts=1 --set fit.evaluations_per_start=10
+
+# The plane is steeper than the face, whatever friction and water.
+sed 's/^name = "water.water_depth"/name = "failure_plane.dip"/;s/^lower = "0 m"/lower = "61 deg"/;s/^upper = "4 m"/upper = "80 deg"/' \
+    good_fit.toml >impossible_fit.toml
+not_converged "no valid point" no_valid_point "a mechanism has no valid geometry" fit impossible_fit.toml
+
+title "the same with enough"
+delabole fit good_fit.toml --out results
+expect_status 0
+expect_silence err
+
+finish

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# The library as its user gets it: installed, found by find_package, and the README's own example built on it and run.
+set -euo pipefail
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+cmake --install "$DELABOLE_BUILD" --component library --prefix "$work/prefix" >"$work/install.log"
+
+# Only the library: the rooms above it are the program's business.
+if find "$work/prefix" -path '*/fitting/*' -o -path '*/plots/*' -o -path '*/cases/*' | grep .; then
+    echo "installed, but not part of the library"
+    exit 1
+fi
+
+mkdir "$work/consumer"
+cd "$work/consumer"
+fenced() { # language: the README's blocks of that language
+    awk -v fence="\`\`\`$1" '$0 == fence { inside = 1; next } /^```$/ { inside = 0 } inside' "$DELABOLE_SOURCE/README.md"
+}
+fenced cmake >CMakeLists.txt
+fenced cpp >slope.cpp
+
+# Beside it a source that includes every header installed, so that one left behind is missed here and not by a user.
+{
+    find "$work/prefix/include/delabole" -name '*.hpp' -printf '#include <%P>\n' | sort
+    echo '#include <iostream>'
+    echo 'int main() { std::cout << delabole::version() << "\n"; }'
+} >every_header.cpp
+cat >>CMakeLists.txt <<'CMAKE'
+add_executable(every_header every_header.cpp)
+target_link_libraries(every_header PRIVATE delabole::lib)
+file(WRITE ${CMAKE_BINARY_DIR}/version_found ${delabole_VERSION}\n)
+CMAKE
+
+cmake -S . -B build -G Ninja -D CMAKE_PREFIX_PATH="$work/prefix"
+cmake --build build
+./build/slope
+./build/every_header | diff - build/version_found

@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# Usage: rooms.sh ROOT
+# Holds the sources below ROOT to the plan of the house: each third-party library stays in its room, a room includes only
+# rooms below it, lib/ neither reads nor prints. Prints every include that breaks a rule as file:line:text; exit code 1
+# if there is one.
+set -euo pipefail
+cd "$1"
+
+rooms=(lib fitting plots cases tests)
+
+# What each room may include between angle brackets beside the standard library and POSIX.
+declare -A libraries=(
+    [lib]='(unsupported/)?Eigen/|gsl/'
+    [fitting]='(unsupported/)?Eigen/|gsl/|nlopt\.hp?p?$'
+    [plots]='(unsupported/)?Eigen/|gsl/|gnuplot-iostream\.h$'
+    [cases]='(unsupported/)?Eigen/|gsl/|toml\+\+/|udunits2\.h$|CLI/|nlohmann/'
+    [tests]='(unsupported/)?Eigen/|gsl/|nlopt\.hp?p?$|gnuplot-iostream\.h$|toml\+\+/|udunits2\.h$|CLI/|nlohmann/|gtest/|gmock/|benchmark/|boost/multiprecision/'
+)
+# Rooms that each may include, by folder from the root. lib/ is on the include path itself, so its headers are those
+# whose first folder is none of the other rooms.
+declare -A rooms_below=(
+    [lib]=''
+    [fitting]='fitting'
+    [plots]='plots fitting'
+    [cases]='cases plots fitting'
+    [tests]='tests cases plots fitting'
+)
+posix='^(sys/[a-z]+|unistd|fcntl|signal|poll|spawn|termios)\.h$'
+forbidden_in_lib='^(iostream|fstream|ostream|istream|iomanip|cstdio|stdio\.h|filesystem|syncstream|print)$'
+
+broken=0
+report() {
+    printf '%s: %s\n' "$1" "$2"
+    broken=1
+}
+
+for room in "${rooms[@]}"; do
+    [[ -d $room ]] || continue
+    while IFS=: read -r file line text; do
+        if [[ $text =~ ^[[:space:]]*#[[:space:]]*include[[:space:]]*\<([^\>]+)\> ]]; then
+            header=${BASH_REMATCH[1]}
+            if [[ $room == lib && $header =~ $forbidden_in_lib ]]; then
+                report "$file:$line" "lib/ has no files and no printing: <$header>"
+            elif [[ $header =~ ^[a-z_0-9]+$ ]]; then
+                :  # standard library
+            elif [[ $room != lib && $header =~ $posix ]]; then
+                :
+            elif [[ ! $header =~ ^(${libraries[$room]}) ]]; then
+                report "$file:$line" "<$header> has no place in $room/"
+            fi
+        elif [[ $text =~ ^[[:space:]]*#[[:space:]]*include[[:space:]]*\"([^\"]+)\" ]]; then
+            header=${BASH_REMATCH[1]}
+            first=${header%%/*}
+            if [[ " ${rooms[*]} " == *" $first "* && $first != lib ]]; then
+                if [[ " ${rooms_below[$room]} " != *" $first "* ]]; then
+                    report "$file:$line" "$room/ may not include $first/: \"$header\""
+                elif [[ ! -f $header ]]; then
+                    report "$file:$line" "no such header: \"$header\""
+                fi
+            elif [[ $first == .. || ( ! -f lib/$header && $room != tests ) ]]; then
+                report "$file:$line" "neither in lib/ nor given from the root of the repository: \"$header\""
+            fi
+        else
+            report "$file:$line" "an include this check cannot read: $text"
+        fi
+    done < <(grep -rnE '^[[:space:]]*#[[:space:]]*include' --include='*.[ch]pp' --include='*.h' --include='*.in' "$room")
+done
+
+# Printing without its header, e.g. through one that another header brings along. snprintf writes to memory only.
+if [[ -d lib ]]; then
+    while IFS=: read -r file line text; do
+        report "$file:$line" "lib/ does not print: $text"
+    done < <(grep -rnE '\b(std::)?(cout|cerr|clog)\b|\b(v?f?printf|f?puts|putchar|fwrite|fopen|perror)[[:space:]]*\(' \
+        --include='*.[ch]pp' --include='*.in' lib)
+fi
+
+exit "$broken"

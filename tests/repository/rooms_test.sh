@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# The house keeps its rules, and the check that says so sees each way of breaking them.
+set -euo pipefail
+rooms=$DELABOLE_SOURCE/tests/repository/rooms.sh
+bash "$rooms" "$DELABOLE_SOURCE"
+
+house=$(mktemp -d)
+trap 'rm -rf "$house"' EXIT
+
+# A house of two headers that keeps the rules, then one line more.
+build_house() {
+    rm -rf "${house:?}"/*
+    mkdir -p "$house"/{lib/water,fitting,plots,cases,tests}
+    printf '#pragma once\n#include <cmath>\n#include <Eigen/Core>\n' >"$house/lib/water/water.hpp"
+    printf '#pragma once\n#include "water/water.hpp"\n#include <nlopt.hpp>\n' >"$house/fitting/fit.hpp"
+    printf '#include "fitting/fit.hpp"\n#include <unistd.h>\n#include <toml++/toml.h>\n' >"$house/cases/main.cpp"
+    printf '#include "helper.hpp"\n#include <gtest/gtest.h>\n' >"$house/tests/some_test.cpp"
+}
+failed=0
+expect_broken() { # file, line
+    build_house
+    printf '%s\n' "$2" >>"$house/$1"
+    if bash "$rooms" "$house" >/dev/null; then
+        echo "not noticed: $2 in $1"
+        failed=1
+    fi
+}
+build_house
+bash "$rooms" "$house"
+expect_broken lib/water/water.hpp '#include <iostream>'
+expect_broken lib/water/water.hpp '  #  include <fstream>'
+expect_broken lib/water/water.hpp '#include <unistd.h>'
+expect_broken lib/water/water.hpp '#include <nlopt.hpp>'
+expect_broken lib/water/water.hpp '#include "fitting/fit.hpp"'
+expect_broken lib/water/water.hpp 'inline void shout() { std::cerr << 1; }'
+expect_broken lib/water/water.hpp 'inline void shout() { std::printf("1"); }'
+expect_broken fitting/fit.hpp '#include <toml++/toml.h>'
+expect_broken fitting/fit.hpp '#include "plots/figure.hpp"'
+expect_broken fitting/fit.hpp '#include "fit.hpp"'
+expect_broken fitting/fit.hpp '#include "../lib/water/water.hpp"'
+expect_broken cases/main.cpp '#include <gnuplot-iostream.h>'
+expect_broken cases/main.cpp '#include <nlopt.hpp>'
+expect_broken cases/main.cpp '#include <gtest/gtest.h>'
+expect_broken cases/main.cpp '#include <boost/multiprecision/cpp_dec_float.hpp>'
+expect_broken cases/main.cpp '#include "tests/helper.hpp"'
+expect_broken cases/main.cpp '#include SOME_MACRO'
+expect_broken tests/some_test.cpp '#include <armadillo.h>'
+exit "$failed"
