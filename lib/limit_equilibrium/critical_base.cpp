@@ -12,8 +12,6 @@ namespace {
 
 constexpr int inclination_points = 16;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Values that differ by less are the same: the solvers for the factor of safety stop well below it.
-constexpr double same_value = 1e-8;
 
 struct Range {
     double lower;
@@ -34,7 +32,6 @@ class BaseSearch {
 
     const ColumnScene<>& scene() const { return scene_; }
     int evaluations() const { return evaluations_; }
-    bool further_columns_stand() const { return further_columns_stand_; }
 
     double value() {
         ++evaluations_;
@@ -60,23 +57,9 @@ class BaseSearch {
         const Range range = extents();
         const auto at = [&](double height) { return put_extent(height), value(); };
         ScalarMinimum minimum = minimise(at, range, extent_points(range));
-        further_columns_stand_ = false;
-        if (!std::isfinite(minimum.value)) {
-            return minimum;
+        if (std::isfinite(minimum.value)) {
+            minimum.value = at(minimum.position);
         }
-        const double enough = minimum.value * (1 + same_value);
-        if (at(range.upper) <= enough && minimum.position < range.upper && at(range.lower) > enough) {
-            double too_short = range.lower;
-            double sufficient = minimum.position;
-            while (sufficient - too_short > 1e-9 * range.upper) {
-                const double middle = (too_short + sufficient) / 2;
-                (at(middle) <= enough ? sufficient : too_short) = middle;
-            }
-            minimum.position = sufficient;
-            minimum.at_boundary = false;
-            further_columns_stand_ = true;
-        }
-        minimum.value = at(minimum.position);
         return minimum;
     }
 
@@ -151,7 +134,6 @@ class BaseSearch {
     const CriticalBaseSearch<>& request_;
     const ColumnSafety& factor_of_safety_;
     int evaluations_ = 0;
-    bool further_columns_stand_ = false;
 };
 
 }  // namespace
@@ -182,7 +164,6 @@ CriticalBase find_critical_base(const ColumnScene<>& scene, const CriticalBaseSe
     critical.check = make_columns(critical.scene).check;
     critical.factor_of_safety = minimum.value;
     critical.at_boundary = minimum.at_boundary;
-    critical.further_columns_stand = search.further_columns_stand();
     return critical;
 }
 

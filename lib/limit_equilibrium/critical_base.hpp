@@ -46,18 +46,17 @@ struct CriticalBase {
     ColumnScene<> scene{};                        // the input with the critical base in place
     double factor_of_safety = 0;                  // under the condition of the search
     bool at_boundary = false;                     // the minimum lies at an end of a searched range
-    // Extent only: going further changes nothing, for the columns there stand; the extent given is the least one, where
-    // the tension crack opens.
-    bool further_columns_stand = false;
     int evaluations = 0;
 };
 
 using ColumnSafety = std::function<double(const ColumnScene<>&)>;
 
 // Scan of 16 inclinations and of four extents per column (16 to 64), then Brent on the difference quotient around the
-// lowest value: factors of safety to about 1e-9, positions to about 1e-6 of the range. `factor_of_safety` gives
+// lowest value, taken over 1e-7 of the range: positions are no better than that. `factor_of_safety` gives
 // something not finite where a scene has none; such places are passed over. Global only as far as the scan resolves it.
-// Needs a continuous or classical layout. With a slide head, the wedge moves with the end of the base.
+// Where the extent changes nothing (all columns slide), any is returned. Joints are counted from the end of the base:
+// moving it moves them. Needs a continuous or classical layout. With a slide head, the wedge moves with the end of the
+// base.
 CriticalBase find_critical_base(const ColumnScene<>& scene, const CriticalBaseSearch<>& request,
                                 const ColumnSafety& factor_of_safety);
 

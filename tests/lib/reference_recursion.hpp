@@ -39,10 +39,20 @@ inline double toe_thrust(const ColumnSlope<>& slope, double joint_friction, doub
     return thrust;
 }
 
+// The largest reduction at which the slope just stands; 0 where none makes it stand. The thrust at the toe need not
+// grow with the reduction throughout (beyond 45 deg of friction a heavy thrust may hold down a first column that tips
+// without it), so that the search comes down from above in steps of a twentieth.
 inline double factor_of_safety(const ColumnSlope<>& slope, double joint_friction, double base_friction) {
-    double low = 1e-3;
     double high = 1e3;
-    for (int repeat = 0; repeat < 60; ++repeat) {
+    double low = high;
+    while (toe_thrust(slope, joint_friction, base_friction, low) > 0) {
+        high = low;
+        low /= 1.05;
+        if (low < 1e-3) {
+            return 0;
+        }
+    }
+    for (int repeat = 0; repeat < 50; ++repeat) {
         const double middle = (low + high) / 2;
         (toe_thrust(slope, joint_friction, base_friction, middle) > 0 ? high : low) = middle;
     }
