@@ -92,11 +92,15 @@ std::vector<Quantity> named_inputs(const CaseModel& model) {
                           .range = info.range,
                           .value = value});
     };
-    if (const auto* study = std::get_if<PlaneFailureStudy<>>(&model)) {
-        for_each_named_number(study->model, add);
-    } else {
-        for_each_named_number(std::get<TiltedColumn<>>(model), add);
-    }
+    std::visit(
+        [&](const auto& parameters) {
+            if constexpr (requires { parameters.model; }) {
+                for_each_named_number(parameters.model, add);
+            } else {
+                for_each_named_number(parameters, add);
+            }
+        },
+        model);
     return inputs;
 }
 
