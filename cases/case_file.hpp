@@ -47,7 +47,7 @@ struct Expectation {
 struct FitMechanism {
     std::string name;
     std::string title;
-    CaseModel model;  // the case's, with the sections that the mechanism replaces
+    CaseModel model;  // the case's, with the sections that the mechanism replaces; or one of its own kind, given whole
     std::vector<FreeParameter> parameters;
 };
 
