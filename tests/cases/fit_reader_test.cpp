@@ -13,6 +13,7 @@ using testing::complaint;
 using testing::example_text;
 using testing::fit_complaint;
 using testing::fit_text;
+using testing::two_models;
 
 TEST(FitReader, OneMechanism) {
     const CaseFile file = parse_case(std::string(example_text) + std::string(fit_text), "slope.toml");

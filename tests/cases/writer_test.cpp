@@ -14,6 +14,7 @@ namespace {
 
 using testing::changed;
 using testing::example_text;
+using testing::two_models;
 
 void expect_same_model(const CaseModel& first, const CaseModel& second) {
     const std::vector<Quantity> one = named_inputs(first);
