@@ -79,6 +79,9 @@ double limiting_friction_on_both(const LineOrientation& line, const Orientation&
 
 FeasibilityVerdict planar_sliding(const SlopeOrientation& slope, const Orientation& plane, double friction_angle,
                                   double lateral_limit) {
+    if (!steeper(plane.dip, 0)) {
+        return {Feasibility::flatter_than_friction, 0};
+    }
     const Feasibility out = way_out(slope, dip_vector(plane));
     if (out != Feasibility::feasible) {
         return {out, 0};
@@ -94,6 +97,9 @@ WedgeVerdict wedge_sliding(const SlopeOrientation& slope, const Orientation& fir
     const std::optional<LineOrientation> line = intersection(first, second);
     if (!line) {
         return {Feasibility::planes_parallel, SlidingContact::none, 0, 0};
+    }
+    if (!steeper(line->plunge, 0)) {
+        return {Feasibility::flatter_than_friction, SlidingContact::none, 0, 0};
     }
     const Feasibility line_out = way_out(slope, direction_of(*line));
     if (line_out != Feasibility::feasible) {
@@ -118,8 +124,13 @@ WedgeVerdict wedge_sliding(const SlopeOrientation& slope, const Orientation& fir
 
 FeasibilityVerdict flexural_toppling(const SlopeOrientation& slope, const Orientation& layers, double friction_angle,
                                      double lateral_limit) {
-    const double out_of_slope = azimuth_difference(slope.face_dip_direction, layers.dip_direction + 2 * right_angle);
-    if (!(std::cos(out_of_slope) > direction_rounding) || !(layers.dip > direction_rounding)) {
+    const bool vertical = !steeper(right_angle, layers.dip);
+    double out_of_slope = azimuth_difference(slope.face_dip_direction, layers.dip_direction + 2 * right_angle);
+    if (vertical && std::cos(out_of_slope) < 0) {
+        // Vertical layers lean neither way, whichever of their two dip directions was written down.
+        out_of_slope = azimuth_difference(slope.face_dip_direction, layers.dip_direction);
+    }
+    if (!(std::cos(out_of_slope) > direction_rounding) || !steeper(layers.dip, 0)) {
         return {Feasibility::does_not_dip_into_slope, 0};
     }
     if (steeper(std::abs(out_of_slope), lateral_limit)) {
@@ -134,6 +145,9 @@ Feasibility toppling_axis(const SlopeOrientation& slope, const LineOrientation& 
                           double lateral_limit) {
     if (steeper(axis.plunge, right_angle - friction_angle)) {
         return Feasibility::feasible;
+    }
+    if (!steeper(axis.plunge, 0)) {
+        return Feasibility::too_flat_to_topple;
     }
     const double into_slope = angle_in_plan(axis.trend, slope.face_dip_direction + 2 * right_angle);
     if (!(into_slope < right_angle)) {

@@ -59,7 +59,7 @@ enum class Feasibility {
     does_not_daylight,           // the movement points into the rock below the face
     does_not_surface,            // the plane or line never reaches the ground behind the crest
     outside_lateral_limit,       // points too far aside from the face
-    flatter_than_friction,       // planar and wedge sliding
+    flatter_than_friction,       // planar and wedge sliding; said first of what is level and has no direction to slide
     does_not_dip_into_slope,     // toppling: layers or columns lean the other way
     too_flat_to_topple,          // columns lie at 90 deg or more to the face
     no_slip_between_layers,      // flexural toppling: friction holds the layers together

@@ -31,7 +31,9 @@ Polyline zone(double middle_trend, double half_width, std::size_t count, NetProj
               Upper&& upper_plunge) {
     Polyline out;
     Polyline back;
-    curve(-half_width, half_width, count, [&](double aside) {
+    // A vertical face has no apparent dip along its strike.
+    const double inner_width = half_width * (1 - 1e-9);
+    curve(-inner_width, inner_width, count, [&](double aside) {
         const double lower = lower_plunge(aside);
         const double upper = upper_plunge(aside);
         if (upper > lower) {
