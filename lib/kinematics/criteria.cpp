@@ -143,15 +143,17 @@ FeasibilityVerdict flexural_toppling(const SlopeOrientation& slope, const Orient
 
 Feasibility toppling_axis(const SlopeOrientation& slope, const LineOrientation& axis, double friction_angle,
                           double lateral_limit) {
-    if (steeper(axis.plunge, right_angle - friction_angle)) {
-        return Feasibility::feasible;
-    }
     if (!steeper(axis.plunge, 0)) {
         return Feasibility::too_flat_to_topple;
     }
+    // A vertical column leans neither way.
+    const bool vertical = !steeper(right_angle, axis.plunge);
     const double into_slope = angle_in_plan(axis.trend, slope.face_dip_direction + 2 * right_angle);
-    if (!(into_slope < right_angle)) {
+    if (!vertical && !steeper(right_angle, into_slope)) {
         return Feasibility::does_not_dip_into_slope;
+    }
+    if (steeper(axis.plunge, right_angle - friction_angle)) {
+        return Feasibility::feasible;
     }
     if (steeper(into_slope, lateral_limit)) {
         return Feasibility::outside_lateral_limit;

@@ -37,7 +37,8 @@
 // is their line of intersection, a third set gives them bases. The axis
 //   - plunges into the slope within the lateral limit, and makes less than 90 deg with the face: plunge > 90 deg - face
 //     dip; or
-//   - is nearer to vertical than the friction angle, in any direction (oblique toppling).
+//   - plunges into the slope in any direction and is nearer to vertical than the friction angle (oblique toppling).
+// A column whose axis plunges out of the slope leans back on the rock behind it and does not topple.
 // The base
 //   - dips out of the slope within the lateral limit and daylights; or
 //   - dips less than the friction angle, in any direction.

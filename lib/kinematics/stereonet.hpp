@@ -62,7 +62,7 @@ Polyline flexural_toppling_zone(const SlopeOrientation& slope, double friction_a
 Polyline wedge_sliding_zone(const SlopeOrientation& slope, double friction_angle, NetProjection projection,
                             std::size_t count = 181);
 
-// Lines of intersection that can be axes of toppling columns, without those within the friction angle of vertical.
+// Lines of intersection that can be axes of toppling columns, without the oblique ones near vertical.
 Polyline toppling_axis_zone(const SlopeOrientation& slope, double lateral_limit, NetProjection projection,
                             std::size_t count = 181);
 

@@ -96,8 +96,11 @@ TEST(DirectToppling, AxisAndBase) {
     EXPECT_EQ(axis(60, 0), Feasibility::does_not_dip_into_slope);
     EXPECT_EQ(axis(24, 180), Feasibility::too_flat_to_topple);
     EXPECT_EQ(axis(26, 180), Feasibility::feasible);
-    EXPECT_EQ(axis(75, 90), Feasibility::feasible);  // oblique: within 20 deg of vertical
-    EXPECT_EQ(axis(75, 90, 10), Feasibility::does_not_dip_into_slope);
+    EXPECT_EQ(axis(75, 100), Feasibility::feasible);  // oblique: within 20 deg of vertical
+    EXPECT_EQ(axis(75, 100, 10), Feasibility::outside_lateral_limit);
+    EXPECT_EQ(axis(75, 80), Feasibility::does_not_dip_into_slope);  // leans back
+    EXPECT_EQ(axis(90, 0), Feasibility::feasible);                  // vertical: has no trend
+    EXPECT_EQ(axis(0, 180), Feasibility::too_flat_to_topple);
     const auto base = [&](double dip, double dip_direction) {
         return toppling_base(slope, plane(dip, dip_direction), degrees(20), degrees(20));
     };
