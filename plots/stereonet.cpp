@@ -160,22 +160,44 @@ void add_mean_poles(Figure& figure, const StereonetDrawing& drawing) {
     }
 }
 
-// One label for lines that lie close together: the labels of all of them.
+// "1–3, 5" for the first three and the fifth.
+std::string gathered_labels(const std::vector<DrawnIntersection>& intersections,
+                            const std::vector<std::size_t>& indices) {
+    std::string text;
+    for (std::size_t begin = 0, end = 0; begin < indices.size(); begin = end) {
+        for (end = begin + 1; end < indices.size() && indices[end] == indices[end - 1] + 1;) {
+            ++end;
+        }
+        text += (text.empty() ? "" : ", ") + intersections[indices[begin]].label;
+        if (end - begin > 1) {
+            text += (end - begin == 2 ? ", " : "–") + intersections[indices[end - 1]].label;
+        }
+    }
+    return text;
+}
+
+// One label for lines that lie close together, above the highest of them.
 void add_intersection_labels(Figure& figure, const std::vector<DrawnIntersection>& intersections,
                              const Polyline& points) {
     constexpr double close = 0.15;  // of the net's radius, about the width of a label
-    const std::size_t first_label = figure.labels.size();
-    for (std::size_t index = 0; index < intersections.size(); ++index) {
-        const auto near =
-            std::find_if(figure.labels.begin() + static_cast<std::ptrdiff_t>(first_label), figure.labels.end(),
-                         [&](const Label& label) { return (label.at - points[index]).norm() < close; });
-        if (near == figure.labels.end()) {
-            figure.labels.push_back(
-                {.at = points[index], .text = intersections[index].label, .align = Label::Align::centre, .raise = 1.3});
+    std::vector<std::vector<std::size_t>> groups;
+    for (std::size_t index = 0; index < points.size(); ++index) {
+        const auto near = std::ranges::find_if(groups, [&](const std::vector<std::size_t>& group) {
+            return (points[group.front()] - points[index]).norm() < close;
+        });
+        if (near == groups.end()) {
+            groups.push_back({index});
         } else {
-            near->text += ", " + intersections[index].label;
-            near->at.y() = std::max(near->at.y(), points[index].y());
+            near->push_back(index);
         }
+    }
+    for (const std::vector<std::size_t>& group : groups) {
+        const std::size_t highest =
+            *std::ranges::max_element(group, {}, [&](std::size_t index) { return points[index].y(); });
+        figure.labels.push_back({.at = points[highest],
+                                 .text = gathered_labels(intersections, group),
+                                 .align = Label::Align::centre,
+                                 .raise = 1.1});
     }
 }
 
@@ -220,8 +242,12 @@ Figure plane_figure(const StereonetDrawing& drawing) {
     Figure figure = empty_net(drawing, "mean planes and intersections");
     add_zone(figure, wedge_sliding_zone(drawing.slope, drawing.friction_angle, projection),
              "intersections along which wedges slide", Colour::rock);
-    add_zone(figure, toppling_axis_zone(drawing.slope, drawing.lateral_limit.direct_toppling, projection),
-             "axes of toppling columns (oblique ones: within " + friction + "° of vertical)", Colour::sky);
+    add_zone(
+        figure, toppling_axis_zone(drawing.slope, drawing.lateral_limit.direct_toppling, projection),
+        "axes of toppling columns, within " + degrees_text(drawing.lateral_limit.direct_toppling) + "° of the face",
+        Colour::sky);
+    add_zone(figure, oblique_toppling_axis_zone(drawing.slope, drawing.friction_angle, projection),
+             "oblique axes, within " + friction + "° of vertical", Colour::light_grey);
     add_face(figure, drawing);
     for (std::size_t index = 0; index < drawing.joint_set.size(); ++index) {
         const DrawnJointSet& set = drawing.joint_set[index];

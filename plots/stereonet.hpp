@@ -41,7 +41,7 @@ struct StereonetDrawing {
 Figure pole_figure(const StereonetDrawing& drawing);
 
 // Great circles of the face and of the mean planes, their intersections with the zones of wedge sliding and of the axes
-// of direct toppling, friction circle.
+// of direct toppling, friction circle. Labels of neighbours are gathered: "1–3, 5" is the first three and the fifth.
 Figure plane_figure(const StereonetDrawing& drawing);
 
 }  // namespace delabole

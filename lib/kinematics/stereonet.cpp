@@ -139,6 +139,13 @@ Polyline toppling_axis_zone(const SlopeOrientation& slope, double lateral_limit,
         [&](double) { return right_angle - slope.face_dip; }, [](double) { return right_angle; });
 }
 
+Polyline oblique_toppling_axis_zone(const SlopeOrientation& slope, double friction_angle, NetProjection projection,
+                                    std::size_t count) {
+    return zone(
+        slope.face_dip_direction + half_turn, right_angle, count, projection,
+        [&](double) { return right_angle - friction_angle; }, [](double) { return right_angle; });
+}
+
 double pole_density(const std::vector<Direction>& poles, const Direction& at, double kernel_concentration) {
     constexpr double negligible = -30;  // exp(-30) = 1e-13
     const double scale = kernel_concentration / -std::expm1(-2 * kernel_concentration);

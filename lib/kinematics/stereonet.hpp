@@ -62,9 +62,12 @@ Polyline flexural_toppling_zone(const SlopeOrientation& slope, double friction_a
 Polyline wedge_sliding_zone(const SlopeOrientation& slope, double friction_angle, NetProjection projection,
                             std::size_t count = 181);
 
-// Lines of intersection that can be axes of toppling columns, without the oblique ones near vertical.
+// Lines of intersection that can be axes of toppling columns: within the lateral limit, and the oblique ones near
+// vertical. The two overlap.
 Polyline toppling_axis_zone(const SlopeOrientation& slope, double lateral_limit, NetProjection projection,
                             std::size_t count = 181);
+Polyline oblique_toppling_axis_zone(const SlopeOrientation& slope, double friction_angle, NetProjection projection,
+                                    std::size_t count = 181);
 
 // Density of poles in multiples of the uniform density, by Fisher's kernel on axes: every pole p adds
 //     K cosh(K x.p) / sinh K

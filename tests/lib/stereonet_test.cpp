@@ -124,6 +124,7 @@ TEST(Stereonet, ZonesHoldExactlyWhatIsFeasible) {
                 const Polyline planar = planar_sliding_zone(slope, friction, limit, projection, 2001);
                 const Polyline toppling = flexural_toppling_zone(slope, friction, limit, projection, 2001);
                 const Polyline axes = toppling_axis_zone(slope, limit, projection, 2001);
+                const Polyline oblique = oblique_toppling_axis_zone(slope, friction, projection, 2001);
                 const Polyline wedge = wedge_sliding_zone(slope, friction, projection, 2001);
                 int differences = 0;
                 int feasible = 0;
@@ -135,15 +136,16 @@ TEST(Stereonet, ZonesHoldExactlyWhatIsFeasible) {
                         planar_sliding(slope, plane, friction, limit).feasibility == Feasibility::feasible;
                     const bool topples =
                         flexural_toppling(slope, plane, friction, limit).feasibility == Feasibility::feasible;
-                    const bool axis = toppling_axis(slope, line, 0, limit) == Feasibility::feasible;
+                    const bool axis = toppling_axis(slope, line, friction, limit) == Feasibility::feasible;
                     // A plane dipping along the line slides on it, without a limit in plan, as a wedge does.
                     const bool wedges =
                         planar_sliding(slope, plane, friction, degrees(90)).feasibility == Feasibility::feasible;
                     feasible += (slides ? 1 : 0) + (topples ? 1 : 0) + (axis ? 1 : 0) + (wedges ? 1 : 0);
                     differences += slides != inside(planar, pole) ? 1 : 0;
                     differences += topples != inside(toppling, pole) ? 1 : 0;
-                    differences += axis != inside(axes, projected_line(line, projection)) ? 1 : 0;
-                    differences += wedges != inside(wedge, projected_line(line, projection)) ? 1 : 0;
+                    const Point image = projected_line(line, projection);
+                    differences += axis != (inside(axes, image) || inside(oblique, image)) ? 1 : 0;
+                    differences += wedges != inside(wedge, image) ? 1 : 0;
                 }
                 // The outlines follow the curves to 1e-6: one of 2000 points in 500 runs would fall between.
                 EXPECT_EQ(differences, 0) << face_dip << ' ' << friction_deg;
