@@ -34,9 +34,9 @@ struct JointFriction {
     }
 };
 
-// How far from the dip direction of the face, to either side, a movement may point and still leave the slope. Customary:
-// 20 deg for planar sliding and direct toppling, 30 deg for flexural toppling (Goodman 1980; Wyllie & Mah 2004 take
-// 10 deg). Wedges need no such limit, their planes release them.
+// How far from the dip direction of the face, to either side, a movement may point and still leave the slope.
+// Customary: 20 deg for planar sliding and direct toppling, 30 deg for flexural toppling (Goodman 1980; Wyllie & Mah
+// 2004 take 10 deg). Wedges need no such limit, their planes release them.
 struct LateralLimit {
     double planar_sliding;
     double flexural_toppling;

@@ -363,6 +363,17 @@ TEST(Kinematics, ColumnsNeedABase) {
     EXPECT_EQ(result.pair[0].toppling_base, "base");
     EXPECT_NEAR(result.pair[0].intersection.plunge, degrees(75), 1e-12);
     EXPECT_NEAR(result.pair[0].intersection.trend, degrees(270), 1e-12);
+    // Of two bases the flatter one is named.
+    study.model.joint_set.push_back({"flatter", MeanOrientation{degrees(5), degrees(40), {}}});
+    EXPECT_EQ(analyse(study).pair[0].toppling_base, "flatter");
+    study.model.joint_set.pop_back();
+    // A set cannot be both a side of the columns and their base: 20 deg into the slope is flat enough to lie on and,
+    // cut by the vertical joint, steep enough for an axis.
+    study.model.joint_set[2].orientation = MeanOrientation{degrees(20), degrees(270), {}};
+    result = analyse(study);
+    EXPECT_EQ(result.pair[0].toppling_base, "base");
+    EXPECT_EQ(result.pair[2].direct_toppling, Feasibility::no_base_plane);
+    EXPECT_EQ(result.pair[2].direct_toppling_share, 0);
     study.model.joint_set.pop_back();
     result = analyse(study);
     EXPECT_EQ(result.pair[0].direct_toppling, Feasibility::no_base_plane);
