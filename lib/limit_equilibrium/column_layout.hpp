@@ -1,13 +1,16 @@
 // Shapes of the columns that joints and a stepped base cut out of a slope.
 //
-// Turned axes: u up-dip along the bases, v normal to them, through the toe of the slope. Base n (from 1) lies at
-// v = (n - 1) step, u from (n - 1) spacing to n spacing, step = spacing tan(base inclination - base dip).
+// Turned axes: u up-dip along the bases, v normal to them, through the toe of the slope. The toe corners of the bases
+// lie on the line v = u tan(base inclination - base dip), one spacing apart.
 //
-// `continuous`: tops are the ground itself. A new column begins with no area at all: at the place where base line and
-// ground meet, or (with a given end of the base) as a strip of no width. So every shape, and every contact height, is a
-// continuous function of height, dips, spacing and base end; only the count jumps. One exception is left: where the
-// ground behind the crest is steeper than the bases, the last column may lose contact (ground below the corner of its
-// base) while it has area; it stands by itself there, unless water or an earthquake move it, and is left out.
+// `continuous`: tops are the ground itself. Where the base goes on to the ground, joints are counted from the toe, and
+// a new column begins with no area where base line and ground meet. Where the end of the base is given, joints are
+// counted from there, for the last one passes through it: the first column, at the toe, is as wide as is left, and a
+// new one begins there with no area. So every shape and every contact height is a continuous function of height, dips,
+// spacing and base end; only the count jumps. (A narrow last column instead would move the thrust of a slide head from
+// its own height to the top of a joint.) One exception is left: where the ground behind the crest is steeper than the
+// bases, the last column may lose contact (ground below the corner of its base) while it has area; it stands by itself
+// there, unless water or an earthquake move it, and is left out.
 //
 // `classical` (Goodman & Bray 1976, eqs. 1-6): heights y_n = n (a1 - b) up to the crest column, then falling by a2 + b;
 // a1 = spacing tan(face - base dip), a2 = spacing tan(base dip - upper surface dip), b = step. Base n lies at v = n b,
@@ -20,6 +23,7 @@
 #include "limit_equilibrium/column_parameters.hpp"
 #include "plane_failure/wedge.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -249,19 +253,18 @@ ColumnCheck lay_out(const SlopeSection<T>& slope, const ContinuousColumns<T>& la
         return check;
     }
     GroundWalk<T> walk(line.ground);
-    const T step = layout.spacing * line.rise;
-    std::vector<PlanePoint<T>> top;
+    // Number of columns and width of the first one. What is narrower than this part of the spacing is rounding.
+    constexpr double narrowest = 1e-9;
+    const double whole_count =
+        line.end ? std::max(1.0, std::ceil(static_cast<double>(T(line.end->x() / layout.spacing)) - narrowest)) : 0;
+    const T first_width = line.end ? T(line.end->x() - layout.spacing * T(whole_count - 1)) : layout.spacing;
     for (std::size_t index = 0;; ++index) {
-        const T count(static_cast<double>(index));
         ColumnShape<T> shape{};
-        shape.base_u = layout.spacing * count;
-        shape.base_v = step * count;
-        shape.width = layout.spacing;
+        shape.base_u = index > 0 ? T(first_width + layout.spacing * T(static_cast<double>(index - 1))) : T(0);
+        shape.base_v = shape.base_u * line.rise;
+        shape.width = index > 0 ? layout.spacing : first_width;
         shape.has_upper_joint = true;
-        const bool last = line.end && !(shape.base_u + shape.width < line.end->x());
-        if (last) {
-            shape.width = line.end->x() - shape.base_u;
-        }
+        const bool last = line.end && static_cast<double>(index + 1) >= whole_count;
         shape.top = {walk.here()};
         walk.advance(T(shape.base_u + shape.width), shape.top);
         if (!(shape.width > 0) || !cut_by_ground(shape)) {

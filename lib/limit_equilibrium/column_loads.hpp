@@ -16,9 +16,7 @@
 
 #include <cmath>
 
-namespace delabole {
-
-namespace detail {
+namespace delabole::detail {
 
 // Force and moment (anticlockwise, about `origin`) in turned axes.
 template <class T>
@@ -193,6 +191,4 @@ void add_ground_loads(TurnedResultant<T>& resultant, const std::vector<PlanePoin
     }
 }
 
-}  // namespace detail
-
-}  // namespace delabole
+}  // namespace delabole::detail

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace delabole::test {
 
@@ -24,7 +25,11 @@ inline double toe_thrust(const ColumnSlope<>& slope, double joint_friction, doub
         const Column<>& column = slope.columns[index];
         const double above = index + 1 < slope.columns.size() ? column.upper_contact : arm_of_thrust;
         const double moment = thrust * (above - joint * column.width) + column.overturning_moment;
-        const double slide = thrust + (column.down_dip_force - base * column.normal_force) / (1 - base * joint);
+        // From friction + friction = 90 deg on, joint and base lock a column that does not slide by itself.
+        const double excess = column.down_dip_force - base * column.normal_force;
+        const double slide = base * joint < 1 ? thrust + excess / (1 - base * joint)
+                             : excess > 0     ? std::numeric_limits<double>::infinity()
+                                              : -std::numeric_limits<double>::infinity();
         if (index == 0) {
             return std::max(moment / column.width, slide);
         }
@@ -35,14 +40,8 @@ inline double toe_thrust(const ColumnSlope<>& slope, double joint_friction, doub
 }
 
 inline double factor_of_safety(const ColumnSlope<>& slope, double joint_friction, double base_friction) {
-    double low = std::sqrt(joint_friction * base_friction) * (1 + 1e-9);  // below, friction locks the columns
-    double high = 100;
-    if (toe_thrust(slope, joint_friction, base_friction, low) > 0) {
-        return low;
-    }
-    if (toe_thrust(slope, joint_friction, base_friction, high) < 0) {
-        return high;
-    }
+    double low = 1e-3;
+    double high = 1e3;
     for (int repeat = 0; repeat < 60; ++repeat) {
         const double middle = (low + high) / 2;
         (toe_thrust(slope, joint_friction, base_friction, middle) > 0 ? high : low) = middle;
