@@ -34,7 +34,19 @@ Analysis analyse_model(const CaseModel& model);
 // The model as the loops see it.
 ModelInterface interface_of(const CaseModel& model);
 
-// "plane_does_not_daylight" in a sentence that says what to change.
-std::string explain_failure(std::string_view failure);
+// Every member of a described result under its name.
+template <Described Result>
+void append_outputs(Analysis& analysis, const Result& result) {
+    visit_fields(result, [&](const FieldInfo& info, const auto& member) {
+        using Member = std::remove_cvref_t<decltype(member)>;
+        if constexpr (std::is_enum_v<Member>) {
+            const std::string word(word_of(member));
+            analysis.outputs.push_back({std::string(info.key), std::string(info.meaning), Dimension::ratio, word});
+        } else if constexpr (NumberType<Member>) {
+            analysis.outputs.push_back(
+                {std::string(info.key), std::string(info.meaning), info.dimension, static_cast<double>(member)});
+        }
+    });
+}
 
 }  // namespace delabole

@@ -66,13 +66,6 @@ std::optional<CaseModel> model_of_index(std::size_t wanted, std::index_sequence<
     return model;
 }
 
-std::optional<CaseModel> choose_model(Section& root) {
-    const std::vector<std::string> names = model_names();
-    const Node* node = root.require("model", choices(names));
-    const auto index = node == nullptr ? std::nullopt : read_choice(root.reading(), *node, "model", names);
-    return index ? model_of_index(*index, std::make_index_sequence<std::variant_size_v<CaseModel>>{}) : std::nullopt;
-}
-
 }  // namespace
 
 std::string_view model_name(const CaseModel& model) {
@@ -92,12 +85,24 @@ std::vector<Quantity> named_inputs(const CaseModel& model) {
                           .range = info.range,
                           .value = value});
     };
-    if (const auto* study = std::get_if<PlaneFailureStudy<>>(&model)) {
-        for_each_named_number(study->model, add);
-    } else {
-        for_each_named_number(std::get<TiltedColumn<>>(model), add);
-    }
+    std::visit(
+        [&](const auto& parameters) {
+            if constexpr (requires { parameters.model; }) {
+                for_each_named_number(parameters.model, add);
+            } else {
+                for_each_named_number(parameters, add);
+            }
+        },
+        model);
     return inputs;
+}
+
+std::optional<CaseModel> choose_model(Section& section) {
+    const std::vector<std::string> names = model_names();
+    const Node* node = section.require("model", choices(names));
+    const auto index =
+        node == nullptr ? std::nullopt : read_choice(section.reading(), *node, section.path_of("model"), names);
+    return index ? model_of_index(*index, std::make_index_sequence<std::variant_size_v<CaseModel>>{}) : std::nullopt;
 }
 
 bool Expectation::is_word() const {

@@ -3,12 +3,11 @@
 
 #include "cases/case_error.hpp"
 #include "cases/document.hpp"
+#include "cases/model_list.hpp"
 #include "cases/model_outputs.hpp"
 #include "cases/section.hpp"
 #include "cases/units.hpp"
 #include "fitting/fit_problem.hpp"
-#include "plane_failure/study.hpp"
-#include "water/tilted_column.hpp"
 
 #include <filesystem>
 #include <map>
@@ -20,9 +19,7 @@
 
 namespace delabole {
 
-using CaseModel = std::variant<PlaneFailureStudy<>, TiltedColumn<>>;
-
-// "plane_failure", "tilted_column"
+// The word after `model =` in a case, and all of them.
 std::string_view model_name(const CaseModel& model);
 std::vector<std::string> model_names();
 
@@ -50,7 +47,7 @@ struct Expectation {
 struct FitMechanism {
     std::string name;
     std::string title;
-    CaseModel model;  // the case's, with the sections that the mechanism replaces
+    CaseModel model;  // the case's, with the sections that the mechanism replaces; or one of its own kind, given whole
     std::vector<FreeParameter> parameters;
 };
 

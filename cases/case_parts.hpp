@@ -26,6 +26,8 @@ CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outp
 std::map<std::string, std::string> read_sources(Section& root);
 void check_sources(Reading& reading, const std::map<std::string, std::string>& sources);
 
+// An empty model of the kind that `model = ...` names; complains where there is none.
+std::optional<CaseModel> choose_model(Section& section);
 // Reads what a mechanism or the case says of its model.
 void read_model(Section& section, CaseModel& model);
 void replace_in_model(Section& section, CaseModel& model);

@@ -2,6 +2,7 @@
 #include "cases/case_writer.hpp"
 #include "cases/described_reader.hpp"
 #include "cases/described_writer.hpp"
+#include "cases/model_cases.hpp"
 
 #include <algorithm>
 #include <array>
@@ -207,101 +208,38 @@ std::string annotated_sections(const Object& object, const std::string& path) {
     return text;
 }
 
-// Wyllie & Mah (2004), example 7.1, with 3 m of water in the crack.
-PlaneFailureStudy<> example_study() {
-    PlaneFailureStudy<> study{};
-    study.model.slope = {.height = 12,
-                         .face_dip = degrees(60),
-                         .upper_surface_dip = 0,
-                         .bench = std::nullopt,
-                         .toe_elevation = std::nullopt};
-    study.model.failure_plane = {.dip = degrees(35), .daylight_height = std::nullopt};
-    study.model.tension_crack = TensionCrack<>{.dip = degrees(90), .position = CrackAtDistance<>{4}};
-    study.model.rock = {.unit_weight = 26e3};
-    study.model.strength = Coulomb<>{.cohesion = 25e3, .friction_angle = degrees(37)};
-    study.model.water = CrackAndBaseWater<>{.unit_weight = 9.81e3, .level = WaterDepth<>{3}};
-    return study;
-}
-
-constexpr std::string_view study_parts = R"(
-[sources]                           # where a value comes from, by its key
-"slope.height" = "survey of 1966"
-
-[[expect]]                          # a printed value: delabole verify compares
-quantity = "factor_of_safety"
-value = 1.247
-tolerance = 0.001                   # absolute, or relative_tolerance
-with = { "water.water_depth" = "3 m" }  # inputs that differ
-source = "example 7.1"
-note = "printed to three decimals"
-# unreachable = "why the printed value cannot be reached: it is shown, but does not fail"
-
-[fit]                               # delabole fit
-algorithm = "sbplx"                 # sbplx, bobyqa, cobyla, crs2, direct_l, mlsl or isres
-starts = 16                         # starting points
-evaluations_per_start = 400
-relative_tolerance = 1e-8           # of the parameters, scaled by their bounds
-profile_points = 41                 # points of each profile likelihood
-map_points = 61                     # points along each side of the misfit map
-seed = 1
-
-[[fit.parameter]]                   # an input that is free; or [[fit.mechanism]] with [[fit.mechanism.parameter]]
-name = "strength.friction_angle"
-lower = "20 deg"
-upper = "45 deg"
-prior = { mean = "37 deg", standard_deviation = "3 deg", source = "shear box tests" }
-
-[[fit.observation]]
-label = "it failed"
-quantity = "factor_of_safety"
-relation = "equal"                  # equal, at_least or at_most
-value = 1
-standard_deviation = 0.05
-with = { "water.water_depth" = "4 m" }
-source = "report of the failure"
-
-[fit.profile]                       # ground after the failure, from the toe into the slope
-points = [["0 m", "0 m"], ["10.9 m", "7.65 m"], ["10.9 m", "12 m"]]
-standard_deviation = "0.5 m"
-source = "survey after the failure"
-
-[[fit.evidence]]                    # evidence without a number
-name = "crest_cracks"
-statement = "cracks parallel to the crest opened weeks before"
-source = "quarry manager"
-)";
-
-constexpr std::string_view column_parts = R"(
-[[expect]]                          # a printed value: delabole verify compares
-quantity = "tilt"
-value = "12 deg"
-tolerance = "0.5 deg"               # absolute, or relative_tolerance
-source = "tilting test"
-)";
-
 template <Described Model>
-std::string template_of(const Model& model, std::string_view title, std::string_view further_parts) {
+std::string template_of(const ModelExample<Model>& example) {
     return "schema = 1\n"
            "title = " +
-           in_quotes(title) +
+           in_quotes(example.title) +
            "\n"
            "# description = \"what the case is about\"\n"
            "model = " +
-           in_quotes(Model::kind) + "\n" + annotated_values(model) + annotated_sections(model, "") + "\n" +
-           commented(further_parts.substr(1));
+           in_quotes(Model::kind) + "\n" + annotated_values(example.model) + annotated_sections(example.model, "") +
+           "\n" + commented(example.further_parts.substr(1));
+}
+
+template <std::size_t... index>
+std::string template_of_name(std::string_view model, std::index_sequence<index...>) {
+    std::string text;
+    const auto try_model = [&]<class Model>(const Model* choice) {
+        if (model == Model::kind) {
+            text = template_of(example_case(choice));
+        }
+    };
+    (try_model(static_cast<const std::variant_alternative_t<index, CaseModel>*>(nullptr)), ...);
+    return text;
 }
 
 }  // namespace
 
 std::string commented_template(std::string_view model) {
-    if (model == PlaneFailureStudy<>::kind) {
-        return template_of(example_study(), "Plane failure of a slope 12 m high", study_parts);
+    std::string text = template_of_name(model, std::make_index_sequence<std::variant_size_v<CaseModel>>{});
+    if (text.empty()) {
+        throw std::invalid_argument("no model is named " + std::string(model) + suggestion(model, model_names()));
     }
-    if (model == TiltedColumn<>::kind) {
-        const TiltedColumn<> column{.joint_dip = degrees(70), .saturated_tilt = degrees(47.5), .filled_ratio = 0.5};
-        return template_of(column, "Groundwater by tilting", column_parts);
-    }
-    throw std::invalid_argument("no model is named " + std::string(model) + suggestion(model, model_names()));
+    return text;
 }
 
 }  // namespace delabole

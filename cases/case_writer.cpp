@@ -81,8 +81,13 @@ void write_mechanism(std::string& text, const FitMechanism& mechanism, const Cas
     std::string sections;
     std::visit(
         [&](const auto& model) {
-            const auto& base_model = std::get<std::remove_cvref_t<decltype(model)>>(base);
-            write_differences(text, sections, base_model, model, "fit.mechanism");
+            if (const auto* base_model = std::get_if<std::remove_cvref_t<decltype(model)>>(&base)) {
+                write_differences(text, sections, *base_model, model, "fit.mechanism");
+            } else {
+                write_line(text, "model", in_quotes(model_name(mechanism.model)));
+                write_values(text, model);
+                write_sections(sections, model, "fit.mechanism");
+            }
         },
         mechanism.model);
     text += sections;

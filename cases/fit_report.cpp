@@ -1,6 +1,6 @@
 #include "cases/fit_report.hpp"
 
-#include "cases/plane_failure_figures.hpp"
+#include "cases/model_reports.hpp"
 #include "cases/units.hpp"
 #include "fitting/words.hpp"
 #include "plots/fit_figures.hpp"
@@ -297,63 +297,18 @@ void write_tables(const MechanismFit& fit, const ResultFolder& folder) {
     folder.write(fit.name + "_observations.csv", observations.text());
 }
 
-// Friction and cohesion within two standard deviations of their priors, the friction that of the mean plane.
-LaboratoryRange prior_range(const MechanismFit& fit, const PlaneFailure<>& slope) {
-    LaboratoryRange range;
-    range.legend = "priors, 2 standard deviations";
-    const auto* stepped = std::get_if<SteppedSurface<>>(&slope.strength);
-    for (const FreeParameter& parameter : fit.parameters) {
-        if (!parameter.prior) {
-            continue;
-        }
-        const double spread = 2 * parameter.prior->standard_deviation;
-        if (parameter.name == "strength.friction_angle") {
-            const double mean = parameter.prior->mean + (stepped != nullptr ? stepped->roughness_angle : 0.0);
-            range.friction_angle = within(mean - spread, std::min(mean + spread, degrees(89.9)));
-        } else if (parameter.name == "strength.cohesion") {
-            range.cohesion = within(std::max(0.0, parameter.prior->mean - spread), parameter.prior->mean + spread);
-        }
-    }
-    return range;
-}
-
-// Sections, loci and sensitivities of the best point, for mechanisms that slide on a plane.
-void append_plane_failure(Report& report, const ResultFolder& folder, const MechanismFit& fit, const CaseModel& model,
-                          const FitProblem& problem) {
-    const auto* study = std::get_if<PlaneFailureStudy<>>(&model);
-    if (study == nullptr || fit.best.empty()) {
+// Figures of the mechanism's own model at the best point.
+void append_best_figures(Report& report, const ResultFolder& folder, const MechanismFit& fit, const CaseModel& model,
+                         const FitProblem& problem) {
+    if (fit.best.empty()) {
         return;
     }
     std::vector<Condition> best;
     for (std::size_t index = 0; index < fit.best.size(); ++index) {
         best.push_back({fit.parameters[index].name, fit.best[index]});
     }
-    const PlaneFailure<> slope = resolve(std::get<PlaneFailureStudy<>>(with_conditions(model, best))).problem;
-    const std::vector<std::string> warnings = analyse_model(PlaneFailureStudy<>{slope, std::nullopt, {}}).warnings;
-    if (!warnings.empty()) {
-        report.blocks.emplace_back(Notice{NoticeKind::warning, "The mass at the best point", warnings});
-    }
-    SectionDrawing section = section_drawing(slope, "Observed and predicted profile");
-    section.predicted_profile = profile_after_failure(slope);
-    if (problem.profile) {
-        section.observed_profile = problem.profile->profile;
-    }
-    report.blocks.emplace_back(folder.draw(section_figure(section), fit.name + "_section",
-                                           "Section before the failure, the profile left standing as observed and as "
-                                           "predicted at the best point, with water pressures."));
-    FailureLoci loci = failure_loci(slope);
-    loci.laboratory = {prior_range(fit, slope)};
-    report.blocks.emplace_back(folder.draw(failure_locus_figure(loci), fit.name + "_failure_loci",
-                                           "Friction angle (of the mean plane) and cohesion at FS = 1 for the geometry "
-                                           "of the best point and several water levels, with what was known of the "
-                                           "strength beforehand."));
-    if (const auto curves = water_depth_curves(slope)) {
-        report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(*curves), fit.name + "_water",
-                                               "Factor of safety against the filled ratio of the crack."));
-    }
-    report.blocks.emplace_back(folder.draw(
-        tornado_figure("Change of the factor of safety", sensitivity_bars(slope)), fit.name + "_sensitivity",
-        "To first order, from exact derivatives at the best point, the geometry held."));
+    std::visit([&](const auto& at_best) { append_mechanism_figures(at_best, fit, problem, folder, report); },
+               with_conditions(model, best));
 }
 
 void append_mechanism(Report& report, const ResultFolder& folder, const MechanismFit& fit, const CaseModel& model,
@@ -384,7 +339,7 @@ void append_mechanism(Report& report, const ResultFolder& folder, const Mechanis
     if (!fit.unexplained.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "What it does not explain", fit.unexplained});
     }
-    append_plane_failure(report, folder, fit, model, problem);
+    append_best_figures(report, folder, fit, model, problem);
     if (const auto map = misfit_map_figure(fit)) {
         report.blocks.emplace_back(folder.draw(*map, fit.name + "_misfit_map",
                                                "Misfit (data and priors) over the first two parameters with the joint "

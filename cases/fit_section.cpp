@@ -136,7 +136,18 @@ FitMechanism read_mechanism(Section& section, const CaseFile& case_file, const O
         mechanism.title = mechanism.name;
     }
     mechanism.model = case_file.model;
-    replace_in_model(section, mechanism.model);
+    if (section.contains("model")) {
+        std::optional<CaseModel> own = choose_model(section);
+        if (!own) {
+            // Without a model no other key of the mechanism can be judged.
+            section.reading().finish();
+        }
+        mechanism.model = *std::move(own);
+        read_model(section, mechanism.model);
+    } else {
+        section.allow("model");
+        replace_in_model(section, mechanism.model);
+    }
     if (section.reading().clean()) {
         check_model(section.reading(), mechanism.model, section.path() + ".");
     }

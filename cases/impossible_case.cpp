@@ -1,210 +1,24 @@
 #include "cases/impossible_case.hpp"
 
-#include "cases/analysis.hpp"
-#include "plane_failure/plane_failure.hpp"
-#include "plane_failure/wedge.hpp"
+#include "cases/model_reports.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace delabole {
 
-namespace {
-
-enum class Side { below, above };
-
-// A limit in words, rounded to six digits towards the allowed side: who copies it into the case meets the limit.
-std::string limit_in_words(double limit, Side allowed, Dimension dimension) {
-    const double unit = display_unit(dimension).si_per_unit;
-    const double shown = limit / unit;
-    if (shown == 0 || !std::isfinite(shown)) {
-        return readable_quantity(limit, dimension);
-    }
-    constexpr int digits = 6;
-    const double step = std::pow(10.0, std::floor(std::log10(std::abs(shown))) - (digits - 1));
-    // What is a round number but for the last bits stays as it is.
-    const double nearest = std::round(shown / step);
-    const bool round_number = std::abs(shown / step - nearest) < 1e-6;
-    const double steps = round_number             ? nearest
-                         : allowed == Side::below ? std::floor(shown / step)
-                                                  : std::ceil(shown / step);
-    return readable_quantity(steps * step * unit, dimension);
-}
-
-std::string height_in_words(double height, Side allowed) {
-    return limit_in_words(height, allowed, Dimension::length);
-}
-
-// Where the case is given an elevation, the elevation of a height above the toe.
-std::string elevation_in_words(const PlaneFailure<>& problem, double height, Side allowed) {
-    return height_in_words(problem.slope.toe_elevation.value_or(0) + height, allowed);
-}
-
-// The keys a check may blame, most likely first. The first that stands in the case is blamed.
-std::vector<std::string> suspects(std::string_view failure) {
-    static const std::vector<std::string> crack_position = {"tension_crack.distance_behind_crest",
-                                                            "tension_crack.depth", "tension_crack.base_below_crest",
-                                                            "tension_crack.base_elevation"};
-    static const std::vector<std::string> water_level = {"water.water_depth", "water.water_elevation", "water.kind"};
-    static const std::map<std::string_view, std::vector<std::string>> keys = {
-        {"plane_does_not_daylight", {"failure_plane.dip"}},
-        {"plane_daylights_above_crest", {"failure_plane.daylight_height"}},
-        {"plane_never_surfaces", {"slope.upper_surface_dip"}},
-        {"crack_flatter_than_plane", {"tension_crack.dip"}},
-        {"crack_below_plane", crack_position},
-        {"crack_base_below_daylight", crack_position},
-        {"crack_deeper_than_mass", crack_position},
-        {"crack_never_surfaces", {"tension_crack.dip"}},
-        {"mass_vanishes", {"failure_plane.dip"}},
-        {"water_needs_crack", {"water.kind"}},
-        {"water_above_crack", water_level},
-        {"water_points_not_increasing", {"water.point", "water.base", "water.crack"}},
-        {"pond_above_crest", {"pond.depth"}},
-        {"elevation_without_datum", {"tension_crack.base_elevation", "water.water_elevation"}},
-        {"friction_not_below_90_deg", {"strength.roughness_angle", "strength.friction_angle"}},
-        {"bolt_head_above_crest", {"bolt"}},
-    };
-    const auto found = keys.find(failure);
-    return found == keys.end() ? std::vector<std::string>{} : found->second;
-}
-
-// Vertical depth of the crack if its top stood at this distance behind the crest; nothing where it cannot.
-std::optional<double> depth_of_crack_at(PlaneFailure<> problem, double distance) {
-    problem.tension_crack->position = CrackAtDistance<>{distance};
-    Wedge<double> wedge;
-    return make_wedge(problem, wedge) == PlaneFailureCheck::valid ? std::optional(wedge.crack_depth()) : std::nullopt;
-}
-
-// Behind the crest the mass is thickest at the crest or at the end of the bench, unless the ground rises for ever.
-std::optional<double> deepest_crack(const PlaneFailure<>& problem) {
-    std::optional<double> deepest = depth_of_crack_at(problem, 0);
-    if (problem.slope.bench) {
-        const std::optional<double> behind_bench = depth_of_crack_at(problem, problem.slope.bench->width);
-        deepest = deepest && behind_bench ? std::optional(std::max(*deepest, *behind_bench)) : std::nullopt;
-    }
-    return deepest;
-}
-
-// Where the failure plane would meet the ground if there were no crack, behind the crest.
-std::optional<double> surfacing_distance(PlaneFailure<> problem) {
-    problem.tension_crack.reset();
-    Wedge<double> wedge;
-    return make_wedge(problem, wedge) == PlaneFailureCheck::valid ? std::optional(wedge.base_top_x - wedge.crest_x)
-                                                                  : std::nullopt;
-}
-
-std::string crack_behind_plane(const PlaneFailure<>& problem, const std::string& key) {
-    const std::optional<double> distance = surfacing_distance(problem);
-    if (key != "tension_crack.distance_behind_crest" || !distance) {
-        return {};
-    }
-    return "lies behind the point where the failure plane meets the ground, " +
-           height_in_words(*distance, Side::below) + " behind the crest";
-}
-
-std::string crack_below_toe(const PlaneFailure<>& problem, const std::string& key) {
-    const double daylight = problem.failure_plane.daylight_height.value_or(0);
-    const std::string where = daylight > 0 ? "the point where the plane daylights" : "the toe";
-    if (key == "tension_crack.base_below_crest") {
-        return "the crack is deeper than the slope: its bottom must lie above " + where + ", less than " +
-               height_in_words(problem.slope.height - daylight, Side::below) + " below the crest";
-    }
-    if (key == "tension_crack.base_elevation") {
-        return "the crack is deeper than the slope: its bottom must lie above " + where + ", elevation " +
-               elevation_in_words(problem, daylight, Side::above);
-    }
-    return {};
-}
-
-std::string crack_too_deep(const PlaneFailure<>& problem, const std::string& key) {
-    if (key != "tension_crack.depth") {
-        return {};
-    }
-    const std::optional<double> deepest = deepest_crack(problem);
-    std::string text = "nowhere behind the crest is there so much rock above the failure plane";
-    if (deepest) {
-        text += ": a crack of this dip can be at most " + height_in_words(*deepest, Side::below) + " deep";
-    }
-    return text;
-}
-
-std::string water_too_high(PlaneFailure<> problem, const std::string& key) {
-    const bool on_base = std::holds_alternative<BasePeakMidHeightWater<>>(problem.water);
-    const bool from_toe = std::holds_alternative<PeakAtToeWater<>>(problem.water);
-    // The geometry does not depend on the water.
-    problem.water = Dry{};
-    const PlaneFailureResult dry = analyse(problem);
-    if (dry.check != PlaneFailureCheck::valid) {
-        return {};
-    }
-    const double daylight = problem.failure_plane.daylight_height.value_or(0);
-    const double top = on_base ? dry.crack_base_height : dry.crack_top_height;
-    const std::string top_name = !problem.tension_crack ? "the point where the plane meets the ground"
-                                 : on_base              ? "the upper end of the base"
-                                                        : "the top of the crack";
-    if (key == "water.water_elevation") {
-        return "is above " + top_name + ", elevation " + elevation_in_words(problem, top, Side::below);
-    }
-    if (key != "water.water_depth") {
-        return {};
-    }
-    return on_base || from_toe ? "exceeds the height of " + top_name + " above the lower end of the base, " +
-                                     height_in_words(top - daylight, Side::below)
-                               : "exceeds the depth of the crack, " + height_in_words(dry.crack_depth, Side::below);
-}
-
-// What is wrong with the value of the key, with the limit it broke; empty where no number says more than
-// explain_failure.
-std::string broken_limit(const PlaneFailure<>& problem, std::string_view failure, const std::string& key) {
-    if (failure == "plane_does_not_daylight") {
-        return "the failure plane is as steep as the face or steeper: must be less than slope.face_dip = " +
-               readable_quantity(problem.slope.face_dip, Dimension::angle);
-    }
-    if (failure == "plane_never_surfaces") {
-        return "the ground behind the crest is as steep as the failure plane, so the plane never meets it: must be "
-               "less than failure_plane.dip = " +
-               readable_quantity(problem.failure_plane.dip, Dimension::angle) + ", or a [tension_crack] is needed";
-    }
-    if (failure == "crack_flatter_than_plane") {
-        return "must be more than failure_plane.dip = " +
-               readable_quantity(problem.failure_plane.dip, Dimension::angle);
-    }
-    if (failure == "crack_below_plane") {
-        return crack_behind_plane(problem, key);
-    }
-    if (failure == "crack_base_below_daylight") {
-        return crack_below_toe(problem, key);
-    }
-    if (failure == "crack_deeper_than_mass") {
-        return crack_too_deep(problem, key);
-    }
-    if (failure == "water_above_crack") {
-        return water_too_high(problem, key);
-    }
-    return {};
-}
-
-}  // namespace
-
 Problem impossible(const CaseFile& file, std::string_view failure) {
-    const std::vector<std::string> keys = suspects(failure);
-    const auto blamed = std::ranges::find_if(keys, [&](const std::string& key) { return file.places.contains(key); });
-    if (blamed == keys.end()) {
-        return problem_at(file, keys.empty() ? "" : keys.front(), explain_failure(failure));
-    }
-    std::string message;
-    if (const auto* study = std::get_if<PlaneFailureStudy<>>(&file.model)) {
-        const ResolvedStudy resolved = resolve(*study);
-        const PlaneFailure<>& problem = resolved.check == PlaneFailureCheck::valid ? resolved.problem : study->model;
-        message = broken_limit(problem, failure, *blamed);
-    }
-    return problem_at(file, *blamed, message.empty() ? explain_failure(failure) : message);
+    return std::visit(
+        [&](const auto& parameters) {
+            const std::vector<std::string> keys = blamed_keys(parameters, failure);
+            const auto blamed =
+                std::ranges::find_if(keys, [&](const std::string& key) { return file.places.contains(key); });
+            return blamed == keys.end()
+                       ? problem_at(file, keys.empty() ? "" : keys.front(), explain_failure(parameters, failure, ""))
+                       : problem_at(file, *blamed, explain_failure(parameters, failure, *blamed));
+        },
+        file.model);
 }
 
 }  // namespace delabole

@@ -1,7 +1,9 @@
 // Arguments in, exit code out; everything else is in the commands.
 #include "cases/case_error.hpp"
+#include "cases/case_file.hpp"
 #include "cases/commands.hpp"
 #include "cases/interrupt.hpp"
+#include "cases/spelling.hpp"
 #include "plots/atomic_file.hpp"
 #include "version/version.hpp"
 
@@ -127,7 +129,7 @@ struct Program {
 
         CLI::App* init =
             app.add_subcommand("init", "Write a commented case to start from, to standard output or --out");
-        init->add_option("MODEL", word, "plane_failure or tilted_column")->required();
+        init->add_option("MODEL", word, delabole::choices(delabole::model_names()))->required();
         init->add_option("--out", options.out, "File to write; an existing one is not overwritten")->type_name("FILE");
         init->footer(example("delabole init plane_failure --out my_slope.toml"));
         init->callback([this] { chosen = [this] { return delabole::init_command(word, options); }; });

@@ -2,6 +2,7 @@
 
 #include "cases/case_writer.hpp"
 #include "plots/atomic_file.hpp"
+#include "plots/text.hpp"
 #include "version/version.hpp"
 
 #include <algorithm>
@@ -56,6 +57,15 @@ std::string column_name(std::string_view name, Dimension dimension) {
 
 double in_display_unit(double value, Dimension dimension) {
     return value / display_unit(dimension).si_per_unit;
+}
+
+std::string in_six_digits(double value, Dimension dimension) {
+    const DisplayUnit unit = display_unit(dimension);
+    std::string text = human_number(value / unit.si_per_unit, 6);
+    if (!unit.symbol.empty()) {
+        text.append(" ").append(unit.symbol);
+    }
+    return text;
 }
 
 Json json_number(double value) {

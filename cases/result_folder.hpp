@@ -26,6 +26,8 @@ std::vector<Setting> settings_of(const Options& options);
 // A number in its display unit under a name that carries the unit: "crack_depth_m", "plane_dip_deg".
 std::string column_name(std::string_view name, Dimension dimension);
 double in_display_unit(double value, Dimension dimension);
+// Six digits for a reader, who compares with printed values; CSV and JSON have all of them.
+std::string in_six_digits(double value, Dimension dimension);
 
 // {"factor_of_safety": 1.247, "crack_depth_m": 4.348, "outcome": "stable"}. Infinite values become the word "infinite".
 Json json_of(const std::vector<NamedOutput>& outputs);

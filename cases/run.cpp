@@ -6,7 +6,7 @@
 #include "cases/impossible_case.hpp"
 #include "cases/inputs_report.hpp"
 #include "cases/interrupt.hpp"
-#include "cases/plane_failure_figures.hpp"
+#include "cases/model_reports.hpp"
 #include "cases/result_folder.hpp"
 #include "cases/units.hpp"
 #include "plots/text.hpp"
@@ -16,16 +16,6 @@
 namespace delabole {
 
 namespace {
-
-// Six digits for a reader, who compares with printed values; CSV and JSON have all of them.
-std::string in_six_digits(double value, Dimension dimension) {
-    const DisplayUnit unit = display_unit(dimension);
-    std::string text = human_number(value / unit.si_per_unit, 6);
-    if (!unit.symbol.empty()) {
-        text.append(" ").append(unit.symbol);
-    }
-    return text;
-}
 
 std::string shown(const NamedOutput& output) {
     const auto* number = std::get_if<double>(&output.value);
@@ -51,51 +41,6 @@ void write_outputs(const ResultFolder& folder, const Analysis& analysis) {
         }
     }
     folder.write("results.csv", csv.text());
-}
-
-Table sensitivity_table(const SensitivityResult& sensitivities, CsvTable& csv) {
-    Table table{"Exact derivatives of the factor of safety",
-                {{"input"}, {"value", true}, {"dFS per unit", true}, {"unit"}},
-                {}};
-    for (const Sensitivity& input : sensitivities.derivatives) {
-        const DisplayUnit unit = display_unit(input.dimension);
-        const double per_unit = input.derivative * unit.si_per_unit;
-        table.rows.push_back({input.parameter, in_six_digits(input.value, input.dimension),
-                              in_six_digits(per_unit, Dimension::ratio),
-                              unit.symbol.empty() ? "1" : "1/(" + std::string(unit.symbol) + ")"});
-        csv.add_row(
-            {input.parameter, in_display_unit(input.value, input.dimension), std::string(unit.symbol), per_unit});
-    }
-    return table;
-}
-
-// Figures and tables that only plane failure has.
-void append_plane_failure(Report& report, const ResultFolder& folder, const PlaneFailureStudy<>& study) {
-    const PlaneFailure<> problem = resolve(study).problem;
-    report.blocks.emplace_back(Heading{"Section"});
-    SectionDrawing section = section_drawing(problem, "Slope, failure plane, crack and water");
-    section.predicted_profile = profile_after_failure(problem);
-    report.blocks.emplace_back(folder.draw(section_figure(section), "section",
-                                           "The slope, what slides, and the water pressure on it (not to the scale "
-                                           "of the section)."));
-    if (const auto critical = critical_plane_drawing(study)) {
-        report.blocks.emplace_back(folder.draw(critical_figure(*critical), "critical_plane",
-                                               "Least factor of safety for each dip of the failure plane."));
-    }
-    report.blocks.emplace_back(Heading{"Water and strength"});
-    if (const auto curves = water_depth_curves(problem)) {
-        report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(*curves), "water",
-                                               "Factor of safety against the filled ratio of the water level."));
-    }
-    report.blocks.emplace_back(folder.draw(failure_locus_figure(failure_loci(problem)), "failure_loci",
-                                           "Pairs of friction angle and cohesion at which the slope just fails."));
-    const SensitivityResult derivatives = sensitivities(problem);
-    CsvTable csv({"input", "value", "unit", "derivative_per_unit"});
-    report.blocks.emplace_back(Heading{"Sensitivity"});
-    report.blocks.emplace_back(folder.draw(tornado_figure("Change of the factor of safety", sensitivity_bars(problem)),
-                                           "sensitivity", "To first order, from exact derivatives."));
-    report.blocks.emplace_back(sensitivity_table(derivatives, csv));
-    folder.write("sensitivities.csv", csv.text());
 }
 
 void print(const CaseFile& file, const Analysis& analysis, const ResultFolder& folder) {
@@ -133,9 +78,7 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     }
     report.blocks.emplace_back(Heading{"Results"});
     report.blocks.emplace_back(output_table(analysis));
-    if (const auto* study = std::get_if<PlaneFailureStudy<>>(&file.model)) {
-        append_plane_failure(report, folder, *study);
-    }
+    std::visit([&](const auto& parameters) { append_case_figures(parameters, folder, report); }, file.model);
     report.blocks.emplace_back(Heading{"Inputs"});
     report.blocks.emplace_back(inputs_table(file));
     report.blocks.emplace_back(Heading{"Provenance"});

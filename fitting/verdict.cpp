@@ -63,7 +63,7 @@ Sorted Words::sort() const {
         const double effect = facts_.directions.row(place).cwiseProduct(values.transpose()).norm();
         if (effect < untouched_below) {
             result.untouched.push_back(place);
-        } else if (hidden.row(place).norm() > involved_above) {
+        } else if (hidden.cols() > 0 && hidden.row(place).norm() > involved_above) {
             result.involved.push_back(place);
         } else {
             result.determined.push_back(place);

@@ -112,6 +112,7 @@ struct Figure {
     std::vector<Arrow> arrows = {};
     LegendPlace legend = LegendPlace::below;
     bool equal_scales = false;  // one metre is as long upwards as it is sideways
+    bool frame = true;          // false: neither border nor axes, for what brings its own
     int width = 640;            // px; text is 19 px high, so that it stays legible on a phone of half the width
     int height = 450;           // px, without the legend below, which is added
 };

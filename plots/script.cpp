@@ -100,7 +100,7 @@ class ScriptWriter {
             script_ << "unset key\n";
             return;
         }
-        constexpr double axis_height = 86;  // px, numbers and title of the x axis
+        const double axis_height = figure_.frame ? 86 : 12;  // px, numbers and title of the x axis
         script_ << "set key at screen 0.5," << 4.0 / canvas_height()
                 << " center bottom vertical maxcols 1 Left reverse samplen 2 width 1";
         // A long legend in smaller letters rather than over the edge.
@@ -216,7 +216,8 @@ class ScriptWriter {
 
     void write_settings() {
         script_ << "set title " << quote(title_lines()) << "\n";
-        script_ << "set border 31 linewidth 1 linecolor rgb " << rgb(Colour::grey) << "\n";
+        script_ << "set border " << (figure_.frame ? 31 : 0) << " linewidth 1 linecolor rgb " << rgb(Colour::grey)
+                << "\n";
         script_ << "set tics nomirror scale 0.6 textcolor rgb 'black'\n";
         script_ << "set style textbox opaque fillcolor rgb 'white' noborder margins 0.4,0.2\n";
         if (figure_.equal_scales) {
@@ -254,13 +255,17 @@ class ScriptWriter {
     }
 
     void write_axis(std::string_view letter, const Axis& axis, const Extent& extent) {
+        const auto [lowest, highest] = shown_range(axis, extent);
+        script_ << "set " << letter << "range [" << lowest << ':' << highest << "]\n";
+        if (!figure_.frame) {
+            script_ << "unset " << letter << "tics\n";
+            return;
+        }
         script_ << "set " << letter << "label "
                 << quote(axis.unit.empty() ? axis.title : axis.title + " (" + axis.unit + ")") << "\n";
         if (axis.grid) {
             script_ << "set grid " << letter << "tics linetype 1 linewidth 0.5 linecolor rgb '#D8D8D8'\n";
         }
-        const auto [lowest, highest] = shown_range(axis, extent);
-        script_ << "set " << letter << "range [" << lowest << ':' << highest << "]\n";
         if (axis.ticks.empty()) {
             const int most = letter == "x" ? 6 : std::max(3, figure_.height / 70);
             script_ << "set " << letter << "tics " << tick_step(std::abs(highest - lowest), most) << "\n";

@@ -27,4 +27,5 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/delabole-config-ver
 install(FILES
     ${CMAKE_CURRENT_BINARY_DIR}/delabole-config.cmake
     ${CMAKE_CURRENT_BINARY_DIR}/delabole-config-version.cmake
+    ${CMAKE_CURRENT_LIST_DIR}/find_glpk.cmake
     DESTINATION ${package_directory} COMPONENT library)

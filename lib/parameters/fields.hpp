@@ -141,6 +141,19 @@ constexpr std::string_view word_of(Enum value) {
     return enum_names(value)[static_cast<std::size_t>(value)];
 }
 
+// The value a word stands for; nothing where it is no word of the enum.
+template <class Enum>
+requires std::is_enum_v<Enum>
+constexpr std::optional<Enum> value_of(std::string_view word) {
+    const auto words = enum_names(Enum{});
+    for (std::size_t index = 0; index < words.size(); ++index) {
+        if (words[index] == word) {
+            return static_cast<Enum>(index);
+        }
+    }
+    return std::nullopt;
+}
+
 template <class Type>
 concept Described = requires {
     std::remove_const_t<Type>::fields();

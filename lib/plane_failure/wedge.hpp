@@ -78,6 +78,7 @@ struct Wedge {
     SineCosine<T> face;
     SineCosine<T> plane;
     SineCosine<T> crack;
+    T plane_secant;  // 1 / cos(plane dip): most heights above the plane are divided by that cosine
     T sine_face_minus_plane;
     T sine_crack_minus_plane;  // 1 where there is no crack
     T daylight_height;         // of the plane above the toe
@@ -103,11 +104,9 @@ struct GroundSegment {
     T x;
     T above;
     T angle;
-    SineCosine<T> dip;   // of `angle`
-    T sine_minus_plane;  // sin(dip - plane dip)
+    SineCosine<T> dip;  // of `angle`
+    T rate;             // of growth of the height above the plane with x
     CrackLocation location;
-
-    T rate(const SineCosine<T>& plane) const { return sine_minus_plane / (dip.cosine * plane.cosine); }
 };
 
 template <class T>
@@ -118,37 +117,32 @@ struct Ground {
 
 template <class T>
 void set_ground_behind_crest(Ground<T>& ground, const SlopeSection<T>& slope, const T& plane_dip,
-                             const SineCosine<T>& plane, const T& crest_x, const T& crest_above) {
+                             const SineCosine<T>& plane, const T& plane_secant, const T& crest_x,
+                             const T& crest_above) {
+    const auto rate = [&](const T& angle, const SineCosine<T>& dip) {
+        return T(sine_of_difference(angle, dip, plane_dip, plane) * plane_secant / dip.cosine);
+    };
     T x = crest_x;
     T above = crest_above;
     if (slope.bench) {
         const SineCosine<T> dip = sine_cosine(slope.bench->dip);
         GroundSegment<T>& bench = ground.segments[ground.count++];
-        bench = {x,
-                 above,
-                 slope.bench->dip,
-                 dip,
-                 sine_of_difference(slope.bench->dip, dip, plane_dip, plane),
-                 CrackLocation::bench};
-        above += slope.bench->width * bench.rate(plane);
+        bench = {x, above, slope.bench->dip, dip, rate(slope.bench->dip, dip), CrackLocation::bench};
+        above += slope.bench->width * bench.rate;
         x += slope.bench->width;
     }
     const SineCosine<T> dip = sine_cosine(slope.upper_surface_dip);
-    ground.segments[ground.count++] = {x,
-                                       above,
-                                       slope.upper_surface_dip,
-                                       dip,
-                                       sine_of_difference(slope.upper_surface_dip, dip, plane_dip, plane),
-                                       CrackLocation::upper_surface};
+    ground.segments[ground.count++] = {
+        x, above, slope.upper_surface_dip, dip, rate(slope.upper_surface_dip, dip), CrackLocation::upper_surface};
 }
 
 // x at which the ground behind the crest is a given height above the plane, nearest to the crest.
 template <class T>
-bool find_height(const Ground<T>& ground, const SineCosine<T>& plane, const T& height, T& x, CrackLocation& location) {
+bool find_height(const Ground<T>& ground, const T& height, T& x, CrackLocation& location) {
     for (std::size_t index = 0; index < ground.count; ++index) {
         const GroundSegment<T>& segment = ground.segments[index];
         const T difference = height - segment.above;
-        const T rate = segment.rate(plane);
+        const T& rate = segment.rate;
         const bool last = index + 1 == ground.count;
         if (difference == 0 && rate == 0) {
             x = segment.x;
@@ -171,11 +165,11 @@ bool find_height(const Ground<T>& ground, const SineCosine<T>& plane, const T& h
 template <class T>
 T height_above_plane(const Wedge<T>& wedge, const Ground<T>& ground, const T& x) {
     if (x < wedge.crest_x) {
-        return x * wedge.sine_face_minus_plane / (wedge.face.cosine * wedge.plane.cosine);
+        return x * wedge.sine_face_minus_plane * wedge.plane_secant / wedge.face.cosine;
     }
     const GroundSegment<T>& segment =
         ground.count == 2 && x > ground.segments[1].x ? ground.segments[1] : ground.segments[0];
-    return segment.above + (x - segment.x) * segment.rate(wedge.plane);
+    return segment.above + (x - segment.x) * segment.rate;
 }
 
 // Side of the crack line on which a ground node lies, positive behind the crack.
@@ -193,7 +187,7 @@ PlaneFailureCheck trace_crack_up(Wedge<T>& wedge, const Ground<T>& ground, const
         if (!(sine > 0)) {
             return PlaneFailureCheck::crack_never_surfaces;
         }
-        wedge.crack_length = wedge.base_top_x * wedge.sine_face_minus_plane / (wedge.plane.cosine * sine);
+        wedge.crack_length = wedge.base_top_x * wedge.sine_face_minus_plane * wedge.plane_secant / sine;
         wedge.crack_location = CrackLocation::face;
     } else {
         for (std::size_t index = 0; index < ground.count; ++index) {
@@ -201,7 +195,7 @@ PlaneFailureCheck trace_crack_up(Wedge<T>& wedge, const Ground<T>& ground, const
             if (index + 1 < ground.count && behind_crack(wedge, ground.segments[index + 1]) < 0) {
                 continue;
             }
-            const T above_base = segment.above + (wedge.base_top_x - segment.x) * segment.rate(wedge.plane);
+            const T above_base = segment.above + (wedge.base_top_x - segment.x) * segment.rate;
             const T sine = sine_of_difference(crack_dip, wedge.crack, segment.angle, segment.dip);
             if (!(sine > 0)) {
                 return PlaneFailureCheck::crack_never_surfaces;
@@ -279,8 +273,8 @@ PlaneFailureCheck place_crack(Wedge<T>& wedge, const Ground<T>& ground, const Pl
         wedge.base_top_x = wedge.crack_top_x - wedge.crack_length * wedge.crack.cosine;
     } else if (const auto* deep = std::get_if<CrackOfDepth<T>>(&crack.position)) {
         wedge.crack_length = deep->depth / wedge.crack.sine;
-        const T above = wedge.crack_length * wedge.sine_crack_minus_plane / wedge.plane.cosine;
-        if (!find_height(ground, wedge.plane, above, wedge.crack_top_x, wedge.crack_location)) {
+        const T above = wedge.crack_length * wedge.sine_crack_minus_plane * wedge.plane_secant;
+        if (!find_height(ground, above, wedge.crack_top_x, wedge.crack_location)) {
             return PlaneFailureCheck::crack_deeper_than_mass;
         }
         wedge.base_top_x = wedge.crack_top_x - wedge.crack_length * wedge.crack.cosine;
@@ -315,7 +309,7 @@ void set_stations(Wedge<T>& wedge, const Ground<T>& ground) {
     };
     wedge.station_count = 0;
     const bool leaning_out = wedge.crack_top_x > wedge.base_top_x;  // the mass reaches beyond the base, over the crack
-    const T crack_above = wedge.crack_length * wedge.sine_crack_minus_plane / wedge.plane.cosine;  // of its top
+    const T crack_above = wedge.crack_length * wedge.sine_crack_minus_plane * wedge.plane_secant;  // of its top
     bool base_top_passed = !leaning_out;
     // Where the crack opens at the very node, derivatives ask on which side of it the crack is held to be.
     const auto add_ground = [&](const T& x, const T& above, bool crack_beyond) {
@@ -360,6 +354,7 @@ PlaneFailureCheck make_wedge(const PlaneFailure<T>& problem, Wedge<T>& wedge) {
     const T& plane_dip = problem.failure_plane.dip;
     wedge.face = sine_cosine(slope.face_dip);
     wedge.plane = sine_cosine(plane_dip);
+    wedge.plane_secant = 1 / wedge.plane.cosine;
     wedge.daylight_height = problem.failure_plane.daylight_height.value_or(T(0));
     wedge.crest_height = slope.height - wedge.daylight_height;
     if (!(plane_dip < slope.face_dip)) {
@@ -371,9 +366,10 @@ PlaneFailureCheck make_wedge(const PlaneFailure<T>& problem, Wedge<T>& wedge) {
     wedge.sine_face_minus_plane = sine_of_difference(slope.face_dip, wedge.face, plane_dip, wedge.plane);
     const T crest_over_sine = wedge.crest_height / wedge.face.sine;
     wedge.crest_x = crest_over_sine * wedge.face.cosine;
-    const T crest_above = crest_over_sine * wedge.sine_face_minus_plane / wedge.plane.cosine;
+    const T crest_above = crest_over_sine * wedge.sine_face_minus_plane * wedge.plane_secant;
     detail::Ground<T> ground;
-    detail::set_ground_behind_crest(ground, slope, plane_dip, wedge.plane, wedge.crest_x, crest_above);
+    detail::set_ground_behind_crest(ground, slope, plane_dip, wedge.plane, wedge.plane_secant, wedge.crest_x,
+                                    crest_above);
 
     wedge.crack_length = T(0);
     wedge.crack_location = CrackLocation::none;
@@ -386,12 +382,12 @@ PlaneFailureCheck make_wedge(const PlaneFailure<T>& problem, Wedge<T>& wedge) {
         wedge.crack = {T(1), T(0)};
         wedge.sine_crack_minus_plane = T(1);
         CrackLocation location{};
-        if (!detail::find_height(ground, wedge.plane, T(0), wedge.base_top_x, location)) {
+        if (!detail::find_height(ground, T(0), wedge.base_top_x, location)) {
             return PlaneFailureCheck::plane_never_surfaces;
         }
         wedge.crack_top_x = wedge.base_top_x;
     }
-    wedge.base_length = wedge.base_top_x / wedge.plane.cosine;
+    wedge.base_length = wedge.base_top_x * wedge.plane_secant;
 
     detail::set_stations(wedge, ground);
     wedge.area = T(0);

@@ -56,6 +56,32 @@ value = 1
 standard_deviation = 0.05
 )";
 
+// To stand behind example_text: a mechanism of the case's own model and one of another.
+inline constexpr std::string_view two_models = R"(
+[fit]
+[[fit.mechanism]]
+name = "sliding"
+[[fit.mechanism.parameter]]
+name = "water.water_depth"
+lower = "0 m"
+upper = "40 m"
+[[fit.mechanism]]
+name = "tilting"
+model = "tilted_column"
+joint_dip = "70 deg"
+saturated_tilt = "47.5 deg"
+filled_ratio = 0.5
+[[fit.mechanism.parameter]]
+name = "filled_ratio"
+lower = 0
+upper = 1
+[[fit.observation]]
+label = "tilt"
+quantity = "tilt"
+value = "12 deg"
+standard_deviation = "1 deg"
+)";
+
 // The text with its first `from` replaced by `to`.
 inline std::string changed(std::string_view text, std::string_view from, std::string_view to) {
     std::string result(text);

@@ -1,5 +1,6 @@
 #include "cases/case_file.hpp"
 
+#include "cases/spelling.hpp"
 #include "example_case.hpp"
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@ using testing::complaint;
 using testing::example_text;
 using testing::fit_complaint;
 using testing::fit_text;
+using testing::two_models;
 
 TEST(FitReader, OneMechanism) {
     const CaseFile file = parse_case(std::string(example_text) + std::string(fit_text), "slope.toml");
@@ -24,6 +26,21 @@ TEST(FitReader, OneMechanism) {
     EXPECT_EQ(file.fit->mechanisms.front().parameters.front().upper, degrees(45));
     ASSERT_EQ(file.fit->observations.size(), 1U);
     EXPECT_EQ(file.fit->observations.front().observation.relation, Relation::equal);
+}
+
+TEST(FitReader, AMechanismMayBeOfAnotherModel) {
+    const std::string text = std::string(example_text) + std::string(two_models);
+    const CaseFile file = parse_case(text, "slope.toml");
+    ASSERT_EQ(file.fit->mechanisms.size(), 2U);
+    const auto& column = std::get<TiltedColumn<>>(file.fit->mechanisms[1].model);
+    EXPECT_EQ(column.filled_ratio, 0.5);
+    EXPECT_EQ(file.fit->mechanisms[1].parameters.front().name, "filled_ratio");
+    EXPECT_EQ(complaint(changed(text, "joint_dip = \"70 deg\"\n", "")),
+              "slope.toml:37:1: fit.mechanism[2].joint_dip: is required: dip of the joint that carries the water "
+              "(between 0 and 90 deg (ends excluded))");
+    EXPECT_EQ(complaint(changed(text, "model = \"tilted_column\"", "model = \"tilted_colum\"")),
+              "slope.toml:39:9: fit.mechanism[2].model = \"tilted_colum\": must be " + choices(model_names()) +
+                  " (did you mean tilted_column?)");
 }
 
 TEST(FitReader, MechanismsReplaceSectionsWholly) {

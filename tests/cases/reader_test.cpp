@@ -113,10 +113,10 @@ TEST(Reader, Choices) {
               "slope.toml:25:1: water: takes only one of water_depth, filled_ratio or water_elevation: level above the "
               "bottom of the crack (given: water_depth or filled_ratio)");
     EXPECT_EQ(complaint_after("\"plane_failure\"", "\"plane_failures\""),
-              "slope.toml:3:9: model = \"plane_failures\": must be plane_failure or tilted_column (did you mean "
-              "plane_failure?)");
-    EXPECT_EQ(complaint_after("\"plane_failure\"", "\"block_row\""),
-              "slope.toml:3:9: model = \"block_row\": must be plane_failure or tilted_column");
+              "slope.toml:3:9: model = \"plane_failures\": must be " + choices(model_names()) +
+                  " (did you mean plane_failure?)");
+    EXPECT_EQ(complaint_after("\"plane_failure\"", "\"avalanche\""),
+              "slope.toml:3:9: model = \"avalanche\": must be " + choices(model_names()));
 }
 
 TEST(Reader, AllProblemsTogetherInOrder) {

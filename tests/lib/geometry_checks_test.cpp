@@ -336,7 +336,7 @@ TEST(Fuzz, SearchesEnd) {
     RandomProblem random(101);
     int found = 0;
     int missed = 0;
-    for (int count = 0; count < 3000; ++count) {
+    for (int count = 0; count < 1000; ++count) {
         const PlaneFailure<> problem = random.next();
         for (const CriticalFeature feature :
              {CriticalFeature::tension_crack, CriticalFeature::failure_plane, CriticalFeature::both}) {
@@ -359,8 +359,8 @@ TEST(Fuzz, SearchesEnd) {
         const Required required = required_value(problem, "rock.unit_weight", 1);
         EXPECT_FALSE(std::isnan(required.value));
     }
-    EXPECT_GT(found, 3000);
-    // Measured: 27 of 7377; loads that come and go with the crack make several dips.
+    EXPECT_GT(found, 1000);
+    // Measured over three times as many: 27 of 7377; loads that come and go with the crack make several dips.
     EXPECT_LE(missed, found / 100);
     std::cout << "missed " << missed << " of " << found << "\n";
 }

@@ -243,6 +243,32 @@ CriticalSearchDrawing critical_crack() {
     return drawing;
 }
 
+// The sets of the west face of Old Delabole (thesis 2.2.1, 2.2.3.1). Set B is the mirror image of set A, its scatter a
+// guess.
+StereonetDrawing stereonet() {
+    const std::vector<JointSet> sets{
+        {"joint_set_a", OrientationRange{degrees(70), degrees(90), degrees(100), degrees(105)}},
+        {"joint_set_b", MeanOrientation{degrees(85), degrees(282.5), 200.0}},
+        {"joint_set_c", OrientationRange{degrees(30), degrees(65), degrees(90), degrees(130)}},
+        {"cleavage", OrientationRange{degrees(20), degrees(30), degrees(245), degrees(260)}},
+        {"faults", OrientationRange{degrees(70), degrees(90), degrees(90), degrees(120)}}};
+    StereonetDrawing drawing{.title = "Old Delabole, west face",
+                             .slope = {degrees(70), degrees(102.5), {}},
+                             .friction_angle = degrees(20),
+                             .lateral_limit = {degrees(20), degrees(30), degrees(20)}};
+    for (const JointSet& set : sets) {
+        drawing.joint_set.push_back(
+            {set.name, mean_orientation(set), sampled_planes(set, 300, 1967, drawing.joint_set.size())});
+    }
+    for (std::size_t first = 0; first < sets.size(); ++first) {
+        for (std::size_t second = first + 1; second < sets.size(); ++second) {
+            const auto line = intersection(mean_orientation(sets[first]), mean_orientation(sets[second]));
+            drawing.intersection.push_back({std::to_string(drawing.intersection.size() + 1), line.value()});
+        }
+    }
+    return drawing;
+}
+
 std::vector<std::pair<std::string, Figure>> figures() {
     const MechanismFit fit = mechanism_fit();
     return {{"section", section_figure(section())},
@@ -253,7 +279,9 @@ std::vector<std::pair<std::string, Figure>> figures() {
             {"profile_filled_ratio", profile_likelihood_figure(fit, "water.filled_ratio").value()},
             {"sensitivities", tornado_figure("Change of the factor of safety", sensitivities())},
             {"critical_dip", critical_figure(critical_dip())},
-            {"critical_crack", critical_figure(critical_crack())}};
+            {"critical_crack", critical_figure(critical_crack())},
+            {"stereonet_poles", pole_figure(stereonet())},
+            {"stereonet_planes", plane_figure(stereonet())}};
 }
 
 Report report(const std::vector<FigureFiles>& drawn) {

@@ -4,6 +4,7 @@
 #include "fitting/fit_result.hpp"
 #include "plots/figures.hpp"
 #include "plots/report.hpp"
+#include "plots/stereonet.hpp"
 
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@ namespace delabole::samples {
 double factor_of_safety(double cohesion, double friction_angle, double water_ratio);
 
 SectionDrawing section();
+StereonetDrawing stereonet();
 WaterDepthCurves water_depth_curves();
 FailureLoci failure_loci();
 MechanismFit mechanism_fit();

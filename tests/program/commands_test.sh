@@ -89,8 +89,8 @@ expect_complete_results_of_reproduce() {
     expect_no_leftovers "$1"
     expect_result_is_newest "$1"
 }
-expect_complete_results_of_reproduce results/chapter2
-expect_figures results/chapter2 2
+expect_complete_results_of_reproduce results/thesis
+expect_figures results/thesis 2
 for what in fig2.8 tilting dry_friction; do
     delabole reproduce "$what" --out "part_$what"
     expect_status 0

@@ -96,6 +96,15 @@ expect_silence() {
     fi
 }
 
+# Nothing but progress, which a slow build or a busy machine prints.
+expect_only_progress() {
+    checks=$((checks + 1))
+    if grep -qvE '^ *[0-9]+ %: ' "$scratch/err"; then
+        fail "something other than progress was printed"
+        show_run
+    fi
+}
+
 # No file of a write that did not come to its end.
 expect_no_leftovers() {
     checks=$((checks + 1))

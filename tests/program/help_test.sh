@@ -32,7 +32,7 @@ for command in "" "${commands[@]}"; do
         expect "it is an example of the command" contains <(echo "$line") "delabole $command"
         run bash -euc "cd tree && $line"
         expect_status 0
-        expect_silence err
+        expect_only_progress
     done
 done
 expect "the examples left results" test -s tree/results/delabole_1967/result.json

@@ -1,0 +1,51 @@
+#include "cases/model_cases.hpp"
+#include "cases/case_parts.hpp"
+#include "cases/spelling.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace delabole {
+
+// At the mechanism's own key where it has one, otherwise at the case's.
+void Checker::complain(const std::string& key, std::string message) {
+    reading_->complain_at(reading_->knows(prefix_ + key) ? prefix_ + key : key, std::move(message));
+}
+
+std::string indexed(const std::string& key, std::size_t index) {
+    return key + "[" + std::to_string(index + 1) + "]";
+}
+
+void check_input_name(Checker& checker, const std::string& key, const std::string& name, const CaseModel& model) {
+    const std::vector<std::string> inputs = names_in(named_inputs(model));
+    if (std::ranges::find(inputs, name) == inputs.end()) {
+        checker.complain(key, "is not an input of this case" + suggestion(name, inputs));
+    }
+}
+
+void check_model(Reading& reading, const CaseModel& model, const std::string& prefix) {
+    Checker checker(reading, prefix);
+    std::visit([&](const auto& alternative) { check_case(checker, alternative); }, model);
+}
+
+namespace {
+
+template <std::size_t... index>
+std::vector<Quantity> outputs_of_name(std::string_view model, std::index_sequence<index...>) {
+    std::vector<Quantity> outputs;
+    const auto try_model = [&]<class Model>(const Model* choice) {
+        if (model == Model::kind) {
+            outputs = possible_outputs(choice);
+        }
+    };
+    (try_model(static_cast<const std::variant_alternative_t<index, CaseModel>*>(nullptr)), ...);
+    return outputs;
+}
+
+}  // namespace
+
+std::vector<Quantity> known_outputs(std::string_view model) {
+    return outputs_of_name(model, std::make_index_sequence<std::variant_size_v<CaseModel>>{});
+}
+
+}  // namespace delabole

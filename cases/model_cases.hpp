@@ -1,0 +1,74 @@
+// What the reader needs of each model beyond its table of fields. Each model has these functions in its own
+// <model>_case.cpp.
+#pragma once
+
+#include "cases/model_list.hpp"
+#include "cases/section.hpp"
+#include "parameters/model_interface.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace delabole {
+
+// Complains about values that contradict each other.
+class Checker {
+  public:
+    Checker(Reading& reading, std::string prefix) : reading_(&reading), prefix_(std::move(prefix)) {}
+
+    // At the mechanism's own key where it has one, otherwise at the case's.
+    void complain(const std::string& key, std::string message);
+
+  private:
+    Reading* reading_;
+    std::string prefix_;
+};
+
+// "bolt[2]" for index 1
+std::string indexed(const std::string& key, std::size_t index);
+
+// Complains about the first point whose coordinate does not exceed the one before.
+template <class Point, class Coordinate>
+void check_increasing(Checker& checker, const std::vector<Point>& points, Coordinate coordinate, const std::string& key,
+                      const std::string& name) {
+    for (std::size_t index = 1; index < points.size(); ++index) {
+        if (!(points[index].*coordinate > points[index - 1].*coordinate)) {
+            checker.complain(indexed(key, index) + "." + name, "must be more than that of the point before");
+            return;
+        }
+    }
+}
+
+// Complains unless the value of the key names an input of the case.
+void check_input_name(Checker& checker, const std::string& key, const std::string& name, const CaseModel& model);
+
+template <class Request>
+void check_required(Checker& checker, const std::vector<Request>& requests, const CaseModel& model) {
+    for (std::size_t index = 0; index < requests.size(); ++index) {
+        check_input_name(checker, indexed("required", index) + ".parameter", requests[index].parameter, model);
+    }
+}
+
+// What `delabole init` writes: a valid case, and what else a case of the model may say, as text to be commented out.
+template <class Model>
+struct ModelExample {
+    Model model;
+    std::string_view title;
+    std::string_view further_parts;
+};
+
+// What concerns several inputs at once and can be judged without running the model.
+void check_case(Checker& checker, const PlaneFailureStudy<>& study);
+void check_case(Checker& checker, const TiltedColumn<>& column);
+
+// The pointers only choose the model.
+ModelExample<PlaneFailureStudy<>> example_case(const PlaneFailureStudy<>*);
+ModelExample<TiltedColumn<>> example_case(const TiltedColumn<>*);
+
+// All that the model can answer, whatever a case asks of it.
+std::vector<Quantity> possible_outputs(const PlaneFailureStudy<>*);
+std::vector<Quantity> possible_outputs(const TiltedColumn<>*);
+
+}  // namespace delabole

@@ -1,0 +1,14 @@
+// The models a case may name. A new one is added here, and gets a <model>_case.cpp and a <model>_report.cpp: see
+// model_cases.hpp and model_reports.hpp for what they hold.
+#pragma once
+
+#include "plane_failure/study.hpp"
+#include "water/tilted_column.hpp"
+
+#include <variant>
+
+namespace delabole {
+
+using CaseModel = std::variant<PlaneFailureStudy<>, TiltedColumn<>>;
+
+}  // namespace delabole

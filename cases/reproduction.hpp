@@ -1,0 +1,47 @@
+// One item of `delabole reproduce`: what a chapter prints, computed again and set beside the printed.
+#pragma once
+
+#include "cases/result_folder.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace delabole {
+
+// A printed number or statement beside the computed one.
+struct PrintedRow {
+    std::string what;
+    std::string printed;
+    std::string computed;
+    std::string difference;
+    std::string remark;
+};
+
+struct Reproduction {
+    Json json;
+    std::vector<PrintedRow> rows;
+};
+
+struct ReproductionItem {
+    std::string name;     // "fig2.8"
+    std::string meaning;  // one line
+    // Appends to the report, writes figures and tables into the folder.
+    std::function<Reproduction(const ResultFolder&, Report&)> reproduce;
+};
+
+struct ReproductionChapter {
+    std::string name;     // "chapter2": all of its items
+    std::string meaning;  // one line
+    std::string title;    // of its report
+    std::vector<ReproductionItem> items;
+};
+
+ReproductionChapter chapter_2();
+
+std::string statement(bool met);
+// A difference of rounding is no difference.
+std::string difference_in_words(double difference);
+Table printed_table(const std::string& caption, const std::vector<PrintedRow>& rows);
+
+}  // namespace delabole

@@ -1,0 +1,118 @@
+// Which planes and lines let a slope slide or topple: geometry and friction alone, no cohesion, no water, no size.
+//
+// Conventions. "Feasible" is strict: at equality, within 1e-12 of a direction, nothing moves. The critical friction
+// angle is the one below which the mechanism is feasible; 0 where geometry forbids it at any friction. Face, plane and
+// friction lie within the ranges of kinematics/parameters.hpp; lateral limits below 90 deg. All functions are exact to
+// rounding.
+//
+// Planar sliding (Markland 1972; Hoek & Bray 1981). The block moves along the dip vector v of the joint.
+//   daylight: v points out of the rock, v . n_face > 0, which is tan(dip) < tan(face dip) cos(plan angle);
+//   surface:  -v points out of the ground behind the crest, v . n_upper < 0;
+//   plan angle between the dip directions within the lateral limit; dip > friction angle.
+//
+// Wedge sliding (Markland 1972). The same along the line of intersection, without a lateral limit. plunge > friction
+// angle is on the safe side: two planes wedge the block in. The friction angle at which a dry cohesionless wedge really
+// is in limiting equilibrium is given beside it (`limiting_friction_angle`).
+//   Hocking (1976) asks which planes carry the wedge: where the dip direction of a plane lies, in plan, between the
+//   trend
+// of the intersection and the dip direction of the face, the wedge slides on that plane alone and leaves the other.
+// Derivation, for a level upper surface. A block bounded by both planes is finite only if no horizontal direction that
+// stays within the two half-spaces points into the rock. With the rock above both planes (dip directions a1, a2, the
+// horizontal directions from a1 - 90 deg to a2 + 90 deg) that means: the face dips between a1 and a2. Above plane 1 and
+// below plane 2: outside. Movement down plane 1 alone opens plane 2 if v1 . n2 > 0 (block above 2) or < 0 (below 2),
+// and
+//     v1 . n2 = cos d1 cos d2 (tan d2 cos(a1 - a2) - tan d1),
+// where tan d_i = tan(plunge) / cos(a_i - trend). Going through the orders of a1, a2, trend and face around the
+// compass, this opens a plane exactly where Hocking's test says so; with both dip directions between trend and face the
+// plane nearer to the face carries the block.
+//
+// Flexural toppling (Goodman & Bray 1976). Near the face the principal stress is parallel to it; layers slip over one
+// another where that stress is inclined to their normal by more than the friction angle. In the section across the face
+// layers dip into the slope by an apparent dip d', their normal plunges 90 deg - d' out of it, so that
+//     face dip - (90 deg - d') > friction angle,   tan(90 deg - d') = tan(90 deg - d) / cos(plan angle),
+// with the plan angle between the normal's trend and the dip direction of the face, within the lateral limit. At plan
+// angle 0 this is Goodman & Bray's formula; otherwise it is the slip-limit plane of Goodman (1980).
+//
+// Direct toppling (Goodman & Bray 1976; regions after Hudson & Harrison 1997, ch. 18). Two sets cut columns whose axis
+// is their line of intersection, a third set gives them bases. The axis
+//   - plunges into the slope within the lateral limit, and makes less than 90 deg with the face: plunge > 90 deg - face
+//     dip; or
+//   - plunges into the slope in any direction and is nearer to vertical than the friction angle (oblique toppling).
+// A column whose axis plunges out of the slope leans back on the rock behind it and does not topple.
+// The base
+//   - dips out of the slope within the lateral limit and daylights; or
+//   - dips less than the friction angle, in any direction.
+// These two regions of friction are the convention of the overlays, not a result of statics: they say where a column
+// can lose its base, never whether it does.
+#pragma once
+
+#include "kinematics/orientation.hpp"
+#include "kinematics/parameters.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace delabole {
+
+enum class Feasibility {
+    feasible,
+    planes_parallel,             // no line of intersection
+    does_not_daylight,           // the movement points into the rock below the face
+    does_not_surface,            // the plane or line never reaches the ground behind the crest
+    outside_lateral_limit,       // points too far aside from the face
+    flatter_than_friction,       // planar and wedge sliding; said first of what is level and has no direction to slide
+    does_not_dip_into_slope,     // toppling: layers or columns lean the other way
+    too_flat_to_topple,          // columns lie at 90 deg or more to the face
+    no_slip_between_layers,      // flexural toppling: friction holds the layers together
+    base_steeper_than_friction,  // direct toppling: a base that dips into the slope or aside, too steep to lie on
+    no_base_plane,               // direct toppling: columns, but no set for their bases
+};
+
+constexpr std::array<std::string_view, 11> enum_names(Feasibility) {
+    return {"feasible",
+            "planes_parallel",
+            "does_not_daylight",
+            "does_not_surface",
+            "outside_lateral_limit",
+            "flatter_than_friction",
+            "does_not_dip_into_slope",
+            "too_flat_to_topple",
+            "no_slip_between_layers",
+            "base_steeper_than_friction",
+            "no_base_plane"};
+}
+
+struct FeasibilityVerdict {
+    Feasibility feasibility;
+    double critical_friction_angle;
+};
+
+FeasibilityVerdict planar_sliding(const SlopeOrientation& slope, const Orientation& plane, double friction_angle,
+                                  double lateral_limit);
+
+enum class SlidingContact { none, both_planes, first_plane, second_plane };
+
+constexpr std::array<std::string_view, 4> enum_names(SlidingContact) {
+    return {"none", "both_planes", "first_plane", "second_plane"};
+}
+
+struct WedgeVerdict {
+    Feasibility feasibility;
+    SlidingContact contact;          // none where geometry forbids sliding
+    double critical_friction_angle;  // Markland's
+    double limiting_friction_angle;  // of a dry cohesionless wedge; 0 where geometry forbids sliding
+};
+
+WedgeVerdict wedge_sliding(const SlopeOrientation& slope, const Orientation& first, const Orientation& second,
+                           double friction_angle);
+
+FeasibilityVerdict flexural_toppling(const SlopeOrientation& slope, const Orientation& layers, double friction_angle,
+                                     double lateral_limit);
+
+// The two halves of direct toppling.
+Feasibility toppling_axis(const SlopeOrientation& slope, const LineOrientation& axis, double friction_angle,
+                          double lateral_limit);
+Feasibility toppling_base(const SlopeOrientation& slope, const Orientation& base, double friction_angle,
+                          double lateral_limit);
+
+}  // namespace delabole

@@ -1,0 +1,81 @@
+// Joint sets: a name, a mean orientation and its scatter, with samples and their statistics.
+//
+// Sources: Fisher, R. (1953), Dispersion on a sphere, Proc. R. Soc. A 217; Mardia & Jupp (2000), Directional
+// Statistics.
+#pragma once
+
+#include "kinematics/orientation.hpp"
+#include "parameters/fields.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace delabole {
+
+// Orientations known by their ranges, as field reports print them. Dip and dip direction are taken as independent and
+// each as equally likely all over its range. The range of dip direction is walked clockwise, through north if need be.
+struct OrientationRange {
+    double lower_dip;
+    double upper_dip;
+    double first_dip_direction;
+    double last_dip_direction;
+    static constexpr auto fields() {
+        using R = OrientationRange;
+        return std::tuple{
+            number("lower_dip", &R::lower_dip, Dimension::angle, within(0, degrees(90)), "flattest dip"),
+            number("upper_dip", &R::upper_dip, Dimension::angle, within(0, degrees(90)), "steepest dip"),
+            number("first_dip_direction", &R::first_dip_direction, Dimension::angle, within(0, degrees(360)),
+                   "dip direction where the range begins"),
+            number("last_dip_direction", &R::last_dip_direction, Dimension::angle, within(0, degrees(360)),
+                   "dip direction where the range ends, clockwise from the first")};
+    }
+};
+
+// Poles scattered about a mean by Fisher's distribution: the density falls with the angle t from the mean as
+// exp(K cos t). For large K the angular standard deviation is 81 deg / sqrt(K).
+struct MeanOrientation {
+    double dip;
+    double dip_direction;
+    std::optional<double> concentration;
+    static constexpr auto fields() {
+        using M = MeanOrientation;
+        return std::tuple{
+            number("dip", &M::dip, Dimension::angle, within(0, degrees(90)), "mean dip"),
+            number("dip_direction", &M::dip_direction, Dimension::angle, within(0, degrees(360)), "mean dip direction"),
+            number("concentration", &M::concentration, Dimension::ratio, within(1e-3, 1e9),
+                   "Fisher's K of the poles; absent: no scatter")};
+    }
+};
+
+struct JointSet {
+    std::string name;
+    std::variant<OrientationRange, MeanOrientation> orientation;
+    static constexpr auto fields() {
+        return std::tuple{section("name", &JointSet::name, "name of the set"),
+                          inlined(&JointSet::orientation, "its orientations")};
+    }
+};
+
+// Middle of the ranges, or the mean given.
+Orientation mean_orientation(const JointSet& set);
+
+// `count` planes of the set. The same for the same seed and stream on every machine up to the rounding of sin, cos and
+// log: the generator is std::mt19937_64, the transforms are ours. Different streams of one seed are independent.
+std::vector<Orientation> sampled_planes(const JointSet& set, std::size_t count, std::uint64_t seed,
+                                        std::uint64_t stream);
+
+struct OrientationStatistics {
+    Orientation mean;                   // principal axis of the poles
+    double concentration;               // (N - 1) / (N - R); infinite where nothing scatters
+    double angular_standard_deviation;  // acos(R / N)
+};
+
+// Of planes whose poles, turned to the side of their principal axis, have the resultant R. Poles spread over more than
+// a hemisphere have no meaningful mean. At least one plane; a single one has an infinite concentration.
+OrientationStatistics orientation_statistics(const std::vector<Orientation>& planes);
+
+}  // namespace delabole

@@ -1,0 +1,100 @@
+// Kinematic feasibility: what a face, its joint sets and the limits of the test are.
+#pragma once
+
+#include "kinematics/joint_set.hpp"
+#include "kinematics/orientation.hpp"
+#include "parameters/fields.hpp"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+struct SlopeOrientation {
+    double face_dip;
+    double face_dip_direction;
+    std::optional<Orientation> upper_surface;
+    static constexpr auto fields() {
+        using S = SlopeOrientation;
+        return std::tuple{number("face_dip", &S::face_dip, Dimension::angle,
+                                 Interval{.lower = 0, .upper = degrees(90), .lower_open = true}, "dip of the face"),
+                          number("face_dip_direction", &S::face_dip_direction, Dimension::angle,
+                                 within(0, degrees(360)), "dip direction of the face, out of the slope"),
+                          section("upper_surface", &S::upper_surface, "ground behind the crest; absent: level")};
+    }
+};
+
+struct JointFriction {
+    double friction_angle;
+    static constexpr auto fields() {
+        return std::tuple{number("friction_angle", &JointFriction::friction_angle, Dimension::angle,
+                                 Interval{.lower = 0, .upper = degrees(90), .upper_open = true},
+                                 "friction angle of every joint")};
+    }
+};
+
+// How far from the dip direction of the face, to either side, a movement may point and still leave the slope.
+// Customary: 20 deg for planar sliding and direct toppling, 30 deg for flexural toppling (Goodman 1980; Wyllie & Mah
+// 2004 take 10 deg). Wedges need no such limit, their planes release them.
+struct LateralLimit {
+    double planar_sliding;
+    double flexural_toppling;
+    double direct_toppling;
+    static constexpr auto fields() {
+        using L = LateralLimit;
+        constexpr Interval range = within(0, degrees(90));
+        return std::tuple{number("planar_sliding", &L::planar_sliding, Dimension::angle, range,
+                                 "largest angle in plan between joint and face dip direction, sliding on a plane"),
+                          number("flexural_toppling", &L::flexural_toppling, Dimension::angle, range,
+                                 "largest angle in plan between joint and face strike, flexural toppling"),
+                          number("direct_toppling", &L::direct_toppling, Dimension::angle, range,
+                                 "largest angle in plan between block axis or base and face, direct toppling")};
+    }
+};
+
+struct Kinematics {
+    SlopeOrientation slope;
+    JointFriction strength;
+    LateralLimit lateral_limit;
+    std::vector<JointSet> joint_set;
+
+    static constexpr std::string_view kind = "kinematics";
+    static constexpr auto fields() {
+        using K = Kinematics;
+        return std::tuple{section("slope", &K::slope, "the face"), section("strength", &K::strength, "joint strength"),
+                          section("lateral_limit", &K::lateral_limit, "limits in plan"),
+                          section("joint_set", &K::joint_set, "the joint sets")};
+    }
+};
+
+// Numerical settings. The standard error of a share p is sqrt(p (1 - p) / sample_count): at most 0.8 % at 4000.
+struct OrientationSampling {
+    std::optional<double> sample_count;
+    std::optional<double> seed;
+
+    static constexpr double default_sample_count = 4000;
+    static constexpr double default_seed = 1967;
+
+    static constexpr auto fields() {
+        using S = OrientationSampling;
+        return std::tuple{number("sample_count", &S::sample_count, Dimension::ratio, within(1, 1e6),
+                                 "orientations drawn from each set, a whole number; absent: 4000"),
+                          number("seed", &S::seed, Dimension::ratio, within(0, 9007199254740992.0),
+                                 "seed of the samples, a whole number; absent: 1967")};
+    }
+};
+
+struct KinematicsStudy {
+    Kinematics model;
+    std::optional<OrientationSampling> sampling;
+
+    static constexpr std::string_view kind = "kinematics";
+    static constexpr auto fields() {
+        using S = KinematicsStudy;
+        return std::tuple{inlined(&S::model, "face and joint sets"),
+                          section("sampling", &S::sampling, "sampling of the sets; absent: its defaults")};
+    }
+};
+
+}  // namespace delabole

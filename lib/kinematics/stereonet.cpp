@@ -1,0 +1,216 @@
+#include "kinematics/stereonet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace delabole {
+
+namespace {
+
+constexpr double right_angle = std::numbers::pi / 2;
+constexpr double half_turn = std::numbers::pi;
+
+// `count` values from first to last.
+template <class Function>
+Polyline curve(double first, double last, std::size_t count, Function&& point_at) {
+    Polyline points;
+    points.reserve(count);
+    for (std::size_t index = 0; index < count; ++index) {
+        const double share = static_cast<double>(index) / static_cast<double>(count - 1);
+        points.push_back(point_at(first + (last - first) * share));
+    }
+    return points;
+}
+
+// Lines between two plunges that change with the trend, closed: out along one limit, back along the other. Trends at
+// which the limits have changed places leave no room and are skipped.
+template <class Lower, class Upper>
+Polyline zone(double middle_trend, double half_width, std::size_t count, NetProjection projection, Lower&& lower_plunge,
+              Upper&& upper_plunge) {
+    Polyline out;
+    Polyline back;
+    // A vertical face has no apparent dip along its strike.
+    const double inner_width = half_width * (1 - 1e-9);
+    curve(-inner_width, inner_width, count, [&](double aside) {
+        const double lower = lower_plunge(aside);
+        const double upper = upper_plunge(aside);
+        if (upper > lower) {
+            out.push_back(projected_line({lower, middle_trend + aside}, projection));
+            back.push_back(projected_line({upper, middle_trend + aside}, projection));
+        }
+        return Point(0, 0);
+    });
+    if (out.size() < 2) {
+        return {};
+    }
+    out.insert(out.end(), back.rbegin(), back.rend());
+    out.push_back(out.front());
+    return out;
+}
+
+// Apparent dip of a plane of this dip at an angle in plan from its dip direction.
+double apparent(double dip, double aside) {
+    return apparent_dip({dip, 0}, aside);
+}
+
+// Half the angle in plan within which a plane of `dip` has an apparent dip of more than `least`.
+double reach(double dip, double least) {
+    if (!(dip > least)) {
+        return 0;
+    }
+    return std::acos(std::clamp(std::tan(least) / std::tan(dip), 0.0, 1.0));
+}
+
+}  // namespace
+
+Point projected(const Direction& direction, NetProjection projection) {
+    const double stretch = 1 - direction.z();
+    const Point horizontal(direction.x(), direction.y());
+    // sin t / (1 + cos t) = tan(t / 2) and sin t / sqrt(1 + cos t) = sqrt(2) sin(t / 2), with cos t = -z.
+    return projection == NetProjection::equal_angle ? Point(horizontal / stretch)
+                                                    : Point(horizontal / std::sqrt(stretch));
+}
+
+Direction direction_at(const Point& point, NetProjection projection) {
+    const double square = point.squaredNorm();
+    if (projection == NetProjection::equal_angle) {
+        return Direction(2 * point.x(), 2 * point.y(), square - 1) / (1 + square);
+    }
+    const double stretch = std::sqrt(std::max(0.0, 2 - square));
+    return {point.x() * stretch, point.y() * stretch, square - 1};
+}
+
+Point projected_pole(const Orientation& plane, NetProjection projection) {
+    return projected(-upward_normal(plane), projection);
+}
+
+Point projected_line(const LineOrientation& line, NetProjection projection) {
+    return projected(direction_of(line), projection);
+}
+
+Polyline great_circle(const Orientation& plane, NetProjection projection, std::size_t count) {
+    const Direction down_dip = dip_vector(plane);
+    const Direction strike = direction_of({0, plane.dip_direction - right_angle});
+    return curve(0, half_turn, count, [&](double rake) {
+        return projected(std::cos(rake) * strike + std::sin(rake) * down_dip, projection);
+    });
+}
+
+Polyline plunge_circle(double plunge, NetProjection projection, std::size_t count) {
+    return curve(0, 2 * half_turn, count, [&](double trend) { return projected_line({plunge, trend}, projection); });
+}
+
+Polyline daylight_envelope(const SlopeOrientation& slope, NetProjection projection, std::size_t count) {
+    return curve(-right_angle, right_angle, count, [&](double aside) {
+        return projected_pole({std::max(0.0, apparent(slope.face_dip, aside)), slope.face_dip_direction + aside},
+                              projection);
+    });
+}
+
+Polyline planar_sliding_zone(const SlopeOrientation& slope, double friction_angle, double lateral_limit,
+                             NetProjection projection, std::size_t count) {
+    const double half_width = std::min(lateral_limit, reach(slope.face_dip, friction_angle));
+    return zone(
+        slope.face_dip_direction + half_turn, half_width, count, projection,
+        [&](double aside) { return right_angle - apparent(slope.face_dip, aside); },
+        [&](double) { return right_angle - friction_angle; });
+}
+
+Polyline flexural_toppling_zone(const SlopeOrientation& slope, double friction_angle, double lateral_limit,
+                                NetProjection projection, std::size_t count) {
+    return zone(
+        slope.face_dip_direction, lateral_limit, count, projection, [](double) { return 0.0; },
+        [&](double aside) { return apparent(std::max(0.0, slope.face_dip - friction_angle), aside); });
+}
+
+Polyline wedge_sliding_zone(const SlopeOrientation& slope, double friction_angle, NetProjection projection,
+                            std::size_t count) {
+    return zone(
+        slope.face_dip_direction, reach(slope.face_dip, friction_angle), count, projection,
+        [&](double) { return friction_angle; }, [&](double aside) { return apparent(slope.face_dip, aside); });
+}
+
+Polyline toppling_axis_zone(const SlopeOrientation& slope, double lateral_limit, NetProjection projection,
+                            std::size_t count) {
+    return zone(
+        slope.face_dip_direction + half_turn, lateral_limit, count, projection,
+        [&](double) { return right_angle - slope.face_dip; }, [](double) { return right_angle; });
+}
+
+Polyline oblique_toppling_axis_zone(const SlopeOrientation& slope, double friction_angle, NetProjection projection,
+                                    std::size_t count) {
+    return zone(
+        slope.face_dip_direction + half_turn, right_angle, count, projection,
+        [&](double) { return right_angle - friction_angle; }, [](double) { return right_angle; });
+}
+
+double pole_density(const std::vector<Direction>& poles, const Direction& at, double kernel_concentration) {
+    constexpr double negligible = -30;  // exp(-30) = 1e-13
+    const double scale = kernel_concentration / -std::expm1(-2 * kernel_concentration);
+    double sum = 0;
+    for (const Direction& pole : poles) {
+        const double cosine = std::abs(pole.dot(at));
+        const double exponent = kernel_concentration * (cosine - 1);
+        if (exponent > negligible) {
+            sum += std::exp(exponent) + std::exp(-kernel_concentration * (cosine + 1));
+        }
+    }
+    return poles.empty() ? 0 : scale * sum / static_cast<double>(poles.size());
+}
+
+DensityGrid pole_density_grid(const std::vector<Direction>& poles, double kernel_concentration,
+                              NetProjection projection, std::size_t side) {
+    DensityGrid grid;
+    const double cell = 2 / static_cast<double>(side - 3);
+    for (std::size_t index = 0; index < side; ++index) {
+        grid.coordinates.push_back(cell * (static_cast<double>(index) - static_cast<double>(side - 1) / 2));
+    }
+    const auto size = static_cast<Eigen::Index>(side);
+    grid.values = Eigen::MatrixXd::Constant(size, size, std::numeric_limits<double>::quiet_NaN());
+    // Every cell that the primitive crosses has its corners within a diagonal of it.
+    const double reach_out = 1 + std::numbers::sqrt2 * cell;
+    for (Eigen::Index row = 0; row < size; ++row) {
+        for (Eigen::Index column = 0; column < size; ++column) {
+            const Point point(grid.coordinates[static_cast<std::size_t>(column)],
+                              grid.coordinates[static_cast<std::size_t>(row)]);
+            if (point.norm() <= reach_out) {
+                grid.values(row, column) = pole_density(poles, direction_at(point, projection), kernel_concentration);
+            }
+        }
+    }
+    return grid;
+}
+
+std::vector<Polyline> inside_primitive(const Polyline& line) {
+    std::vector<Polyline> parts;
+    bool open = false;
+    const auto add = [&](const Point& point) {
+        if (!open) {
+            parts.emplace_back();
+            open = true;
+        }
+        parts.back().push_back(point);
+    };
+    for (std::size_t index = 0; index < line.size(); ++index) {
+        const bool inside = line[index].norm() <= 1;
+        if (index > 0 && inside != (line[index - 1].norm() <= 1)) {
+            // |a + s (b - a)| = 1 between a point inside and one outside: one root in [0, 1].
+            const Point& from = line[index - 1];
+            const Point along = line[index] - from;
+            const double square = along.squaredNorm();
+            const double half = from.dot(along) / square;
+            const double root = std::sqrt(std::max(0.0, half * half - (from.squaredNorm() - 1) / square));
+            add(from + (inside ? -half - root : -half + root) * along);
+        }
+        if (inside) {
+            add(line[index]);
+        } else {
+            open = false;
+        }
+    }
+    return parts;
+}
+
+}  // namespace delabole

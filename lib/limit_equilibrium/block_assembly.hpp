@@ -1,0 +1,44 @@
+// Assemblies of bodies from rows of blocks, from columns on a stepped base, and from columns cut by cross joints.
+//
+// Every block rests on the fixed base, or on the block below it in its column, and touches its neighbours over the
+// height they share. The riser between two bases is no contact: rock that a column leaves as it moves out of the slope
+// could only push it, but friction on a face without cause of pressure would let the programme hold the column up.
+#pragma once
+
+#include "limit_equilibrium/assembly.hpp"
+#include "limit_equilibrium/column.hpp"
+
+namespace delabole {
+
+struct RowBlock {
+    double width;
+    double height;
+    double weight;  // N/m
+};
+
+struct JointFriction {
+    double base;       // friction angle of blocks on the base
+    double interface;  // friction angle between neighbouring blocks, or columns
+};
+
+// Rectangles side by side on a level plane, the first at the toe; tilt it with largest_tilt.
+Assembly assemble_row(const std::vector<RowBlock>& blocks, const JointFriction& friction);
+
+// Columns, with all their loads; a wedge above them becomes the last body. Cohesion acts on the wedge's own joint only.
+// The weight of a column acts at the middle of its middle line, which is exact for rectangles; in other shapes the
+// difference is in the load, so that equilibrium as given is exact and a tilt acts at that point.
+Assembly assemble_columns(const ColumnSlope<>& slope, const JointFriction& friction);
+
+struct CrossJoints {
+    double spacing;  // m, along the columns from each base
+    double offset;   // of the first cross joint in every second column, 0 <= offset < spacing; 0: as in the others
+    double friction_angle;  // of the cross joints
+};
+
+// Rectangular columns under their own weight cut across: the blocks of a slope that is jointed in two directions. A
+// column's uppermost block is what remains of its height.
+Assembly assemble_blocks(const ColumnSlope<>& slope, const CrossJoints& cross_joints, const JointFriction& friction);
+
+constexpr std::size_t most_blocks = 100'000;
+
+}  // namespace delabole

@@ -1,0 +1,146 @@
+#include "plots/stereonet.hpp"
+#include "samples.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace delabole {
+namespace {
+
+template <class Type>
+std::vector<Type> all(const Figure& figure) {
+    std::vector<Type> result;
+    for (const Series& series : figure.series) {
+        if (const auto* content = std::get_if<Type>(&series)) {
+            result.push_back(*content);
+        }
+    }
+    return result;
+}
+
+std::vector<std::string> legends(const Figure& figure) {
+    std::vector<std::string> result;
+    for (const Series& series : figure.series) {
+        std::visit(
+            [&](const auto& content) {
+                if constexpr (requires { content.legend; }) {
+                    if (!content.legend.empty()) {
+                        result.push_back(content.legend);
+                    }
+                }
+            },
+            series);
+    }
+    return result;
+}
+
+bool names(const Figure& figure, std::string_view text) {
+    return std::ranges::any_of(legends(figure),
+                               [&](const std::string& legend) { return legend.find(text) != std::string::npos; });
+}
+
+TEST(StereonetFigure, NamesWhatItShows) {
+    const Figure poles = pole_figure(samples::stereonet());
+    for (const std::string_view text :
+         {"joint set a, mean 80/102.5", "joint set b, mean 85/282.5", "cleavage", "face 70/102.5", "daylight envelope",
+          "planes dipping 20°", "poles that slide", "poles that topple", "pole density 2, 4, 8"}) {
+        EXPECT_TRUE(names(poles, text)) << text;
+    }
+    const Figure planes = plane_figure(samples::stereonet());
+    for (const std::string_view text : {"joint set c 47.5/110", "face 70/102.5", "lines plunging 20°", "wedges slide",
+                                        "toppling columns", "lines of intersection"}) {
+        EXPECT_TRUE(names(planes, text)) << text;
+    }
+}
+
+TEST(StereonetFigure, KeepsEverythingButItsTicksOnTheNet) {
+    StereonetDrawing drawing = samples::stereonet();
+    for (const NetProjection projection : {NetProjection::equal_area, NetProjection::equal_angle}) {
+        drawing.projection = projection;
+        for (const Figure& figure : {pole_figure(drawing), plane_figure(drawing)}) {
+            double furthest = 0;
+            const auto include = [&](const Polyline& points, double allowed) {
+                for (const Point& point : points) {
+                    if (std::isfinite(point.x())) {
+                        EXPECT_LE(point.norm(), allowed);
+                        furthest = std::max(furthest, point.norm());
+                    }
+                }
+            };
+            constexpr double rounding = 1e-12;
+            for (const Points& points : all<Points>(figure)) {
+                include(points.points, 1 + rounding);
+            }
+            for (const Region& region : all<Region>(figure)) {
+                include(region.outline, 1 + rounding);
+            }
+            const std::vector<Line> lines = all<Line>(figure);
+            for (std::size_t index = 0; index < lines.size(); ++index) {
+                // The ticks come last; the longest stands at north.
+                include(lines[index].points, index + 1 == lines.size() ? 1.06 : 1 + rounding);
+            }
+            EXPECT_GT(furthest, 1.03);
+        }
+    }
+}
+
+// North is up and east is right: the face dips to 102.5, so that its great circle lies in the east half and the poles
+// of planes dipping like it in the west half.
+TEST(StereonetFigure, IsALowerHemisphereWithNorthUp) {
+    const Figure figure = pole_figure(samples::stereonet());
+    for (const Line& line : all<Line>(figure)) {
+        if (line.legend.starts_with("face")) {
+            EXPECT_GT(line.points[line.points.size() / 2].x(), 0.2);
+        }
+        if (line.legend.starts_with("daylight")) {
+            EXPECT_LT(line.points[line.points.size() / 2].x(), -0.2);
+        }
+    }
+    for (const Points& points : all<Points>(figure)) {
+        if (points.legend.starts_with("joint set a")) {
+            EXPECT_LT(points.points[0].x(), -0.8);
+        }
+        if (points.legend.starts_with("joint set b")) {
+            EXPECT_GT(points.points[0].x(), 0.8);
+        }
+    }
+    const auto north = std::ranges::find(figure.labels, "N", &Label::text);
+    ASSERT_NE(north, figure.labels.end());
+    EXPECT_GT(north->at.y(), 1);
+}
+
+TEST(StereonetFigure, LeavesOutZonesInWhichNothingMoves) {
+    StereonetDrawing drawing = samples::stereonet();
+    drawing.slope.face_dip = degrees(15);
+    EXPECT_TRUE(all<Region>(pole_figure(drawing)).empty());
+    EXPECT_FALSE(names(pole_figure(drawing), "poles that"));
+    drawing.joint_set.clear();
+    drawing.intersection.clear();
+    EXPECT_TRUE(all<Points>(plane_figure(drawing)).empty());
+    EXPECT_FALSE(names(pole_figure(drawing), "pole density"));
+}
+
+// Nine of the ten intersections of the Delabole sets lie within a few degrees of the common strike.
+TEST(StereonetFigure, GathersLabelsOfLinesThatLieTogether) {
+    const Figure figure = plane_figure(samples::stereonet());
+    const auto has = [&](std::string_view text) {
+        return std::ranges::any_of(figure.labels, [&](const Label& label) { return label.text == text; });
+    };
+    EXPECT_TRUE(has("1–3, 5–10"));
+    EXPECT_TRUE(has("4"));
+}
+
+TEST(StereonetFigure, HasNoFrame) {
+    const std::string script = gnuplot_script(plane_figure(samples::stereonet()), "net");
+    EXPECT_NE(script.find("set border 0"), std::string::npos);
+    EXPECT_NE(script.find("unset xtics"), std::string::npos);
+    EXPECT_EQ(script.find("set xlabel"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace delabole
