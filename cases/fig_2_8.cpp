@@ -1,6 +1,6 @@
 #include "cases/fig_2_8.hpp"
 
-#include "plane_failure/scalar_search.hpp"
+#include "numerics/scalar_search.hpp"
 
 #include <cmath>
 #include <limits>

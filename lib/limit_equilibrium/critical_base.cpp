@@ -1,6 +1,6 @@
 #include "limit_equilibrium/critical_base.hpp"
 
-#include "plane_failure/scalar_search.hpp"
+#include "numerics/scalar_search.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -303,14 +303,14 @@ SteppedBaseResult analyse(const SteppedBase<>& problem) {
     result.column_count = static_cast<double>(slope.columns.size());
     const std::vector<ColumnResult> columns =
         column_results(slope, strength, limit.state == LimitState::found ? limit.value : 1);
-    std::size_t uppermost = 0;
     for (std::size_t index = 0; index < columns.size(); ++index) {
         result.weight += columns[index].weight;
         result.toppling_count += columns[index].mode == ColumnMode::topples ? 1 : 0;
         result.sliding_count += columns[index].mode == ColumnMode::slides ? 1 : 0;
-        uppermost = columns[index].mode != ColumnMode::stays ? index : uppermost;
+        result.moving_count =
+            columns[index].mode != ColumnMode::stays ? static_cast<double>(index + 1) : result.moving_count;
     }
-    const Column<>& crack = slope.columns[uppermost];
+    const Column<>& crack = slope.columns[static_cast<std::size_t>(std::max(1.0, result.moving_count)) - 1];
     const Point corner = in_section(slope.base_dip, crack.base_u + crack.width, crack.base_v);
     result.crack_base_distance = corner.x();
     result.crack_base_height = corner.y();

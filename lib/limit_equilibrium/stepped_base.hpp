@@ -145,6 +145,7 @@ struct SteppedBaseResult {
     double column_count = 0;
     double toppling_count = 0;
     double sliding_count = 0;
+    double moving_count = 0;
     double crack_base_distance = 0;
     double crack_base_height = 0;
     double base_inclination = 0;
@@ -169,6 +170,8 @@ struct SteppedBaseResult {
                    "columns that topple in limiting equilibrium"),
             number("sliding_count", &Result::sliding_count, Dimension::ratio, any_number(),
                    "columns that slide in limiting equilibrium"),
+            number("moving_count", &Result::moving_count, Dimension::ratio, any_number(),
+                   "number of the uppermost column that moves in limiting equilibrium, counted from the toe"),
             number("crack_base_distance", &Result::crack_base_distance, Dimension::length, any_number(),
                    "horizontal distance from the toe to the upper end of the base of the moving columns"),
             number("crack_base_height", &Result::crack_base_height, Dimension::length, any_number(),

@@ -41,4 +41,36 @@ struct ModelInterface {
     std::function<Prediction(std::span<const Assignment>)> predict;
 };
 
+// Every number of a described parameter struct, as inputs.
+template <Described Parameters>
+std::vector<Quantity> inputs_of(const Parameters& parameters) {
+    std::vector<Quantity> inputs;
+    for_each_named_number(parameters, [&](const std::string& path, const FieldInfo& info, double value) {
+        inputs.push_back({path, info.dimension, std::string(info.meaning), info.range, value});
+    });
+    return inputs;
+}
+
+// Every number of a described result struct, as outputs.
+template <Described Result>
+std::vector<Quantity> outputs_of(const Result& result) {
+    std::vector<Quantity> outputs;
+    for_each_named_number(result, [&](const std::string& path, const FieldInfo& info, double) {
+        outputs.push_back({path, info.dimension, std::string(info.meaning)});
+    });
+    return outputs;
+}
+
+// Sets inputs, counted as inputs_of counts them.
+template <Described Parameters>
+void assign(Parameters& parameters, std::span<const Assignment> assignments) {
+    std::size_t input = 0;
+    for_each_number(parameters, [&](double& value, const FieldInfo&) {
+        for (const Assignment& assignment : assignments) {
+            value = assignment.input == input ? assignment.value : value;
+        }
+        ++input;
+    });
+}
+
 }  // namespace delabole

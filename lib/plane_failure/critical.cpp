@@ -1,8 +1,8 @@
 #include "plane_failure/critical.hpp"
 
+#include "numerics/scalar_search.hpp"
 #include "plane_failure/dual.hpp"
 #include "plane_failure/plane_failure.hpp"
-#include "plane_failure/scalar_search.hpp"
 #include "plane_failure/stability.hpp"
 
 #include <algorithm>

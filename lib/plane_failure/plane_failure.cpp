@@ -227,15 +227,7 @@ constexpr std::string_view base_elevation_name = "crack_base_elevation";
 constexpr std::string_view top_elevation_name = "crack_top_elevation";
 
 Prediction predict(PlaneFailureStudy<> study, std::span<const Assignment> assignments) {
-    std::size_t input = 0;
-    for_each_number(study.model, [&](double& value, const FieldInfo&) {
-        for (const Assignment& assignment : assignments) {
-            if (assignment.input == input) {
-                value = assignment.value;
-            }
-        }
-        ++input;
-    });
+    assign(study.model, assignments);
     const ResolvedStudy resolved = resolve(study);
     if (resolved.check != PlaneFailureCheck::valid) {
         return {word_of(resolved.check), {}, {}};
@@ -259,13 +251,8 @@ Prediction predict(PlaneFailureStudy<> study, std::span<const Assignment> assign
 
 ModelInterface model_interface(const PlaneFailureStudy<>& study) {
     ModelInterface model;
-    for_each_named_number(study.model, [&](const std::string& path, const FieldInfo& info, double value) {
-        model.inputs.push_back({path, info.dimension, std::string(info.meaning), info.range, value});
-    });
-    const PlaneFailureResult result;
-    for_each_named_number(result, [&](const std::string& path, const FieldInfo& info, double) {
-        model.outputs.push_back({path, info.dimension, std::string(info.meaning)});
-    });
+    model.inputs = inputs_of(study.model);
+    model.outputs = outputs_of(PlaneFailureResult{});
     if (study.model.slope.toe_elevation) {
         model.outputs.push_back(
             {std::string(base_elevation_name), Dimension::length, "elevation of the crack's bottom"});

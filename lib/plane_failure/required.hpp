@@ -2,34 +2,14 @@
 // ...
 #pragma once
 
+#include "numerics/required_value.hpp"
 #include "plane_failure/parameters.hpp"
 
-#include <array>
 #include <string>
-#include <string_view>
 
 namespace delabole {
 
-enum class RequiredStatus { found, several, never_reached, unknown_parameter };
-
-constexpr std::array<std::string_view, 4> enum_names(RequiredStatus) {
-    return {"found", "several", "never_reached", "unknown_parameter"};
-}
-
-struct Required {
-    RequiredStatus status;
-    double value;  // SI, meaningful where found or several (then the smallest)
-    Dimension dimension;
-    // Over the range searched, for the message where it is never reached; plus and minus infinity where the problem has
-    // no answer at all.
-    double lowest_factor_of_safety;
-    double highest_factor_of_safety;
-};
-
-// `target` is the factor of safety to reach. Searches the range of the input's field; an unbounded range is searched
-// geometrically over 24 decades of distance from its bound, or where it has none from zero and from the present value.
-// Values without an answer (water above the crack, ...) are left out. Accuracy: full double precision of the root, if
-// the function is monotonic between neighbouring points of the scan.
+// `target` is the factor of safety to reach.
 Required required_value(const PlaneFailure<>& problem, const std::string& parameter, double target);
 
 // Inclination of the first bolt that makes the factor of safety largest, and that factor: a plunge in (-p, 90 deg]. For

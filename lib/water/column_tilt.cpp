@@ -14,24 +14,14 @@ ColumnTilt column_tilt(const TiltedColumn<>& column) {
 
 ModelInterface model_interface(const TiltedColumn<>& column) {
     ModelInterface model;
-    for_each_named_number(column, [&](const std::string& path, const FieldInfo& info, double value) {
-        model.inputs.push_back({path, info.dimension, std::string(info.meaning), info.range, value});
-    });
-    const ColumnTilt result{};
-    for_each_named_number(result, [&](const std::string& path, const FieldInfo& info, double) {
-        model.outputs.push_back({path, info.dimension, std::string(info.meaning), any_number(), 0});
-    });
+    model.inputs = inputs_of(column);
+    model.outputs = outputs_of(ColumnTilt{});
     model.predict = [column](std::span<const Assignment> assignments) {
         TiltedColumn<> changed = column;
+        assign(changed, assignments);
         bool inside = true;
-        std::size_t input = 0;
-        for_each_number(changed, [&](double& value, const FieldInfo& info) {
-            for (const Assignment& assignment : assignments) {
-                value = assignment.input == input ? assignment.value : value;
-            }
-            inside = inside && info.range.contains(value);
-            ++input;
-        });
+        for_each_number(changed,
+                        [&](double value, const FieldInfo& info) { inside = inside && info.range.contains(value); });
         if (!inside) {
             return Prediction{"input_out_of_range", {}, {}};
         }

@@ -3,7 +3,7 @@
 #include "plane_failure/closed_forms.hpp"
 #include "plane_failure/plane_failure.hpp"
 #include "plane_failure/required.hpp"
-#include "plane_failure/scalar_search.hpp"
+#include "numerics/scalar_search.hpp"
 #include "random_problem.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "plane_failure/scalar_search.hpp"
+#include "numerics/scalar_search.hpp"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>

@@ -1,0 +1,46 @@
+#include "numerics/required_value.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+constexpr int linear_points = 257;
+constexpr int points_per_decade = 12;
+constexpr int decades = 12;  // above and below one SI unit
+
+}  // namespace
+
+std::vector<double> search_points(const Interval& range, double present) {
+    std::vector<double> values;
+    if (std::isfinite(range.lower) && std::isfinite(range.upper)) {
+        for (int index = 0; index < linear_points; ++index) {
+            values.push_back(range.lower + (range.upper - range.lower) * index / (linear_points - 1));
+        }
+    } else {
+        const double bound = std::isfinite(range.lower) ? range.lower : std::isfinite(range.upper) ? range.upper : 0;
+        // About the present value too where nothing is bounded: an elevation has answers only in a short interval far
+        // from zero.
+        std::vector<double> origins = {bound};
+        if (std::isinf(range.lower) && std::isinf(range.upper)) {
+            origins.push_back(present);
+        }
+        for (const double origin : origins) {
+            values.push_back(origin);
+            for (int step = -decades * points_per_decade; step <= decades * points_per_decade; ++step) {
+                const double distance = std::pow(10.0, static_cast<double>(step) / points_per_decade);
+                values.push_back(origin + distance);
+                values.push_back(origin - distance);
+            }
+        }
+    }
+    values.push_back(present);
+    std::erase_if(values, [&](double value) { return !range.contains(value); });
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+}
+
+}  // namespace delabole

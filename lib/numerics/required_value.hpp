@@ -1,0 +1,69 @@
+// The value of one input at which the factor of safety takes a given value: friction, cohesion, water level, bolt force
+// ...
+#pragma once
+
+#include "numerics/scalar_search.hpp"
+#include "parameters/fields.hpp"
+
+#include <array>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+enum class RequiredStatus { found, several, never_reached, unknown_parameter };
+
+constexpr std::array<std::string_view, 4> enum_names(RequiredStatus) {
+    return {"found", "several", "never_reached", "unknown_parameter"};
+}
+
+struct Required {
+    RequiredStatus status;
+    double value;  // SI, meaningful where found or several (then the smallest)
+    Dimension dimension;
+    // Over the range searched, for the message where it is never reached; plus and minus infinity where the problem has
+    // no answer at all.
+    double lowest_factor_of_safety;
+    double highest_factor_of_safety;
+};
+
+// Where to look for the root: the range of a field, or geometrically over 24 decades of distance from its bound (where
+// it has none, from zero and from the present value).
+std::vector<double> search_points(const Interval& range, double present);
+
+// Searches the range of the input's field. `factor_of_safety(problem)` gives NaN where the problem has no answer (water
+// above the crack, ...): such values are left out. Accuracy: full double precision of the root, if the function is
+// monotonic between neighbouring search points.
+template <Described Problem, class FactorOfSafety>
+Required find_required_value(const Problem& problem, const std::string& parameter, double target,
+                             const FactorOfSafety& factor_of_safety) {
+    Problem varied = problem;
+    double* number = nullptr;
+    FieldInfo field;
+    for_each_named_number(varied, [&](const std::string& path, const FieldInfo& info, double& value) {
+        if (path == parameter) {
+            number = &value;
+            field = info;
+        }
+    });
+    if (number == nullptr) {
+        return {RequiredStatus::unknown_parameter, 0, Dimension::ratio, 0, 0};
+    }
+    const double present = *number;
+    const auto excess = [&](double value) {
+        if (!field.range.contains(value)) {
+            return std::numeric_limits<double>::quiet_NaN();
+        }
+        *number = value;
+        return factor_of_safety(varied) - target;
+    };
+    const ScalarRoot root = find_root(excess, search_points(field.range, present));
+    const RequiredStatus status = !root.position           ? RequiredStatus::never_reached
+                                  : root.sign_changes == 1 ? RequiredStatus::found
+                                                           : RequiredStatus::several;
+    return {status, root.position.value_or(0.0), field.dimension, root.lowest + target, root.highest + target};
+}
+
+}  // namespace delabole
