@@ -1,6 +1,8 @@
 #include "cases/analysis.hpp"
 
 #include "cases/model_reports.hpp"
+#include "fitting/words.hpp"
+#include "limit_equilibrium/stepped_base_study.hpp"
 #include "plane_failure/plane_failure.hpp"
 #include "water/column_tilt.hpp"
 
@@ -13,6 +15,27 @@ const NamedOutput* Analysis::find(std::string_view name) const {
     const auto found =
         std::find_if(outputs.begin(), outputs.end(), [&](const NamedOutput& output) { return output.name == name; });
     return found == outputs.end() ? nullptr : &*found;
+}
+
+void append_required_value(Analysis& analysis, const std::string& parameter, double target, const Required& required) {
+    const std::string name = "required." + parameter;
+    const std::string meaning = parameter + " at a factor of safety of " + number_in_words(target);
+    switch (required.status) {
+    case RequiredStatus::several:
+        analysis.warnings.push_back(name + ": several values give this factor of safety; the smallest is shown");
+        [[fallthrough]];
+    case RequiredStatus::found:
+        analysis.outputs.push_back({name, meaning, required.dimension, required.value});
+        break;
+    case RequiredStatus::never_reached:
+        analysis.outputs.push_back({name, meaning, required.dimension, std::string("never_reached")});
+        analysis.warnings.push_back(name + ": the factor of safety stays between " +
+                                    number_in_words(required.lowest_factor_of_safety) + " and " +
+                                    number_in_words(required.highest_factor_of_safety));
+        break;
+    case RequiredStatus::unknown_parameter:
+        throw std::invalid_argument("required: the case has no input '" + parameter + "'");
+    }
 }
 
 CaseModel with_conditions(const CaseModel& model, const std::vector<Condition>& conditions) {

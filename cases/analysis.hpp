@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cases/case_file.hpp"
+#include "numerics/required_value.hpp"
 #include "parameters/model_interface.hpp"
 
 #include <string>
@@ -25,6 +26,9 @@ struct Analysis {
 
     const NamedOutput* find(std::string_view name) const;
 };
+
+// The value of a named input at which the factor of safety takes a given value, as "required.<input>".
+void append_required_value(Analysis& analysis, const std::string& parameter, double target, const Required& required);
 
 // Named numbers of the model set to other values than the case's. Unknown names: std::invalid_argument.
 CaseModel with_conditions(const CaseModel& model, const std::vector<Condition>& conditions);

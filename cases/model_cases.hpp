@@ -61,14 +61,17 @@ struct ModelExample {
 
 // What concerns several inputs at once and can be judged without running the model.
 void check_case(Checker& checker, const PlaneFailureStudy<>& study);
+void check_case(Checker& checker, const SteppedBaseStudy<>& study);
 void check_case(Checker& checker, const TiltedColumn<>& column);
 
 // The pointers only choose the model.
 ModelExample<PlaneFailureStudy<>> example_case(const PlaneFailureStudy<>*);
+ModelExample<SteppedBaseStudy<>> example_case(const SteppedBaseStudy<>*);
 ModelExample<TiltedColumn<>> example_case(const TiltedColumn<>*);
 
 // All that the model can answer, whatever a case asks of it.
 std::vector<Quantity> possible_outputs(const PlaneFailureStudy<>*);
+std::vector<Quantity> possible_outputs(const SteppedBaseStudy<>*);
 std::vector<Quantity> possible_outputs(const TiltedColumn<>*);
 
 }  // namespace delabole

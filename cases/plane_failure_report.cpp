@@ -14,26 +14,8 @@ namespace {
 
 void append_required(Analysis& analysis, const PlaneFailure<>& problem, const std::vector<RequiredValue<>>& requests) {
     for (const RequiredValue<>& request : requests) {
-        const Required required = required_value(problem, request.parameter, request.factor_of_safety);
-        const std::string name = "required." + request.parameter;
-        const std::string meaning =
-            request.parameter + " at a factor of safety of " + number_in_words(request.factor_of_safety);
-        switch (required.status) {
-        case RequiredStatus::several:
-            analysis.warnings.push_back(name + ": several values give this factor of safety; the smallest is shown");
-            [[fallthrough]];
-        case RequiredStatus::found:
-            analysis.outputs.push_back({name, meaning, required.dimension, required.value});
-            break;
-        case RequiredStatus::never_reached:
-            analysis.outputs.push_back({name, meaning, required.dimension, std::string("never_reached")});
-            analysis.warnings.push_back(name + ": the factor of safety stays between " +
-                                        number_in_words(required.lowest_factor_of_safety) + " and " +
-                                        number_in_words(required.highest_factor_of_safety));
-            break;
-        case RequiredStatus::unknown_parameter:
-            throw std::invalid_argument("required: the case has no input '" + request.parameter + "'");
-        }
+        append_required_value(analysis, request.parameter, request.factor_of_safety,
+                              required_value(problem, request.parameter, request.factor_of_safety));
     }
 }
 

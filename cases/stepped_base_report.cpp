@@ -1,0 +1,91 @@
+// Columns on a stepped base as the program reports them: answers, warnings, figures.
+#include "cases/model_reports.hpp"
+#include "fitting/words.hpp"
+#include "limit_equilibrium/stepped_base_study.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace delabole {
+
+namespace {
+
+void append_required(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseStudy<>& study) {
+    for (const RequiredValue<>& request : study.required) {
+        append_required_value(analysis, request.parameter, request.factor_of_safety,
+                              required_value(problem, request.parameter, request.factor_of_safety));
+    }
+    for (std::size_t index = 0; index < study.required_cable.size(); ++index) {
+        const RequiredCable<>& request = study.required_cable[index];
+        const CableForce cable = required_cable(problem, request);
+        const std::string name = "required_cable[" + std::to_string(index + 1) + "].force";
+        const std::string meaning = "tension in column " + number_in_words(request.block) +
+                                    " for a factor of safety of " + number_in_words(request.factor_of_safety);
+        if (cable.state == CableState::found) {
+            analysis.outputs.push_back({name, meaning, Dimension::force_per_length, cable.force});
+        } else {
+            analysis.outputs.push_back({name, meaning, Dimension::force_per_length, std::string(word_of(cable.state))});
+        }
+    }
+}
+
+void warn(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseResult& result, bool at_boundary) {
+    if (at_boundary) {
+        analysis.warnings.emplace_back(
+            "the least factor of safety lies at the edge of the searched range: a limit, not a balance");
+    }
+    if (result.limit == LimitState::fails_at_any_strength) {
+        analysis.warnings.emplace_back("no friction, however large, keeps the lowest column from moving");
+    } else if (result.limit == LimitState::holds_at_any_strength) {
+        analysis.warnings.emplace_back("nothing moves even without strength: the factor of safety is infinite");
+    }
+    if (result.slide_head == SlideHeadState::jams) {
+        analysis.warnings.emplace_back(
+            "the wedge above jams between its joint and the columns: its thrust is not counted");
+    } else if (result.slide_head == SlideHeadState::lifts_off) {
+        analysis.warnings.emplace_back("water lifts the wedge above off its joint: its thrust is not counted");
+    }
+    const ColumnSlope<> slope = make_columns(problem.scene);
+    const double factor = result.limit == LimitState::found ? result.factor_of_safety : 1;
+    int outside = 0;
+    for (const ColumnResult& column : column_results(slope, strength_of(problem), factor)) {
+        outside += column.mode == ColumnMode::slides && !column.reaction_inside_base ? 1 : 0;
+    }
+    if (outside > 0) {
+        analysis.warnings.emplace_back(std::to_string(outside) +
+                                       " sliding column(s) would turn as well: the reaction falls outside the base, "
+                                       "which the recursion does not see");
+    }
+    if (const auto* classical = std::get_if<ClassicalColumns<>>(&problem.scene.columns)) {
+        const ClassicalJump jump = classical_jump(*problem.scene.slope, *classical);
+        analysis.warnings.push_back(
+            "flat-topped columns: at slope heights of " + value_in_words(jump.lower_height, Dimension::length) +
+            " and " + value_in_words(jump.upper_height, Dimension::length) +
+            " the crest moves to another column and every result jumps; columns.kind = \"continuous\" does not");
+    }
+}
+
+}  // namespace
+
+Analysis analyse_case(const SteppedBaseStudy<>& study) {
+    Analysis analysis;
+    const ResolvedSteppedBase resolved = resolve(study);
+    const SteppedBaseResult result =
+        resolved.check == ColumnCheck::valid ? analyse(resolved.problem) : SteppedBaseResult{};
+    const ColumnCheck check = resolved.check == ColumnCheck::valid ? result.check : resolved.check;
+    if (check != ColumnCheck::valid) {
+        analysis.failure = word_of(check);
+        return analysis;
+    }
+    append_outputs(analysis, result);
+    append_required(analysis, resolved.problem, study);
+    warn(analysis, resolved.problem, result, resolved.critical_at_boundary);
+    return analysis;
+}
+
+void append_case_figures(const SteppedBaseStudy<>&, const ResultFolder&, Report&) {}
+
+void append_mechanism_figures(const SteppedBaseStudy<>&, const MechanismFit&, const FitProblem&, const ResultFolder&,
+                              Report&) {}
+
+}  // namespace delabole
