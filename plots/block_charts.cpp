@@ -1,0 +1,169 @@
+#include "plots/block_figures.hpp"
+
+#include "plots/extent.hpp"
+#include "plots/gnuplot_words.hpp"
+#include "plots/mode_style.hpp"
+#include "plots/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+// Numbers of blocks, not of halves of blocks.
+std::vector<std::pair<double, std::string>> block_ticks(const Extent& blocks) {
+    constexpr int most = 16;
+    const double step = std::max(1.0, tick_step(std::max(blocks.size(), 1.0), most));
+    std::vector<std::pair<double, std::string>> ticks;
+    for (double number = step * std::ceil(blocks.lowest / step); number <= blocks.highest; number += step) {
+        ticks.emplace_back(number, human_number(number, 9));
+    }
+    return ticks;
+}
+
+// One band for each run of blocks in the same mode, half a block beyond the last of them.
+void shade_modes(const ForceAlongSlope& data, std::pair<double, double> height, Figure& figure) {
+    const std::size_t count = std::min(data.block.size(), data.modes.size());
+    for (const DrawnMode mode : drawn_modes) {
+        std::string legend = legend_of_mode(mode);
+        for (std::size_t first = 0; first < count; ++first) {
+            if (data.modes[first] != mode || mode == DrawnMode::plain) {
+                continue;
+            }
+            std::size_t last = first;
+            while (last + 1 < count && data.modes[last + 1] == mode) {
+                ++last;
+            }
+            const double left = data.block[first] - 0.5;
+            const double right = data.block[last] + 0.5;
+            figure.series.emplace_back(Region{
+                .outline = {{left, height.first}, {right, height.first}, {right, height.second}, {left, height.second}},
+                .legend = std::exchange(legend, ""),
+                .colour = style_of(mode).colour,
+                .opacity = 0.6 * style_of(mode).opacity});
+            first = last;
+        }
+    }
+}
+
+}  // namespace
+
+Figure force_along_slope_figure(const ForceAlongSlope& data) {
+    const double unit = display_unit(Dimension::force_per_length).si_per_unit;
+    Figure figure{.title = data.title,
+                  .x = {.title = "number of the block", .grid = false},
+                  .y = axis_of("force", Dimension::force_per_length),
+                  .width = 720};
+
+    Extent blocks;
+    Extent forces;
+    forces.include(0);
+    const auto line_of = [&](const std::vector<double>& values) {
+        Polyline line;
+        for (std::size_t index = 0; index < std::min(values.size(), data.block.size()); ++index) {
+            line.emplace_back(data.block[index], values[index] / unit);
+            forces.include(line.back().y());
+        }
+        return line;
+    };
+    for (const double number : data.block) {
+        blocks.include(number);
+    }
+    const Polyline toppling = line_of(data.toppling);
+    const Polyline sliding = line_of(data.sliding);
+    const Polyline acting = line_of(data.acting);
+    Polyline printed;
+    for (const Point& point : data.printed) {
+        if (point.allFinite()) {
+            printed.emplace_back(point.x(), point.y() / unit);
+            blocks.include(point.x());
+            forces.include(printed.back().y());
+        }
+    }
+    if (blocks.empty()) {
+        return figure;
+    }
+    const double margin = forces.size() > 0 ? 0.07 * forces.size() : 1;
+    const std::pair height{forces.lowest - margin, forces.highest + margin};
+    figure.x.range = std::pair{blocks.lowest - 0.5, blocks.highest + 0.5};
+    figure.x.ticks = block_ticks(blocks);
+    figure.y.range = height;
+
+    shade_modes(data, height, figure);
+    figure.series.emplace_back(
+        Line{.points = {{blocks.lowest - 0.5, 0}, {blocks.highest + 0.5, 0}}, .colour = Colour::grey, .width = 1.2});
+    const auto add = [&](const Polyline& points, std::string legend, Colour colour, Dash dash, double width) {
+        if (!points.empty()) {
+            figure.series.emplace_back(
+                Line{.points = points, .legend = std::move(legend), .colour = colour, .dash = dash, .width = width});
+        }
+    };
+    const auto mark = [&](const Polyline& points, std::string legend, Colour colour, Marker marker, double size) {
+        if (!points.empty()) {
+            figure.series.emplace_back(Points{
+                .points = points, .legend = std::move(legend), .colour = colour, .marker = marker, .size = size});
+        }
+    };
+    add(acting, "acting", Colour::black, Dash::solid, 4);
+    add(toppling, "prevents toppling", Colour::vermilion, Dash::dashed, 2.5);
+    add(sliding, "prevents sliding", Colour::blue, Dash::dotted, 3);
+    mark(toppling, "", Colour::vermilion, Marker::filled_triangle, 1.2);
+    mark(sliding, "", Colour::blue, Marker::filled_square, 1);
+    mark(printed, data.printed_legend, Colour::black, Marker::circle, 2.2);
+    return figure;
+}
+
+Figure mode_chart_figure(const ModeChart& chart) {
+    const double unit = display_unit(Dimension::angle).si_per_unit;
+    Figure figure{.title = chart.title,
+                  .x = axis_of(chart.x, Dimension::angle),
+                  .y = axis_of(chart.y, Dimension::angle),
+                  .height = 560};
+    Extent x;
+    Extent y;
+    const auto in_degrees = [&](Polyline line) {
+        for (Point& point : line) {
+            point /= unit;
+            if (point.allFinite()) {
+                x.include(point.x());
+                y.include(point.y());
+            }
+        }
+        return line;
+    };
+
+    for (const DrawnMode mode : drawn_modes) {
+        std::string legend = legend_of_mode(mode);
+        for (const ModeRegion& region : chart.regions) {
+            if (region.mode == mode) {
+                figure.series.emplace_back(Region{.outline = in_degrees(region.outline),
+                                                  .legend = std::exchange(legend, ""),
+                                                  .colour = style_of(mode).colour,
+                                                  .opacity = style_of(mode).opacity});
+            }
+        }
+    }
+    constexpr std::array dashes{Dash::solid, Dash::dashed, Dash::dotted};
+    constexpr std::array colours{Colour::black, Colour::vermilion, Colour::green};
+    for (std::size_t index = 0; index < chart.boundaries.size(); ++index) {
+        figure.series.emplace_back(Line{.points = in_degrees(chart.boundaries[index].points),
+                                        .legend = chart.boundaries[index].legend,
+                                        .colour = colours[index / dashes.size() % colours.size()],
+                                        .dash = dashes[index % dashes.size()],
+                                        .width = 3.5});
+    }
+    for (const PrintedStatement& statement : chart.printed) {
+        in_degrees({statement.at});
+    }
+    mark_statements(chart.printed, unit, unit, figure);
+    if (!x.empty() && x.size() > 0 && y.size() > 0) {
+        figure.x.range = std::pair{x.lowest, x.highest};
+        figure.y.range = std::pair{y.lowest, y.highest};
+    }
+    return figure;
+}
+
+}  // namespace delabole
