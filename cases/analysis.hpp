@@ -17,6 +17,7 @@ struct NamedOutput {
     std::string meaning;
     Dimension dimension = Dimension::ratio;
     std::variant<double, std::string> value;
+    bool detail = false;  // one of many alike: in the result files, but not in the short table of answers
 };
 
 struct Analysis {
