@@ -129,7 +129,10 @@ Assembly assemble_row(const std::vector<RowBlock>& blocks, const JointFriction& 
     return assembly;
 }
 
-Assembly assemble_columns(const ColumnSlope<>& slope, const JointFriction& friction) {
+Assembly assemble_columns(const ColumnSlope<>& slope, const JointFriction& friction, double upper_part) {
+    if (!(upper_part > 0 && upper_part <= whole_joint)) {
+        return refused(AssemblyCheck::input_out_of_range);
+    }
     if (slope.check != ColumnCheck::valid || slope.columns.empty()) {
         return refused(AssemblyCheck::columns_not_valid);
     }
@@ -150,7 +153,7 @@ Assembly assemble_columns(const ColumnSlope<>& slope, const JointFriction& frict
                                      0});
         if (column.joint_length > 0 && index + 1 < slope.columns.size()) {
             const double top = column.base_v + column.upper_contact;
-            assembly.contacts.push_back({index, index + 1, axes.to_section(end, top - column.joint_length),
+            assembly.contacts.push_back({index, index + 1, axes.to_section(end, top - upper_part * column.joint_length),
                                          axes.to_section(end, top), friction.interface, 0});
         }
     }

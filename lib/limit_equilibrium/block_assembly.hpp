@@ -27,7 +27,13 @@ Assembly assemble_row(const std::vector<RowBlock>& blocks, const JointFriction& 
 // Columns, with all their loads; a wedge above them becomes the last body. Cohesion acts on the wedge's own joint only.
 // The weight of a column acts at the middle of its middle line, which is exact for rectangles; in other shapes the
 // difference is in the load, so that equilibrium as given is exact and a tilt acts at that point.
-Assembly assemble_columns(const ColumnSlope<>& slope, const JointFriction& friction);
+//
+// Columns touch over the upper part of each joint, 0 < upper_part <= 1: whole_joint for the bound proper. As the part
+// shrinks to the top of the joint, which is where a toppling mechanism puts the forces, the friction that
+// least_strength_factor needs rises to that of the recursion (Appendix A of the thesis: from 32.66 deg to 41.14 deg;
+// Goodman & Bray 1976: from 33.45 to 38.15 deg). The two differ by where the forces act, and by nothing else.
+constexpr double whole_joint = 1;
+Assembly assemble_columns(const ColumnSlope<>& slope, const JointFriction& friction, double upper_part);
 
 struct CrossJoints {
     double spacing;  // m, along the columns from each base
