@@ -76,6 +76,7 @@ struct Sought {
     std::vector<BodyLoad> load;
     Sense sense = Sense::largest;
     double lower = -infinity;
+    double upper = infinity;
 };
 
 double friction_of(const Contact& contact, double strength) {
@@ -155,6 +156,9 @@ class Programme {
             motions.push_back({{price(0), price(1)}, price(2) / scales_.arm[body]});
             largest = std::max({largest, motions.back().displacement.norm(), std::abs(price(2))});
         }
+        if (!(largest > 0)) {
+            return {};  // the factor rests on its own limit, no load on a body changes it
+        }
         for (VirtualMotion& motion : motions) {
             motion.displacement /= largest;
             motion.rotation /= largest;
@@ -217,7 +221,10 @@ class Programme {
 
     void set_columns() {
         const int factor = glp_add_cols(problem_.get(), 1);
-        glp_set_col_bnds(problem_.get(), factor, std::isfinite(sought_.lower) ? GLP_LO : GLP_FR, sought_.lower, 0);
+        const bool fixed = sought_.lower == sought_.upper;
+        const int least = fixed ? GLP_FX : GLP_LO;
+        glp_set_col_bnds(problem_.get(), factor, std::isfinite(sought_.lower) ? least : GLP_FR, sought_.lower,
+                         sought_.upper);
         glp_set_obj_coef(problem_.get(), factor, 1);
         for (std::size_t index = 0; index < assembly_.bodies.size(); ++index) {
             const BodyLoad& load = sought_.load[index];
@@ -313,6 +320,10 @@ void set_static_residuals(const Assembly& assembly, const Scales& scales, const 
 }
 
 void set_mechanism_residuals(const Assembly& assembly, const Sought& sought, double strength, LpBound& bound) {
+    if (bound.mechanism.empty()) {
+        bound.residuals.mechanism_value = bound.value;
+        return;
+    }
     const auto work = [&](std::size_t body, const Point& force, double moment) {
         const VirtualMotion& motion = bound.mechanism[body];
         return force.dot(motion.displacement) + moment * motion.rotation;
@@ -449,16 +460,17 @@ LpBound least_strength_factor(const Assembly& assembly) {
         for (const Sense sense : {Sense::largest, Sense::least}) {
             LpBound bound = solve(assembly, scales, {push, sense}, strength);
             iterations += bound.iterations;
-            failed = failed || bound.status == LpStatus::not_converged;
-            double margin = bound.status == LpStatus::unbounded ? infinity : -infinity;
-            if (bound.status == LpStatus::optimal) {
+            const LpStatus status = bound.status;
+            failed = failed || status == LpStatus::not_converged;
+            double margin = status == LpStatus::unbounded ? infinity : -infinity;
+            if (status == LpStatus::optimal) {
                 margin = sense == Sense::largest ? bound.value : -bound.value;
             }
             if (margin < trial.margin) {
                 trial.margin = margin;
                 trial.state = std::move(bound);
             }
-            if (bound.status == LpStatus::infeasible) {
+            if (status == LpStatus::infeasible) {
                 break;
             }
         }
@@ -466,6 +478,12 @@ LpBound least_strength_factor(const Assembly& assembly) {
     };
     const auto finish = [&](Trial trial) {
         LpBound bound = std::move(trial.state);
+        if (trial.margin > 1e-9) {
+            // Not the margin decides but that friction is 0, or that below it no horizontal force would help: the
+            // forces are those without any.
+            bound = solve(assembly, scales, {push, Sense::largest, 0, 0}, trial.strength);
+            failed = failed || bound.status != LpStatus::optimal;
+        }
         bound.status = failed ? LpStatus::not_converged : LpStatus::optimal;
         bound.value = trial.strength;
         bound.iterations = iterations;

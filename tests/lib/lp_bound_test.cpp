@@ -195,7 +195,11 @@ TEST(LpBound, StrengthFactorOfASlidingBlockIsExact) {
     EXPECT_NEAR(bound.value, 0.2 / std::tan(degrees(30)), 1e-10);
 
     assembly.bodies[0].load.force = Point(0, 0);
-    EXPECT_EQ(least_strength_factor(assembly).value, 0);  // stands without friction
+    const LpBound standing = least_strength_factor(assembly);  // without friction
+    EXPECT_EQ(standing.status, LpStatus::optimal);
+    EXPECT_EQ(standing.value, 0);
+    ASSERT_EQ(standing.forces.size(), 1U);
+    EXPECT_NEAR(standing.forces[0].normal(), 1e5, 1e-6);
 
     assembly.bodies[0].load.force = Point(0, 1.1e5);  // afloat: no friction holds it
     EXPECT_EQ(least_strength_factor(assembly).status, LpStatus::infeasible);
@@ -218,7 +222,10 @@ TEST(LpBound, SupportOfASlidingAndOfATopplingBlock) {
     EXPECT_NEAR(prop.value, weight * (1.5 * 2 - 0.5) / 4, 1e-9 * weight);
 
     EXPECT_EQ(least_support_force(toppling, 0, {0, 4}, {-1, 0}).status, LpStatus::infeasible);
-    EXPECT_EQ(least_support_force(assemble_row({{4, 1, weight}}, {degrees(20), 0}), 0, {0, 0}, {1, 0}).value, 0);
+    const LpBound none = least_support_force(assemble_row({{4, 1, weight}}, {degrees(20), 0}), 0, {0, 0}, {1, 0});
+    EXPECT_EQ(none.status, LpStatus::optimal);
+    EXPECT_EQ(none.value, 0);
+    EXPECT_EQ(none.residuals.mechanism_value, 0);
 }
 
 TEST(LpBound, VerticalLoadOnALevelRowIsBorneWithoutLimit) {
@@ -295,7 +302,7 @@ TEST(LpBound, PrintsNothing) {
 }
 
 TEST(LpBound, RefusesByName) {
-    const JointFriction friction{degrees(30), degrees(30)};
+    const BlockFriction friction{degrees(30), degrees(30)};
     const auto check = [](const Assembly& assembly) {
         const LpBound bound = largest_tilt(assembly);
         EXPECT_EQ(bound.status, LpStatus::invalid_assembly);

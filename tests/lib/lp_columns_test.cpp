@@ -38,7 +38,7 @@ ColumnScene<> goodman_bray() {
     return block_scene(degrees(30), heights, 10, 1);
 }
 
-JointFriction equal_friction(double angle) {
+BlockFriction equal_friction(double angle) {
     return {angle, angle};
 }
 
@@ -265,7 +265,7 @@ TEST(LpColumns, CutsKeepWeightAndHeight) {
 }
 
 TEST(LpColumns, RefusesByName) {
-    const JointFriction friction = equal_friction(degrees(30));
+    const BlockFriction friction = equal_friction(degrees(30));
     const CrossJoints joints{1, 0, degrees(30)};
     const ColumnSlope<> slope = make_columns(appendix_a());
     EXPECT_EQ(assemble_columns({}, friction, whole_joint).check, AssemblyCheck::columns_not_valid);
