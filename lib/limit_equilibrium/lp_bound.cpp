@@ -341,6 +341,9 @@ LpBound least_support_force(const Assembly& assembly, std::size_t body, const Po
     return bound;
 }
 
+// 4^5. Cones much nearer to half planes leave the simplex method no digits.
+constexpr double largest_strength = 1024;
+
 // The assembly stands where a horizontal force k times the weights may be 0: where the largest k is not below 0 and the
 // least not above. Both move away from each other as strength grows, so that the smaller of the largest k and minus
 // the least crosses 0 once. It is a piecewise smooth function, whose root is found between a strength with which
@@ -376,8 +379,8 @@ LpBound least_strength_factor(const Assembly& assembly) {
                 trial.margin = margin;
                 trial.state = std::move(bound);
             }
-            if (status == LpStatus::infeasible) {
-                break;
+            if (trial.margin < 0) {
+                break;  // the largest k and minus the least are not both below 0
             }
         }
         return trial;
@@ -400,7 +403,7 @@ LpBound least_strength_factor(const Assembly& assembly) {
         return finish(std::move(low));
     }
     Trial high = attempt(1);
-    while (high.margin < 0 && high.strength < 1e6 && !failed) {
+    while (high.margin < 0 && high.strength < largest_strength && !failed) {
         low = std::move(high);
         high = attempt(low.strength * 4);
     }

@@ -89,7 +89,7 @@ LpBound largest_load_factor(const Assembly& assembly, const std::vector<BodyLoad
 LpBound least_support_force(const Assembly& assembly, std::size_t body, const Point& point, const Point& direction);
 
 // Smallest factor on the tangents of all friction angles and on all cohesions for which the assembly stands; its
-// inverse is a factor of safety, right or too high. 0: stands without friction. Infeasible: a factor of 1e6 is not
+// inverse is a factor of safety, right or too high. 0: stands without friction. Infeasible: a factor of 1024 is not
 // enough. Relative accuracy 1e-10. The mechanism is the one that a horizontal force would set off at that strength, and
 // `mechanism_value` the coefficient of that force, about 0.
 LpBound least_strength_factor(const Assembly& assembly);

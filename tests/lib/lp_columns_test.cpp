@@ -1,6 +1,7 @@
 // The bound by linear programming on stepped bases, against the recursion, and on columns cut by cross joints.
 #include "limit_equilibrium/block_assembly.hpp"
 #include "limit_equilibrium/lp_bound.hpp"
+#include "random_problem.hpp"
 #include "reference_recursion.hpp"
 
 #include <gtest/gtest.h>
@@ -222,6 +223,49 @@ TEST(LpColumns, CutColumnsAreNoStrongerThanWholeOnes) {
             least_strength_factor(assemble_blocks(slope, {100 * width, 0, degrees(45)}, equal_friction(degrees(45))));
         EXPECT_NEAR(uncut.value, whole, 1e-10);
     }
+}
+
+bool stands_with(Assembly assembly, double strength) {
+    for (Contact& contact : assembly.contacts) {
+        contact.friction_angle = std::atan(strength * std::tan(contact.friction_angle));
+    }
+    const LpBound tilt = largest_tilt(assembly);
+    EXPECT_EQ(tilt.status, LpStatus::optimal);
+    return tilt.value >= 0;
+}
+
+// A little more friction than the answer holds a random slope of blocks, a little less does not; where it has no answer
+// hardly any friction is enough.
+TEST(LpColumns, RandomBlocksStandJustAboveTheAnswer) {
+    RandomProblem random(3010);
+    int limited = 0;
+    int hopeless = 0;
+    for (int repeat = 0; repeat < 60; ++repeat) {
+        const double width = std::exp(random.uniform(-2, 3));
+        std::vector<double> heights;
+        for (int column = 0; column < 6; ++column) {
+            heights.push_back(width * std::exp(random.uniform(0, 2)));
+        }
+        const ColumnSlope<> slope =
+            make_columns(block_scene(degrees(random.uniform(3, 30)), heights, width, 0.3 * width));
+        ASSERT_EQ(slope.check, ColumnCheck::valid);
+        const CrossJoints joints{width * random.uniform(0.5, 4), 0, degrees(random.uniform(5, 60))};
+        const Assembly assembly =
+            assemble_blocks(slope, joints, {degrees(random.uniform(5, 60)), degrees(random.uniform(5, 60))});
+        const LpBound bound = least_strength_factor(assembly);
+        if (bound.status == LpStatus::infeasible) {
+            ++hopeless;
+            EXPECT_FALSE(stands_with(assembly, 100));
+            continue;
+        }
+        ASSERT_EQ(bound.status, LpStatus::optimal);
+        ++limited;
+        EXPECT_TRUE(stands_with(assembly, bound.value * (1 + 1e-8)));
+        EXPECT_FALSE(stands_with(assembly, bound.value * (1 - 1e-8)));
+    }
+    // The sample has both kinds.
+    EXPECT_GT(limited, 10);
+    EXPECT_GT(hopeless, 5);
 }
 
 // A stack slides on the weakest of its faces, whatever the others are.
