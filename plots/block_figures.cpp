@@ -17,7 +17,7 @@ namespace delabole {
 namespace {
 
 constexpr double text_height = 19;            // px
-constexpr double letter_width = 0.62;         // of the height of the text
+constexpr double letter_width = 0.66;         // of the height of the text
 constexpr double smallest_label = 12;         // px
 constexpr double plot_width = 620;            // px
 constexpr double greatest_plot_height = 680;  // px
@@ -200,7 +200,7 @@ class BlockPicture {
             return longest_arrow * frame_.metres_per_px();
         }
         std::sort(spacing.begin(), spacing.end());
-        return std::clamp(1.2 * spacing[spacing.size() / 2], shortest_arrow * frame_.metres_per_px(),
+        return std::clamp(1.5 * spacing[spacing.size() / 2], shortest_arrow * frame_.metres_per_px(),
                           longest_arrow * frame_.metres_per_px());
     }
 
@@ -336,8 +336,10 @@ class BlockPicture {
     struct Numeral {
         std::string text;
         Point at;
+        double size;  // px
     };
 
+    // A little less high than a line, because numbers have no descenders.
     Point text_size(const std::string& text, double size) const {
         return metres_per_px_ * Point(letter_width * size * static_cast<double>(letter_count(text)), 0.85 * size);
     }
@@ -361,13 +363,25 @@ class BlockPicture {
                 places.emplace_back(centre + share * (middle - centre));
             }
         }
-        const auto clear = [&](const Point& place) {
+        // Room for the heads of the arrows.
+        const Point around = Point::Constant(4 * metres_per_px_);
+        const auto clear_of_forces = [&](const Point& place) {
             const Rectangle text{place - half, place + half};
+            const Rectangle wider{text.lowest - around, text.highest + around};
             return !crosses(text, closed(block.outline)) && !crosses(text, drawing_.water) &&
                    std::none_of(drawing_.forces.begin(), drawing_.forces.end(),
-                                [&](const DrawnForce& force) { return crosses(text, force.at, tip(force)); });
+                                [&](const DrawnForce& force) { return crosses(wider, force.at, tip(force)); });
         };
-        const auto found = std::find_if(places.begin(), places.end(), clear);
+        const auto clear_of_all = [&](const Point& place) {
+            const Rectangle text{place - half, place + half};
+            return clear_of_forces(place) &&
+                   std::none_of(drawing_.blocks.begin(), drawing_.blocks.end(),
+                                [&](const DrawnBlock& other) { return crosses(text, closed(other.displaced)); });
+        };
+        auto found = std::find_if(places.begin(), places.end(), clear_of_all);
+        if (found == places.end()) {
+            found = std::find_if(places.begin(), places.end(), clear_of_forces);
+        }
         return found == places.end() ? centre : *found;
     }
 
@@ -381,18 +395,19 @@ class BlockPicture {
         if (sizes.empty()) {
             return;
         }
-        // One size for all, that of the smaller blocks; a few too small ones do not shrink the rest.
+        // One size for all, that of the smaller blocks; a few that are smaller still do not shrink the rest.
         std::sort(sizes.begin(), sizes.end());
-        const double size = std::clamp(sizes[sizes.size() / 4], smallest_label, text_height);
+        const double common = std::clamp(sizes[sizes.size() / 4], smallest_label, text_height);
         std::vector<Numeral> numerals;
         for (const DrawnBlock& block : drawing_.blocks) {
             if (!block.label.empty()) {
-                numerals.push_back({block.label, place_of_label(block, size)});
+                const double size = std::clamp(fitting_size(block), smallest_label, common);
+                numerals.push_back({block.label, place_of_label(block, size), size});
             }
         }
         std::vector<Numeral> shown = numerals;
         for (const std::size_t step : {2, 5, 10, 20, 50, 100, 200, 500, 1000}) {
-            if (apart(shown, size)) {
+            if (apart(shown)) {
                 break;
             }
             shown.clear();
@@ -408,15 +423,17 @@ class BlockPicture {
                                       .text = numeral.text,
                                       .align = Label::Align::centre,
                                       .boxed = shown.size() < numerals.size(),
-                                      .size = size / text_height});
+                                      .size = numeral.size / text_height});
         }
     }
 
-    bool apart(const std::vector<Numeral>& numerals, double size) const {
+    bool apart(const std::vector<Numeral>& numerals) const {
+        const auto half_size = [&](const Numeral& numeral) -> Point {
+            return 0.5 * text_size(numeral.text, numeral.size);
+        };
         for (std::size_t index = 1; index < numerals.size(); ++index) {
             const Point distance = (numerals[index].at - numerals[index - 1].at).cwiseAbs();
-            const Point needed =
-                0.6 * (text_size(numerals[index].text, size) + text_size(numerals[index - 1].text, size));
+            const Point needed = 1.2 * (half_size(numerals[index]) + half_size(numerals[index - 1]));
             if ((distance.array() < needed.array()).all()) {
                 return false;
             }

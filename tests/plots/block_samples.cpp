@@ -134,7 +134,7 @@ BlockDrawing stepped_base() {
     constexpr double riser = 3;
     BlockDrawing drawing{.title = "Toppling on a stepped base, water behind the blocks",
                          .base = {{-15, 0}, {0, 0}},
-                         .ground = {{-15, 0}},
+                         .ground = {{-15, 0}, {0, 0}},
                          .toe_elevation = 107};
     for (int block = 0; block < 6; ++block) {
         const Point corner = turned({width * block, riser * block}, lean);
@@ -161,11 +161,11 @@ BlockDrawing stepped_base() {
     const Point level = 0.5 * (last[1] + last[2]);
     drawing.tension_crack = {last[1], last[2]};
     drawing.water = {level, {65, level.y() + 3}};
+    const Polyline& toe = drawing.blocks.front().outline;
+    const Point push{9e5, -3e5};
     drawing.forces = {
         {.at = last[1] + (level - last[1]) / 3, .force = turned({-1.1e6, 0}, lean), .kind = ForceKind::thrust},
-        {.at = 0.5 * (drawing.blocks[0].outline[3] + drawing.blocks[0].outline[0]),
-         .force = {9e5, -3e5},
-         .kind = ForceKind::applied}};
+        {.at = 0.5 * (toe[0] + toe[3]) - 1e-5 * push, .force = push, .kind = ForceKind::applied}};
     return drawing;
 }
 
