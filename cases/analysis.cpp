@@ -1,6 +1,7 @@
 #include "cases/analysis.hpp"
 
 #include "cases/model_reports.hpp"
+#include "kinematics/kinematics.hpp"
 #include "plane_failure/plane_failure.hpp"
 #include "water/column_tilt.hpp"
 

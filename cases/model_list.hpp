@@ -2,6 +2,7 @@
 // model_cases.hpp and model_reports.hpp for what they hold.
 #pragma once
 
+#include "kinematics/parameters.hpp"
 #include "plane_failure/study.hpp"
 #include "water/tilted_column.hpp"
 
@@ -9,6 +10,6 @@
 
 namespace delabole {
 
-using CaseModel = std::variant<PlaneFailureStudy<>, TiltedColumn<>>;
+using CaseModel = std::variant<PlaneFailureStudy<>, TiltedColumn<>, KinematicsStudy>;
 
 }  // namespace delabole
