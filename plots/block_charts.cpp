@@ -3,10 +3,12 @@
 #include "plots/extent.hpp"
 #include "plots/gnuplot_words.hpp"
 #include "plots/mode_style.hpp"
+#include "plots/polygon.hpp"
 #include "plots/text.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace delabole {
@@ -49,13 +51,82 @@ void shade_modes(const ForceAlongSlope& data, std::pair<double, double> height, 
     }
 }
 
+// Where a text of this size (in the units of the axes) has most room in a region, away from the marks; none where it
+// does not fit.
+std::optional<Point> widest_place(const Polyline& outline, const Polyline& marks, const Point& text) {
+    constexpr int steps = 40;
+    // In units of the text, which is a square of side 1 then.
+    Polyline edge;
+    Extent x;
+    Extent y;
+    for (const Point& corner : outline) {
+        if (corner.allFinite()) {
+            edge.emplace_back(corner.cwiseQuotient(text));
+            x.include(edge.back().x());
+            y.include(edge.back().y());
+        }
+    }
+    if (edge.size() < 3 || !(x.size() > 0 && y.size() > 0)) {
+        return std::nullopt;
+    }
+    edge.push_back(edge.front());
+    double most = 0.6;  // between half a side and half a diagonal
+    std::optional<Point> best;
+    for (int row = 1; row < steps; ++row) {
+        for (int column = 1; column < steps; ++column) {
+            const Point at{x.lowest + x.size() * column / steps, y.lowest + y.size() * row / steps};
+            if (!inside(edge, at)) {
+                continue;
+            }
+            double room = std::abs(signed_distance(edge, at));
+            for (const Point& mark : marks) {
+                room = std::min(room, 0.7 * (mark.cwiseQuotient(text) - at).norm());
+            }
+            if (room > most) {
+                most = room;
+                best = at.cwiseProduct(text);
+            }
+        }
+    }
+    return best;
+}
+
+// In words, for readers of a black and white copy.
+void name_regions(const ModeChart& chart, Figure& figure) {
+    constexpr double letter_width = 0.55 * 19;  // px
+    constexpr double line_height = 1.2 * 19;    // px
+    const double unit = display_unit(Dimension::angle).si_per_unit;
+    // Axes, title and margins take about 90 px of the width and 130 px of the height.
+    const Point degrees_per_px{(figure.x.range->second - figure.x.range->first) / (figure.width - 90),
+                               (figure.y.range->second - figure.y.range->first) / (figure.height - 130)};
+    Polyline marks;
+    for (const PrintedStatement& statement : chart.printed) {
+        marks.emplace_back(statement.at / unit);
+    }
+    for (const ModeRegion& region : chart.regions) {
+        const std::string name = legend_of_mode(region.mode);
+        if (name.empty()) {
+            continue;
+        }
+        const Point text =
+            degrees_per_px.cwiseProduct(Point(letter_width * static_cast<double>(letter_count(name)), line_height));
+        Polyline outline = region.outline;
+        for (Point& corner : outline) {
+            corner /= unit;
+        }
+        if (const std::optional<Point> place = widest_place(outline, marks, text)) {
+            figure.labels.push_back({.at = *place, .text = name, .align = Label::Align::centre, .boxed = false});
+        }
+    }
+}
+
 }  // namespace
 
 Figure force_along_slope_figure(const ForceAlongSlope& data) {
     const double unit = display_unit(Dimension::force_per_length).si_per_unit;
     Figure figure{.title = data.title,
                   .x = {.title = "number of the block", .grid = false},
-                  .y = axis_of("force", Dimension::force_per_length),
+                  .y = axis_of("interblock_force", Dimension::force_per_length),
                   .width = 720};
 
     Extent blocks;
@@ -107,9 +178,9 @@ Figure force_along_slope_figure(const ForceAlongSlope& data) {
                 .points = points, .legend = std::move(legend), .colour = colour, .marker = marker, .size = size});
         }
     };
-    add(acting, "acting", Colour::black, Dash::solid, 4);
-    add(toppling, "prevents toppling", Colour::vermilion, Dash::dashed, 2.5);
-    add(sliding, "prevents sliding", Colour::blue, Dash::dotted, 3);
+    add(acting, "acting force", Colour::black, Dash::solid, 4);
+    add(toppling, "needed against toppling", Colour::vermilion, Dash::dashed, 2.5);
+    add(sliding, "needed against sliding", Colour::blue, Dash::dotted, 3);
     mark(toppling, "", Colour::vermilion, Marker::filled_triangle, 1.2);
     mark(sliding, "", Colour::blue, Marker::filled_square, 1);
     mark(printed, data.printed_legend, Colour::black, Marker::circle, 2.2);
@@ -162,6 +233,7 @@ Figure mode_chart_figure(const ModeChart& chart) {
     if (!x.empty() && x.size() > 0 && y.size() > 0) {
         figure.x.range = std::pair{x.lowest, x.highest};
         figure.y.range = std::pair{y.lowest, y.highest};
+        name_regions(chart, figure);
     }
     return figure;
 }

@@ -3,6 +3,7 @@
 #include "plots/extent.hpp"
 #include "plots/gnuplot_words.hpp"
 #include "plots/mode_style.hpp"
+#include "plots/polygon.hpp"
 #include "plots/text.hpp"
 
 #include <algorithm>
@@ -16,10 +17,13 @@ namespace delabole {
 namespace {
 
 constexpr double text_height = 19;            // px
-constexpr double letter_width = 0.62;         // of the height of the text
+constexpr double letter_width = 0.66;         // of the height of the text
+constexpr double smallest_label = 12;         // px
 constexpr double plot_width = 620;            // px
 constexpr double greatest_plot_height = 680;  // px
-constexpr double longest_arrow = 85;          // px
+// Of the greatest force, px.
+constexpr double longest_arrow = 85;
+constexpr double shortest_arrow = 40;
 
 struct Rectangle {
     Point lowest;
@@ -45,55 +49,6 @@ Polyline finite_points(const Polyline& line) {
     Polyline result;
     std::copy_if(line.begin(), line.end(), std::back_inserter(result),
                  [](const Point& point) { return point.allFinite(); });
-    return result;
-}
-
-double cross(const Point& first, const Point& second) {
-    return first.x() * second.y() - first.y() * second.x();
-}
-
-// Of the area; of the corners where there is no area.
-Point centroid(const Polyline& outline) {
-    Point weighted{0, 0};
-    Point sum{0, 0};
-    double twice_area = 0;
-    for (std::size_t index = 0; index < outline.size(); ++index) {
-        const Point from = outline[index] - outline.front();
-        const Point to = outline[(index + 1) % outline.size()] - outline.front();
-        twice_area += cross(from, to);
-        weighted += cross(from, to) * (from + to);
-        sum += from;
-    }
-    return outline.front() +
-           (twice_area != 0 ? Point(weighted / (3 * twice_area)) : Point(sum / static_cast<double>(outline.size())));
-}
-
-// Length of the level (axis 0) or upright (axis 1) chord of a polygon through a point.
-double chord(const Polyline& outline, const Point& through, int axis) {
-    double before = -std::numeric_limits<double>::infinity();
-    double after = std::numeric_limits<double>::infinity();
-    for (std::size_t index = 0; index < outline.size(); ++index) {
-        const Point from = outline[index] - through;
-        const Point to = outline[(index + 1) % outline.size()] - through;
-        if ((from[1 - axis] < 0) == (to[1 - axis] < 0)) {
-            continue;
-        }
-        const double at = from[axis] - from[1 - axis] * (to[axis] - from[axis]) / (to[1 - axis] - from[1 - axis]);
-        (at < 0 ? before : after) = at < 0 ? std::max(before, at) : std::min(after, at);
-    }
-    return std::isfinite(after - before) ? after - before : 0;
-}
-
-bool inside(const Polyline& outline, const Point& point) {
-    bool result = false;
-    for (std::size_t index = 0; index < outline.size(); ++index) {
-        const Point& from = outline[index];
-        const Point& to = outline[(index + 1) % outline.size()];
-        if ((from.y() > point.y()) != (to.y() > point.y()) &&
-            point.x() < from.x() + (to.x() - from.x()) * (point.y() - from.y()) / (to.y() - from.y())) {
-            result = !result;
-        }
-    }
     return result;
 }
 
@@ -210,7 +165,7 @@ class BlockPicture {
                                                        {frame_.x.lowest + 1, frame_.y.lowest + 1}});
         }
         if (greatest_force_ > 0) {
-            metres_per_newton_ = longest_arrow * frame_.metres_per_px() / greatest_force_;
+            metres_per_newton_ = greatest_arrow() / greatest_force_;
         }
         for (const DrawnForce& force : drawing_.forces) {
             frame_.include({tip(force)});
@@ -232,6 +187,21 @@ class BlockPicture {
             frame_.x = {frame_.x.lowest - widening, frame_.x.highest + widening};
         }
         metres_per_px_ = frame_.metres_per_px();
+    }
+
+    // Little more than the spacing of the blocks, m, so that the arrows of neighbours do not run into one chain.
+    double greatest_arrow() const {
+        std::vector<double> spacing;
+        for (std::size_t index = 1; index < drawing_.blocks.size(); ++index) {
+            spacing.push_back(
+                (centroid(drawing_.blocks[index].outline) - centroid(drawing_.blocks[index - 1].outline)).norm());
+        }
+        if (spacing.empty()) {
+            return longest_arrow * frame_.metres_per_px();
+        }
+        std::sort(spacing.begin(), spacing.end());
+        return std::clamp(1.5 * spacing[spacing.size() / 2], shortest_arrow * frame_.metres_per_px(),
+                          longest_arrow * frame_.metres_per_px());
     }
 
     Point tip(const DrawnForce& force) const { return force.at + metres_per_newton_ * force.force; }
@@ -364,60 +334,107 @@ class BlockPicture {
     }
 
     struct Numeral {
-        const DrawnBlock* block;
+        std::string text;
         Point at;
-        double greatest_size;  // px, so that it stays within its block
+        double size;  // px
     };
 
+    // A little less high than a line, because numbers have no descenders.
+    Point text_size(const std::string& text, double size) const {
+        return metres_per_px_ * Point(letter_width * size * static_cast<double>(letter_count(text)), 0.85 * size);
+    }
+
+    // Height of a text that stays within its block, px.
+    double fitting_size(const DrawnBlock& block) const {
+        const Point at = centroid(block.outline);
+        const double letters = static_cast<double>(letter_count(block.label)) + 0.4;
+        return std::min(chord(block.outline, at, 0) / (letter_width * letters), chord(block.outline, at, 1)) /
+               metres_per_px_;
+    }
+
+    // The centroid, or, where an arrow or the water level runs through it, a place nearby in the block.
+    Point place_of_label(const DrawnBlock& block, double size) const {
+        const Point centre = centroid(block.outline);
+        const Point half = 0.5 * text_size(block.label, size);
+        Polyline places{centre};
+        for (const double share : {0.25, 0.45, 0.65}) {
+            for (std::size_t index = 0; index < block.outline.size(); ++index) {
+                const Point middle = 0.5 * (block.outline[index] + block.outline[(index + 1) % block.outline.size()]);
+                places.emplace_back(centre + share * (middle - centre));
+            }
+        }
+        // Room for the heads of the arrows.
+        const Point around = Point::Constant(4 * metres_per_px_);
+        const auto clear_of_forces = [&](const Point& place) {
+            const Rectangle text{place - half, place + half};
+            const Rectangle wider{text.lowest - around, text.highest + around};
+            return !crosses(text, closed(block.outline)) && !crosses(text, drawing_.water) &&
+                   std::none_of(drawing_.forces.begin(), drawing_.forces.end(),
+                                [&](const DrawnForce& force) { return crosses(wider, force.at, tip(force)); });
+        };
+        const auto clear_of_all = [&](const Point& place) {
+            const Rectangle text{place - half, place + half};
+            return clear_of_forces(place) &&
+                   std::none_of(drawing_.blocks.begin(), drawing_.blocks.end(),
+                                [&](const DrawnBlock& other) { return crosses(text, closed(other.displaced)); });
+        };
+        auto found = std::find_if(places.begin(), places.end(), clear_of_all);
+        if (found == places.end()) {
+            found = std::find_if(places.begin(), places.end(), clear_of_forces);
+        }
+        return found == places.end() ? centre : *found;
+    }
+
     void add_block_labels() {
-        std::vector<Numeral> numerals;
         std::vector<double> sizes;
         for (const DrawnBlock& block : drawing_.blocks) {
-            const auto letters = static_cast<double>(letter_count(block.label));
-            if (letters == 0) {
-                continue;
+            if (!block.label.empty()) {
+                sizes.push_back(fitting_size(block));
             }
-            const Point at = centroid(block.outline);
-            const double size = std::min(chord(block.outline, at, 0) / (letter_width * (letters + 0.4)),
-                                         chord(block.outline, at, 1) / 1.15) /
-                                metres_per_px_;
-            numerals.push_back({&block, at, size});
-            sizes.push_back(size);
         }
-        if (numerals.empty()) {
+        if (sizes.empty()) {
             return;
         }
-        // One size for all, that of the smaller blocks; a few too small ones do not shrink the rest.
+        // One size for all, that of the smaller blocks; a few that are smaller still do not shrink the rest.
         std::sort(sizes.begin(), sizes.end());
-        const double size = std::clamp(sizes[sizes.size() / 4], 12.0, text_height);
-        for (std::size_t step : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000}) {
-            std::vector<Numeral> shown;
+        const double common = std::clamp(sizes[sizes.size() / 4], smallest_label, text_height);
+        std::vector<Numeral> numerals;
+        for (const DrawnBlock& block : drawing_.blocks) {
+            if (!block.label.empty()) {
+                const double size = std::clamp(fitting_size(block), smallest_label, common);
+                numerals.push_back({block.label, place_of_label(block, size), size});
+            }
+        }
+        std::vector<Numeral> shown = numerals;
+        for (const std::size_t step : {2, 5, 10, 20, 50, 100, 200, 500, 1000}) {
+            if (apart(shown)) {
+                break;
+            }
+            shown.clear();
             for (std::size_t index = 0; index < numerals.size(); ++index) {
-                if (index == 0 || (index + 1) % step == 0) {
+                // 1, 3, 5, ..., but 1, 5, 10, ...
+                if (step == 2 ? index % 2 == 0 : index == 0 || (index + 1) % step == 0) {
                     shown.push_back(numerals[index]);
                 }
             }
-            if (apart(shown, size) || step == 1000) {
-                for (const Numeral& numeral : shown) {
-                    figure_.labels.push_back({.at = numeral.at,
-                                              .text = numeral.block->label,
-                                              .align = Label::Align::centre,
-                                              .boxed = false,
-                                              .size = size / text_height});
-                }
-                return;
-            }
+        }
+        for (const Numeral& numeral : shown) {
+            figure_.labels.push_back({.at = numeral.at,
+                                      .text = numeral.text,
+                                      .align = Label::Align::centre,
+                                      .boxed = shown.size() < numerals.size(),
+                                      .size = numeral.size / text_height});
         }
     }
 
-    bool apart(const std::vector<Numeral>& numerals, double size) const {
-        const auto half_width = [&](const Numeral& numeral) {
-            return 0.5 * letter_width * size * static_cast<double>(letter_count(numeral.block->label)) * metres_per_px_;
+    bool apart(const std::vector<Numeral>& numerals) const {
+        const auto half_size = [&](const Numeral& numeral) -> Point {
+            return 0.5 * text_size(numeral.text, numeral.size);
         };
         for (std::size_t index = 1; index < numerals.size(); ++index) {
             const Point distance = (numerals[index].at - numerals[index - 1].at).cwiseAbs();
-            if (distance.x() < 1.15 * (half_width(numerals[index]) + half_width(numerals[index - 1])) &&
-                distance.y() < size * metres_per_px_) {
+            const Point needed = 1.2 * (half_size(numerals[index]) + half_size(numerals[index - 1]));
+            if ((distance.array() < needed.array()).all()) {
                 return false;
             }
         }

@@ -83,7 +83,7 @@ struct Arrows {
     std::vector<Shaft> shafts = {};
     std::string legend = {};
     Colour colour = Colour::black;
-    double width = 2.5;  // px
+    double width = 2.2;  // px
 };
 
 using Series = std::variant<Line, Points, Region, Boxes, HeatMap, Arrows>;

@@ -187,7 +187,7 @@ class ScriptWriter {
         include(rows);
         note_legend(arrows.legend);
         const std::string block = add_data(rows);
-        next_plot() << block << " using 1:2:($3-$1):($4-$2) with vectors head filled size screen 0.016,20 linewidth "
+        next_plot() << block << " using 1:2:($3-$1):($4-$2) with vectors head filled size screen 0.013,20 linewidth "
                     << arrows.width << " linecolor rgb " << rgb(arrows.colour) << ' ' << legend_of(arrows.legend);
     }
 

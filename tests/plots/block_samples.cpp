@@ -129,35 +129,43 @@ BlockDrawing goodman_bray_blocks() {
 }
 
 BlockDrawing stepped_base() {
-    BlockDrawing drawing{.title = "West face: toppling on a stepped base, water in the rear crack",
-                         .base = {{-12, 0}, {0, 0}},
-                         .ground = {{-12, 0}, {0, 0}},
-                         .toe_elevation = 107};
     constexpr double lean = degrees(15);
+    constexpr double width = 7;
+    constexpr double riser = 3;
+    BlockDrawing drawing{.title = "Toppling on a stepped base, water behind the blocks",
+                         .base = {{-15, 0}, {0, 0}},
+                         .ground = {{-15, 0}, {0, 0}},
+                         .toe_elevation = 107};
     for (int block = 0; block < 6; ++block) {
-        const Point corner(7.0 * block, 5.0 * block);
-        const double height = block < 4 ? 16 + 5.0 * block : 46 - 5.0 * block;
-        const bool slides = block == 0;
-        const DrawnMode mode = slides ? DrawnMode::slides : block < 4 ? DrawnMode::topples : DrawnMode::stays;
+        const Point corner = turned({width * block, riser * block}, lean);
+        const double height = block < 4 ? 14 + 5.0 * block : 39 - 4.5 * block;
+        const DrawnMode mode = block == 0 ? DrawnMode::slides : block < 4 ? DrawnMode::topples : DrawnMode::stays;
         drawing.blocks.push_back(
-            {.outline = rectangle(corner, 6.6, height, lean), .label = std::to_string(block + 1), .mode = mode});
-        if (mode != DrawnMode::stays) {
-            drawing.blocks.back().displaced = slides ? rectangle(corner - turned({1.5, 0}, lean), 6.6, height, lean)
-                                                     : rectangle(corner, 6.6, height, lean + degrees(5));
+            {.outline = rectangle(corner, width, height, lean), .label = std::to_string(block + 1), .mode = mode});
+        Polyline& displaced = drawing.blocks.back().displaced;
+        if (mode == DrawnMode::slides) {
+            displaced = rectangle(corner - turned({3, 0}, lean), width, height, lean);
+        } else if (mode == DrawnMode::topples) {
+            displaced = rectangle(corner, width, height, lean + degrees(5));
         }
         drawing.base.push_back(corner);
-        drawing.base.emplace_back(corner + turned({6.6, 0}, lean));
-        drawing.ground.emplace_back(drawing.blocks.back().outline[3]);
-        drawing.ground.emplace_back(drawing.blocks.back().outline[2]);
+        drawing.base.push_back(drawing.blocks.back().outline[1]);
+        drawing.ground.push_back(drawing.blocks.back().outline[3]);
+        drawing.ground.push_back(drawing.blocks.back().outline[2]);
     }
-    drawing.base.emplace_back(60, 27);
-    drawing.ground.emplace_back(60, drawing.ground.back().y());
+    const Point rear = drawing.ground.back();
+    drawing.base.push_back(rear);
+    drawing.base.emplace_back(65, rear.y() + 1);
+    drawing.ground.emplace_back(65, rear.y() + 1);
     const Polyline& last = drawing.blocks[3].outline;
+    const Point level = 0.5 * (last[1] + last[2]);
     drawing.tension_crack = {last[1], last[2]};
-    drawing.water = {0.5 * (last[1] + last[2]), {60, 0.5 * (last[1].y() + last[2].y()) + 2}};
+    drawing.water = {level, {65, level.y() + 3}};
+    const Polyline& toe = drawing.blocks.front().outline;
+    const Point push{9e5, -3e5};
     drawing.forces = {
-        {.at = last[1] + 0.2 * (last[2] - last[1]), .force = turned({-1.1e6, 0}, lean), .kind = ForceKind::thrust},
-        {.at = drawing.blocks[0].outline[3], .force = {9e5, -3e5}, .kind = ForceKind::applied}};
+        {.at = last[1] + (level - last[1]) / 3, .force = turned({-1.1e6, 0}, lean), .kind = ForceKind::thrust},
+        {.at = 0.5 * (toe[0] + toe[3]) - 1e-5 * push, .force = push, .kind = ForceKind::applied}};
     return drawing;
 }
 
@@ -166,7 +174,7 @@ BlockDrawing single_block() {
     const Polyline outline = rectangle({0, 0}, 1, 6, plane);
     return {.title = "Single block",
             .blocks = {{.outline = outline, .label = "1", .mode = DrawnMode::topples}},
-            .base = {turned({-1, 0}, plane), turned({2, 0}, plane)},
+            .base = {turned({-3, 0}, plane), turned({3, 0}, plane)},
             .forces = {{.at = outline[0], .force = {2e4, 1.5e5}, .kind = ForceKind::base_reaction}}};
 }
 
