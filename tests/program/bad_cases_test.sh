@@ -74,6 +74,24 @@ bad "crack flatter than the plane" '/^\[tension_crack/,/^dip/s/90/30/' \
 bad "plane that never meets the ground" '/^upper_surface_dip/s/0/40/;/^\[tension_crack/,/^distance/d;s/crack_and_base/dry/;/^water_depth/d;/9\.81/d' \
     'case.toml:8:21: slope.upper_surface_dip = "40 deg": the ground behind the crest is as steep as the failure plane'
 
+title "kinematics: ranges reversed, azimuths and frictions that are none, no joint set, an unknown key"
+delabole init kinematics --out sets.toml
+expect_status 0
+bad_sets() {
+    title "$1"
+    sed -E "$2" sets.toml >case.toml
+    expect "the case was changed" refuse cmp -s sets.toml case.toml
+    refused_by "$3" check run
+}
+bad_sets "range of dips reversed" '0,/^lower_dip/s/^lower_dip = "[^"]*"/lower_dip = "80 deg"/' \
+    'joint_set[1].lower_dip = "80 deg": range is reversed: must be at most joint_set[1].upper_dip'
+bad_sets "azimuth beyond north" '/^face_dip_direction/s/"[^"]*"/"400 deg"/' \
+    'slope.face_dip_direction = "400 deg": must be from 0 to 360 deg'
+bad_sets "friction of a wall" '/^friction_angle/s/"[^"]*"/"95 deg"/' \
+    'strength.friction_angle = "95 deg": must be at least 0 and less than 90 deg'
+bad_sets "no joint set" '/^\[\[joint_set/,$d' 'case.toml:1:1: joint_set: is required: at least one [[joint_set]]'
+bad_sets "unknown key" '/^friction_angle/a cohesion = "5 kPa"' 'strength.cohesion: is not a key of strength'
+
 title "what the message allows is accepted"
 sed '/^water_depth/s/3 m/4.34798 m/' good.toml >case.toml
 delabole check case.toml
