@@ -46,14 +46,17 @@ void append_summary(Analysis& analysis, const KinematicsResult& result) {
                result.pair, [](const auto& pair) { return pair.direct_toppling; }, pair_name));
 }
 
+// To a tenth of a degree; what is zero but for rounding is zero.
+std::string tenths_shown(double angle) {
+    return human_number(std::round(angle / degrees(0.1)) / 10, 4);
+}
+
 std::string degrees_shown(double angle) {
-    // Rounding must not leave a minus before a zero.
-    const double tenths = std::round(angle / degrees(0.1));
-    return human_number(tenths == 0 ? 0 : tenths / 10, 4) + "°";
+    return tenths_shown(angle) + "°";
 }
 
 std::string attitude(double inclination, double azimuth) {
-    return human_number(inclination / degrees(1), 3) + "/" + human_number(azimuth / degrees(1), 4);
+    return tenths_shown(inclination) + "/" + tenths_shown(azimuth);
 }
 
 std::string share_shown(double share) {
@@ -173,7 +176,7 @@ Table zone_table(const Kinematics& model) {
               degrees_shown(limit.direct_toppling) + " of it",
           "the columns lean out of the slope; they topple where a third set gives them a base"},
          {"oblique axes (intersections)", "lines that plunge into the slope within " + friction + " of vertical",
-          "the columns lean little, but to either side"}}};
+          "columns nearly upright: they may topple in any direction that the face leaves free, on a base as above"}}};
 }
 
 std::string sets_csv(const KinematicsResult& result) {
@@ -211,8 +214,10 @@ std::string pairs_csv(const KinematicsResult& result) {
 
 StereonetDrawing stereonet_drawing(const KinematicsStudy& study, const KinematicsResult& result) {
     const Kinematics& model = study.model;
-    StereonetDrawing drawing{
-        .slope = model.slope, .friction_angle = model.strength.friction_angle, .lateral_limit = model.lateral_limit};
+    StereonetDrawing drawing{.title = "Joint sets",
+                             .slope = model.slope,
+                             .friction_angle = model.strength.friction_angle,
+                             .lateral_limit = model.lateral_limit};
     std::vector<std::vector<Orientation>> planes = sampled_sets(study);
     for (std::size_t set = 0; set < planes.size(); ++set) {
         drawing.joint_set.push_back({model.joint_set[set].name, result.joint_set[set].mean, std::move(planes[set])});

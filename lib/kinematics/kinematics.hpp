@@ -18,7 +18,7 @@
 namespace delabole {
 
 // Time and the number of answers grow with the square of the number of sets.
-inline constexpr std::size_t most_joint_sets = 20;
+inline constexpr std::size_t most_joint_sets = 30;
 
 enum class KinematicsCheck {
     valid,

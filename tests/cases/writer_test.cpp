@@ -164,18 +164,23 @@ TEST(Template, IsACaseOfEachModel) {
     EXPECT_THROW(commented_template("wedge_row"), std::invalid_argument);
 }
 
-// Each optional section alone must be valid once its comment signs are taken away.
-TEST(Template, OptionalSectionsAreValid) {
-    const std::string text = commented_template("plane_failure");
-    for (const std::string_view section :
-         {"# [slope.bench]", "# [tension_cutoff]", "# [pond]", "# [seismic]", "# [[surcharge]]", "# [[line_load]]",
-          "# [[bolt]]", "# [critical]", "# [[required]]"}) {
+void expect_valid_sections(std::string_view model, const std::vector<std::string_view>& sections) {
+    const std::string text = commented_template(model);
+    for (const std::string_view section : sections) {
         const std::size_t start = text.find(section);
         ASSERT_NE(start, std::string::npos) << section << "\n" << text;
         const std::size_t end = text.find("\n\n", start);
         const std::string part = uncommented(text.substr(start, end - start), section);
         EXPECT_NO_THROW(parse_case(text + part, "template")) << part;
     }
+}
+
+// Each optional section alone must be valid once its comment signs are taken away.
+TEST(Template, OptionalSectionsAreValid) {
+    expect_valid_sections("plane_failure",
+                          {"# [slope.bench]", "# [tension_cutoff]", "# [pond]", "# [seismic]", "# [[surcharge]]",
+                           "# [[line_load]]", "# [[bolt]]", "# [critical]", "# [[required]]"});
+    expect_valid_sections("kinematics", {"# [slope.upper_surface]", "# [sampling]"});
 }
 
 TEST(Template, NamesEveryKind) {

@@ -431,7 +431,7 @@ TEST(Kinematics, ExtremesGiveNumbers) {
                 ASSERT_EQ(result.check, KinematicsCheck::valid);
                 for_each_named_number(result, [&](const std::string& name, const FieldInfo&, double value) {
                     EXPECT_TRUE(std::isfinite(value)) << name;
-                    EXPECT_GE(value, 0) << name;
+                    EXPECT_GE(value, name.ends_with("apparent_dip") ? degrees(-90) : 0) << name;
                     EXPECT_LE(value, degrees(360)) << name;
                 });
             }
@@ -453,6 +453,10 @@ TEST(Kinematics, RefusesImpossibleInputByName) {
     };
     EXPECT_EQ(check([](KinematicsStudy&) {}), C::valid);
     EXPECT_EQ(check([](KinematicsStudy& study) { study.model.joint_set.clear(); }), C::no_joint_set);
+    EXPECT_EQ(check([](KinematicsStudy& study) {
+                  study.model.joint_set.resize(most_joint_sets + 1, study.model.joint_set.front());
+              }),
+              C::too_many_joint_sets);
     EXPECT_EQ(check([](KinematicsStudy& study) { study.model.joint_set[1].name = ""; }), C::joint_set_without_name);
     EXPECT_EQ(check([](KinematicsStudy& study) { study.model.joint_set[1].name = "faults"; }),
               C::joint_set_name_repeated);

@@ -115,6 +115,23 @@ bad_of good_blocks.toml "cable in half a block" '/^block = 2/s/2/2.5/' \
     'case.toml:38:9: bolt[1].block = 2.5: must be a whole number'
 bad_of good_blocks.toml "cable above the top of its block" '/^height = "1.5 m"/s/1.5/3.5/' \
     'case.toml:41:10: bolt[1].height = "3.5 m": lies above the top of column 2, which is 3 m high'
+title "kinematics: ranges reversed, azimuths and frictions that are none, no joint set, an unknown key"
+delabole init kinematics --out sets.toml
+expect_status 0
+bad_sets() {
+    title "$1"
+    sed -E "$2" sets.toml >case.toml
+    expect "the case was changed" refuse cmp -s sets.toml case.toml
+    refused_by "$3" check run
+}
+bad_sets "range of dips reversed" '0,/^lower_dip/s/^lower_dip = "[^"]*"/lower_dip = "80 deg"/' \
+    'joint_set[1].lower_dip = "80 deg": range is reversed: must be at most joint_set[1].upper_dip'
+bad_sets "azimuth beyond north" '/^face_dip_direction/s/"[^"]*"/"400 deg"/' \
+    'slope.face_dip_direction = "400 deg": must be from 0 to 360 deg'
+bad_sets "friction of a wall" '/^friction_angle/s/"[^"]*"/"95 deg"/' \
+    'strength.friction_angle = "95 deg": must be at least 0 and less than 90 deg'
+bad_sets "no joint set" '/^\[\[joint_set/,$d' 'case.toml:1:1: joint_set: is required: at least one [[joint_set]]'
+bad_sets "unknown key" '/^friction_angle/a cohesion = "5 kPa"' 'strength.cohesion: is not a key of strength'
 
 title "what the message allows is accepted"
 sed '/^water_depth/s/3 m/4.34798 m/' good.toml >case.toml

@@ -46,7 +46,7 @@ misused run good.toml --threads 2
 misused init plane_falure
 expect_error 'did you mean plane_failure?'
 misused init slope --out slope.toml
-expect_error 'plane_failure or tilted_column'
+expect_error 'plane_failure, tilted_column or kinematics'
 misused reproduce fig2.9
 expect_error 'did you mean fig2.8?'
 misused reproduce everything
