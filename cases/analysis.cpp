@@ -3,6 +3,7 @@
 #include "cases/model_reports.hpp"
 #include "fitting/words.hpp"
 #include "limit_equilibrium/stepped_base_study.hpp"
+#include "kinematics/kinematics.hpp"
 #include "plane_failure/plane_failure.hpp"
 #include "water/column_tilt.hpp"
 

@@ -5,7 +5,11 @@
 #include "numerics/required_value.hpp"
 #include "parameters/model_interface.hpp"
 
+#include <concepts>
+#include <cstddef>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -17,6 +21,7 @@ struct NamedOutput {
     std::string meaning;
     Dimension dimension = Dimension::ratio;
     std::variant<double, std::string> value;
+    bool detail = false;  // one of many alike: in the result files, but not in the short table of answers
 };
 
 struct Analysis {
@@ -38,17 +43,28 @@ Analysis analyse_model(const CaseModel& model);
 // The model as the loops see it.
 ModelInterface interface_of(const CaseModel& model);
 
-// Every member of a described result under its name.
+// Every number, word and text of a described result under its name. What stands in lists is detail. An empty text is
+// the word "none".
 template <Described Result>
-void append_outputs(Analysis& analysis, const Result& result) {
+void append_outputs(Analysis& analysis, const Result& result, const std::string& path = {}, bool detail = false) {
     visit_fields(result, [&](const FieldInfo& info, const auto& member) {
         using Member = std::remove_cvref_t<decltype(member)>;
+        const std::string name = path + (path.empty() ? "" : ".") + std::string(info.key);
+        const auto append = [&](std::variant<double, std::string> value, Dimension dimension = Dimension::ratio) {
+            analysis.outputs.push_back({name, std::string(info.meaning), dimension, std::move(value), detail});
+        };
         if constexpr (std::is_enum_v<Member>) {
-            const std::string word(word_of(member));
-            analysis.outputs.push_back({std::string(info.key), std::string(info.meaning), Dimension::ratio, word});
+            append(std::string(word_of(member)));
+        } else if constexpr (std::same_as<Member, std::string>) {
+            append(member.empty() ? std::string("none") : member);
         } else if constexpr (NumberType<Member>) {
-            analysis.outputs.push_back(
-                {std::string(info.key), std::string(info.meaning), info.dimension, static_cast<double>(member)});
+            append(static_cast<double>(member), info.dimension);
+        } else if constexpr (Described<Member>) {
+            append_outputs(analysis, member, name, detail);
+        } else if constexpr (is_vector<Member>) {
+            for (std::size_t index = 0; index < member.size(); ++index) {
+                append_outputs(analysis, member[index], name + "[" + std::to_string(index + 1) + "]", true);
+            }
         }
     });
 }

@@ -18,7 +18,7 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 20> examples{{
+constexpr std::array<ExampleNumber, 26> examples{{
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -39,6 +39,12 @@ constexpr std::array<ExampleNumber, 20> examples{{
     {"roughness_angle", degrees(10)},
     {"residual_friction_angle", degrees(30)},
     {"joint_wall_strength", 50e6},
+    {"dip_direction", degrees(95)},
+    {"first_dip_direction", degrees(85)},
+    {"last_dip_direction", degrees(105)},
+    {"concentration", 80.0},
+    {"sample_count", 4000.0},
+    {"seed", 1967.0},
 }};
 
 double example_number(const FieldInfo& info) {

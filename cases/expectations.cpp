@@ -101,7 +101,7 @@ Expectation read_expectation(Section& section, const ModelNames& names) {
 }  // namespace
 
 ModelNames names_of(const CaseModel& model, const OutputsOf& outputs_of, bool inputs_known) {
-    return {.inputs = named_inputs(model), .outputs = outputs_of(model_name(model)), .inputs_known = inputs_known};
+    return {.inputs = named_inputs(model), .outputs = outputs_of(model), .inputs_known = inputs_known};
 }
 
 const Quantity* find_quantity(const std::vector<Quantity>& quantities, std::string_view name) {

@@ -3,7 +3,6 @@
 #include "cases/spelling.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace delabole {
 
@@ -28,24 +27,8 @@ void check_model(Reading& reading, const CaseModel& model, const std::string& pr
     std::visit([&](const auto& alternative) { check_case(checker, alternative); }, model);
 }
 
-namespace {
-
-template <std::size_t... index>
-std::vector<Quantity> outputs_of_name(std::string_view model, std::index_sequence<index...>) {
-    std::vector<Quantity> outputs;
-    const auto try_model = [&]<class Model>(const Model* choice) {
-        if (model == Model::kind) {
-            outputs = possible_outputs(choice);
-        }
-    };
-    (try_model(static_cast<const std::variant_alternative_t<index, CaseModel>*>(nullptr)), ...);
-    return outputs;
-}
-
-}  // namespace
-
-std::vector<Quantity> known_outputs(std::string_view model) {
-    return outputs_of_name(model, std::make_index_sequence<std::variant_size_v<CaseModel>>{});
+std::vector<Quantity> known_outputs(const CaseModel& model) {
+    return std::visit([](const auto& alternative) { return possible_outputs(alternative); }, model);
 }
 
 }  // namespace delabole

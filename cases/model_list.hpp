@@ -3,6 +3,7 @@
 #pragma once
 
 #include "limit_equilibrium/stepped_base_study.hpp"
+#include "kinematics/parameters.hpp"
 #include "plane_failure/study.hpp"
 #include "water/tilted_column.hpp"
 
@@ -11,5 +12,6 @@
 namespace delabole {
 
 using CaseModel = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, TiltedColumn<>>;
+using CaseModel = std::variant<PlaneFailureStudy<>, TiltedColumn<>, KinematicsStudy>;
 
 }  // namespace delabole

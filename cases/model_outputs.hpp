@@ -2,17 +2,17 @@
 // [[expect]] and [[fit.observation]].
 #pragma once
 
+#include "cases/model_list.hpp"
 #include "parameters/model_interface.hpp"
 
 #include <functional>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
 
-// Outputs of the model of a name; the programs may pass their models' own lists.
-using OutputsOf = std::function<std::vector<Quantity>(std::string_view model)>;
+// Outputs of a model as it was read; the programs may pass their models' own lists.
+using OutputsOf = std::function<std::vector<Quantity>(const CaseModel& model)>;
 
-std::vector<Quantity> known_outputs(std::string_view model);
+std::vector<Quantity> known_outputs(const CaseModel& model);
 
 }  // namespace delabole

@@ -16,11 +16,13 @@ namespace delabole {
 Analysis analyse_case(const PlaneFailureStudy<>& study);
 Analysis analyse_case(const SteppedBaseStudy<>& study);
 Analysis analyse_case(const TiltedColumn<>& column);
+Analysis analyse_case(const KinematicsStudy& study);
 
 // Figures and tables that only this model has, in the report of `delabole run`. Called after analyse_case gave answers.
 void append_case_figures(const PlaneFailureStudy<>& study, const ResultFolder& folder, Report& report);
 void append_case_figures(const SteppedBaseStudy<>& study, const ResultFolder& folder, Report& report);
 void append_case_figures(const TiltedColumn<>& column, const ResultFolder& folder, Report& report);
+void append_case_figures(const KinematicsStudy& study, const ResultFolder& folder, Report& report);
 
 // The same in the report of `delabole fit`, for a mechanism at its best point.
 void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
@@ -29,16 +31,20 @@ void append_mechanism_figures(const SteppedBaseStudy<>& at_best, const Mechanism
                               const ResultFolder& folder, Report& report);
 void append_mechanism_figures(const TiltedColumn<>& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
+void append_mechanism_figures(const KinematicsStudy& at_best, const MechanismFit& fit, const FitProblem& problem,
+                              const ResultFolder& folder, Report& report);
 
 // The keys that a failed check may blame, most likely first: the first that stands in the case is blamed.
 std::vector<std::string> blamed_keys(const PlaneFailureStudy<>& study, std::string_view failure);
 std::vector<std::string> blamed_keys(const SteppedBaseStudy<>& study, std::string_view failure);
 std::vector<std::string> blamed_keys(const TiltedColumn<>& column, std::string_view failure);
+std::vector<std::string> blamed_keys(const KinematicsStudy& study, std::string_view failure);
 
 // What is wrong, in a sentence that says what to change, with the limit that was broken where the model can tell.
 // `key` is the blamed key, empty where none stands in the case.
 std::string explain_failure(const PlaneFailureStudy<>& study, std::string_view failure, const std::string& key);
 std::string explain_failure(const SteppedBaseStudy<>& study, std::string_view failure, const std::string& key);
 std::string explain_failure(const TiltedColumn<>& column, std::string_view failure, const std::string& key);
+std::string explain_failure(const KinematicsStudy& study, std::string_view failure, const std::string& key);
 
 }  // namespace delabole

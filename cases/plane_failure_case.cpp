@@ -158,7 +158,7 @@ ModelExample<PlaneFailureStudy<>> example_case(const PlaneFailureStudy<>*) {
     return {example_study(), "Plane failure of a slope 12 m high", study_parts};
 }
 
-std::vector<Quantity> possible_outputs(const PlaneFailureStudy<>*) {
+std::vector<Quantity> possible_outputs(const PlaneFailureStudy<>&) {
     PlaneFailureStudy<> with_datum{};
     with_datum.model.slope.toe_elevation = 0;
     return model_interface(with_datum).outputs;

@@ -25,7 +25,9 @@ std::string shown(const NamedOutput& output) {
 Table output_table(const Analysis& analysis) {
     Table table{"Results", {{"quantity"}, {"value", true}, {"meaning"}}, {}};
     for (const NamedOutput& output : analysis.outputs) {
-        table.rows.push_back({output.name, shown(output), output.meaning});
+        if (!output.detail) {
+            table.rows.push_back({output.name, shown(output), output.meaning});
+        }
     }
     return table;
 }
@@ -46,7 +48,9 @@ void write_outputs(const ResultFolder& folder, const Analysis& analysis) {
 void print(const CaseFile& file, const Analysis& analysis, const ResultFolder& folder) {
     std::vector<std::vector<std::string>> rows;
     for (const NamedOutput& output : analysis.outputs) {
-        rows.push_back({output.name, shown(output)});
+        if (!output.detail) {
+            rows.push_back({output.name, shown(output)});
+        }
     }
     std::cout << (file.title.empty() ? file.name : file.title) << '\n' << text_table(rows);
     for (const std::string& warning : analysis.warnings) {

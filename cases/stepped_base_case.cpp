@@ -37,11 +37,17 @@ void check_scene(Checker& checker, const ColumnScene<>& scene) {
     if (blocks == nullptr && !scene.slope) {
         checker.complain("columns.kind", "cuts the columns out of a slope, so [slope] is required");
     }
-    if (const auto* table = std::get_if<WaterTable<>>(&scene.water)) {
-        if (std::holds_alternative<WaterElevation<>>(table->level) && !(scene.slope && scene.slope->toe_elevation)) {
-            checker.complain("water.water_elevation", "is an elevation, so slope.toe_elevation is required too");
-        }
-    }
+    std::visit(
+        [&](const auto& water) {
+            if constexpr (requires { water.level; }) {
+                if (std::holds_alternative<WaterElevation<>>(water.level) &&
+                    !(scene.slope && scene.slope->toe_elevation)) {
+                    checker.complain("water.water_elevation",
+                                     "is an elevation, so slope.toe_elevation is required too");
+                }
+            }
+        },
+        scene.water);
     if (const auto* line = std::get_if<PiezometricLineWater<>>(&scene.water)) {
         if (line->point.size() < 2) {
             checker.complain("water", "needs at least two [[water.point]]");

@@ -23,7 +23,7 @@ ModelExample<TiltedColumn<>> example_case(const TiltedColumn<>*) {
             column_parts};
 }
 
-std::vector<Quantity> possible_outputs(const TiltedColumn<>*) {
+std::vector<Quantity> possible_outputs(const TiltedColumn<>&) {
     return model_interface(TiltedColumn<>{}).outputs;
 }
 

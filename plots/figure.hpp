@@ -74,7 +74,19 @@ struct HeatMap {
     std::string no_answer_legend = {};  // appears when a value is not finite
 };
 
-using Series = std::variant<Line, Points, Region, Boxes, HeatMap>;
+// Arrows that share a legend.
+struct Arrows {
+    struct Shaft {
+        Point from;
+        Point to;
+    };
+    std::vector<Shaft> shafts = {};
+    std::string legend = {};
+    Colour colour = Colour::black;
+    double width = 2.2;  // px
+};
+
+using Series = std::variant<Line, Points, Region, Boxes, HeatMap, Arrows>;
 
 struct Label {
     enum class Align { left, centre, right };
@@ -84,6 +96,7 @@ struct Label {
     Colour colour = Colour::black;
     double raise = 0;   // moves the text up by so many letter heights
     bool boxed = true;  // on a white ground, where lines cross behind it
+    double size = 1;    // of the figure's text
 };
 
 struct Arrow {

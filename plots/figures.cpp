@@ -57,6 +57,20 @@ Axis axis_of(std::string_view name, Dimension dimension) {
     return {.title = human_name(name), .unit = human_unit(display_unit(dimension).symbol)};
 }
 
+void mark_statements(const std::vector<PrintedStatement>& statements, double x_unit, double y_unit, Figure& figure) {
+    char letter = 'A';
+    for (const PrintedStatement& statement : statements) {
+        const Point at{statement.at.x() / x_unit, statement.at.y() / y_unit};
+        figure.series.emplace_back(Points{.points = {at},
+                                          .legend = std::string(1, letter) + ": " + statement.text,
+                                          .colour = Colour::black,
+                                          .marker = letter % 2 ? Marker::filled_circle : Marker::filled_diamond,
+                                          .size = 1.6});
+        figure.labels.push_back({.at = at, .text = std::string(1, letter), .raise = 1.0});
+        letter = letter == 'Z' ? 'A' : static_cast<char>(letter + 1);
+    }
+}
+
 Figure factor_of_safety_against_water(const WaterDepthCurves& data) {
     Figure figure{.title = data.title,
                   .x = {.title = data.ratio, .range = std::pair{0.0, 1.0}},
@@ -76,16 +90,9 @@ Figure factor_of_safety_against_water(const WaterDepthCurves& data) {
                                     .dash = Dash::dashed,
                                     .width = 1.5});
 
-    char letter = 'A';
+    mark_statements(data.statements, 1, 1, figure);
     for (const PrintedStatement& statement : data.statements) {
         shown.include(statement.at.y());
-        figure.series.emplace_back(Points{.points = {statement.at},
-                                          .legend = std::string(1, letter) + ": " + statement.text,
-                                          .colour = Colour::black,
-                                          .marker = letter % 2 ? Marker::filled_circle : Marker::filled_diamond,
-                                          .size = 1.6});
-        figure.labels.push_back({.at = statement.at, .text = std::string(1, letter), .raise = 1.0});
-        letter = letter == 'Z' ? 'A' : static_cast<char>(letter + 1);
     }
     // Room for the marks' letters; zero is part of the picture, because distance to failure is what is judged.
     figure.y.range = std::pair{std::min(0.0, shown.lowest), shown.highest + 0.08 * shown.size() + 0.05};

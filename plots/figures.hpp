@@ -55,6 +55,9 @@ struct PrintedStatement {
     Point at;
 };
 
+// `x_unit`, `y_unit`: SI per unit of the figure's axes.
+void mark_statements(const std::vector<PrintedStatement>& statements, double x_unit, double y_unit, Figure& figure);
+
 // Factor of safety against depth of water over depth of crack, one curve for each cohesion.
 struct WaterDepthCurves {
     std::string title = {};

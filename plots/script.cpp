@@ -173,6 +173,24 @@ class ScriptWriter {
                     << rgb(boxes.colour) << " fillstyle solid noborder " << legend_of(boxes.legend);
     }
 
+    void add(const Arrows& arrows) {
+        Rows rows;
+        for (const Arrows::Shaft& shaft : arrows.shafts) {
+            if (finite(shaft.from) && finite(shaft.to)) {
+                rows.push_back({shaft.from.x(), shaft.from.y(), shaft.to.x(), shaft.to.y()});
+                include({{shaft.to.x(), shaft.to.y()}});
+            }
+        }
+        if (rows.empty()) {
+            return;
+        }
+        include(rows);
+        note_legend(arrows.legend);
+        const std::string block = add_data(rows);
+        next_plot() << block << " using 1:2:($3-$1):($4-$2) with vectors head filled size screen 0.013,20 linewidth "
+                    << arrows.width << " linecolor rgb " << rgb(arrows.colour) << ' ' << legend_of(arrows.legend);
+    }
+
     void add(const HeatMap& map) {
         const auto columns = static_cast<Eigen::Index>(map.x_values.size());
         const auto lines = static_cast<Eigen::Index>(map.y_values.size());
@@ -309,8 +327,11 @@ class ScriptWriter {
                                            : label.align == Label::Align::centre ? "center"
                                                                                  : "right";
             script_ << "set label " << quote(label.text) << " at " << label.at.x() << ',' << label.at.y() << ' '
-                    << align << " front offset character 0," << label.raise << " textcolor rgb " << rgb(label.colour)
-                    << (label.boxed ? " boxed" : "") << "\n";
+                    << align << " front offset character 0," << label.raise << " textcolor rgb " << rgb(label.colour);
+            if (label.size != 1) {
+                script_ << " font '," << label.size * text_height << "'";
+            }
+            script_ << (label.boxed ? " boxed" : "") << "\n";
         }
         if (plot_.tellp() == 0) {
             script_ << "set label 'no data' at graph 0.5,0.5 center front\n";

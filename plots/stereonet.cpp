@@ -123,24 +123,32 @@ void add_contours(Figure& figure, const StereonetDrawing& drawing) {
         levels += (levels.empty() ? "" : ", ") + human_number(level, 3);
     }
     if (!parts.empty()) {
-        figure.series.emplace_back(Line{.points = broken_line(parts),
-                                        .legend = "pole density " + levels + " times uniform",
-                                        .colour = Colour::grey,
-                                        .width = 1.5});
+        figure.series.emplace_back(
+            Line{.points = broken_line(parts),
+                 .legend = "density of the " + drawing.planes_are + " poles, " + levels + " times uniform",
+                 .colour = Colour::grey,
+                 .width = 1.5});
     }
 }
 
 void add_poles(Figure& figure, const StereonetDrawing& drawing) {
     constexpr std::size_t most_drawn = 150;
+    bool named = false;
     for (std::size_t index = 0; index < drawing.joint_set.size(); ++index) {
         const DrawnJointSet& set = drawing.joint_set[index];
         Points poles{.colour = of_set(set_colours, index), .marker = of_set(set_markers, index), .size = 0.4};
         for (std::size_t plane = 0; plane < std::min(most_drawn, set.planes.size()); ++plane) {
             poles.points.push_back(projected_pole(set.planes[plane], drawing.projection));
         }
-        if (!poles.points.empty()) {
-            figure.series.emplace_back(std::move(poles));
+        if (poles.points.empty()) {
+            continue;
         }
+        if (!named) {
+            poles.legend =
+                "small marks: " + drawing.planes_are + " poles, at most " + std::to_string(most_drawn) + " of each set";
+            named = true;
+        }
+        figure.series.emplace_back(std::move(poles));
     }
 }
 

@@ -31,6 +31,7 @@ struct StereonetDrawing {
     LateralLimit lateral_limit;
     std::vector<DrawnJointSet> joint_set = {};
     std::vector<DrawnIntersection> intersection = {};
+    std::string planes_are = "sampled";  // or "measured": how the legend calls the poles
     double kernel_concentration = customary_kernel_concentration;
     std::size_t grid_side = 121;  // of the density grid
 };

@@ -81,6 +81,7 @@ JointSetFeasibility set_feasibility(const Kinematics& model, const Samples& samp
     };
     return {.name = model.joint_set[set].name,
             .mean = samples.means[set],
+            .apparent_dip = apparent_dip(samples.means[set], model.slope.face_dip_direction),
             .angular_standard_deviation = orientation_statistics(samples.planes[set]).angular_standard_deviation,
             .planar_sliding = mechanism([&](const Orientation& plane) {
                 return planar_sliding(model.slope, plane, friction, model.lateral_limit.planar_sliding);
@@ -195,6 +196,9 @@ KinematicsCheck check_input(const KinematicsStudy& study) {
     }
     if (sets.empty()) {
         return KinematicsCheck::no_joint_set;
+    }
+    if (sets.size() > most_joint_sets) {
+        return KinematicsCheck::too_many_joint_sets;
     }
     if (std::ranges::any_of(sets, [](const JointSet& set) { return set.name.empty(); })) {
         return KinematicsCheck::joint_set_without_name;

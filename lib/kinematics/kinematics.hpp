@@ -10,15 +10,20 @@
 #include "parameters/model_interface.hpp"
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace delabole {
 
+// Time and the number of answers grow with the square of the number of sets.
+inline constexpr std::size_t most_joint_sets = 20;
+
 enum class KinematicsCheck {
     valid,
     no_joint_set,
+    too_many_joint_sets,  // more than most_joint_sets
     joint_set_without_name,
     joint_set_name_repeated,
     lower_dip_above_upper_dip,
@@ -26,9 +31,10 @@ enum class KinematicsCheck {
     input_out_of_range,  // a number outside the range of its field, or not finite
 };
 
-constexpr std::array<std::string_view, 7> enum_names(KinematicsCheck) {
+constexpr std::array<std::string_view, 8> enum_names(KinematicsCheck) {
     return {"valid",
             "no_joint_set",
+            "too_many_joint_sets",
             "joint_set_without_name",
             "joint_set_name_repeated",
             "lower_dip_above_upper_dip",
@@ -53,6 +59,7 @@ struct MechanismFeasibility {
 struct JointSetFeasibility {
     std::string name;
     Orientation mean;
+    double apparent_dip;                // of the mean, in the section across the face; negative: into the slope
     double angular_standard_deviation;  // of the sampled poles
     MechanismFeasibility planar_sliding;
     MechanismFeasibility flexural_toppling;
@@ -62,6 +69,8 @@ struct JointSetFeasibility {
         using J = JointSetFeasibility;
         return std::tuple{section("name", &J::name, "name of the set"),
                           section("mean", &J::mean, "mean orientation"),
+                          number("apparent_dip", &J::apparent_dip, Dimension::angle, any_number(),
+                                 "dip of the mean in the section across the face; negative: into the slope"),
                           number("angular_standard_deviation", &J::angular_standard_deviation, Dimension::angle,
                                  any_number(), "angular standard deviation of the sampled poles"),
                           section("planar_sliding", &J::planar_sliding, "sliding on one plane of the set"),

@@ -108,7 +108,7 @@ Assembly refused(AssemblyCheck check) {
 
 }  // namespace
 
-Assembly assemble_row(const std::vector<RowBlock>& blocks, const JointFriction& friction) {
+Assembly assemble_row(const std::vector<RowBlock>& blocks, const BlockFriction& friction) {
     Assembly assembly;
     double x = 0;
     for (std::size_t index = 0; index < blocks.size(); ++index) {
@@ -129,7 +129,10 @@ Assembly assemble_row(const std::vector<RowBlock>& blocks, const JointFriction& 
     return assembly;
 }
 
-Assembly assemble_columns(const ColumnSlope<>& slope, const JointFriction& friction) {
+Assembly assemble_columns(const ColumnSlope<>& slope, const BlockFriction& friction, double upper_part) {
+    if (!(upper_part > 0 && upper_part <= whole_joint)) {
+        return refused(AssemblyCheck::input_out_of_range);
+    }
     if (slope.check != ColumnCheck::valid || slope.columns.empty()) {
         return refused(AssemblyCheck::columns_not_valid);
     }
@@ -150,7 +153,7 @@ Assembly assemble_columns(const ColumnSlope<>& slope, const JointFriction& frict
                                      0});
         if (column.joint_length > 0 && index + 1 < slope.columns.size()) {
             const double top = column.base_v + column.upper_contact;
-            assembly.contacts.push_back({index, index + 1, axes.to_section(end, top - column.joint_length),
+            assembly.contacts.push_back({index, index + 1, axes.to_section(end, top - upper_part * column.joint_length),
                                          axes.to_section(end, top), friction.interface, 0});
         }
     }
@@ -162,7 +165,7 @@ Assembly assemble_columns(const ColumnSlope<>& slope, const JointFriction& frict
     return assembly;
 }
 
-Assembly assemble_blocks(const ColumnSlope<>& slope, const CrossJoints& cross_joints, const JointFriction& friction) {
+Assembly assemble_blocks(const ColumnSlope<>& slope, const CrossJoints& cross_joints, const BlockFriction& friction) {
     if (slope.check != ColumnCheck::valid || slope.columns.empty()) {
         return refused(AssemblyCheck::columns_not_valid);
     }

@@ -16,18 +16,24 @@ struct RowBlock {
     double weight;  // N/m
 };
 
-struct JointFriction {
+struct BlockFriction {
     double base;       // friction angle of blocks on the base
     double interface;  // friction angle between neighbouring blocks, or columns
 };
 
 // Rectangles side by side on a level plane, the first at the toe; tilt it with largest_tilt.
-Assembly assemble_row(const std::vector<RowBlock>& blocks, const JointFriction& friction);
+Assembly assemble_row(const std::vector<RowBlock>& blocks, const BlockFriction& friction);
 
 // Columns, with all their loads; a wedge above them becomes the last body. Cohesion acts on the wedge's own joint only.
 // The weight of a column acts at the middle of its middle line, which is exact for rectangles; in other shapes the
 // difference is in the load, so that equilibrium as given is exact and a tilt acts at that point.
-Assembly assemble_columns(const ColumnSlope<>& slope, const JointFriction& friction);
+//
+// Columns touch over the upper part of each joint, 0 < upper_part <= 1: whole_joint for the bound proper. As the part
+// shrinks to the top of the joint, which is where a toppling mechanism puts the forces, the friction that
+// least_strength_factor needs rises to that of the recursion (Appendix A of the thesis: from 32.66 deg to 41.14 deg;
+// Goodman & Bray 1976: from 33.45 to 38.15 deg). The two differ by where the forces act, and by nothing else.
+constexpr double whole_joint = 1;
+Assembly assemble_columns(const ColumnSlope<>& slope, const BlockFriction& friction, double upper_part);
 
 struct CrossJoints {
     double spacing;  // m, along the columns from each base
@@ -37,7 +43,7 @@ struct CrossJoints {
 
 // Rectangular columns under their own weight cut across: the blocks of a slope that is jointed in two directions. A
 // column's uppermost block is what remains of its height.
-Assembly assemble_blocks(const ColumnSlope<>& slope, const CrossJoints& cross_joints, const JointFriction& friction);
+Assembly assemble_blocks(const ColumnSlope<>& slope, const CrossJoints& cross_joints, const BlockFriction& friction);
 
 constexpr std::size_t most_blocks = 100'000;
 

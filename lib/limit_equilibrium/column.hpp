@@ -51,6 +51,7 @@ struct ColumnSlope {
     T base_dip{};
     std::vector<Column<T>> columns{};  // from the toe up
     std::optional<SlideHeadWedge<T>> slide_head{};
+    std::optional<T> end_v{};  // of the given end of the base, turned axes
 };
 
 }  // namespace delabole

@@ -41,12 +41,19 @@ struct TurnedResultant {
 template <class T>
 class WaterSurface {
   public:
-    ColumnCheck set(const ColumnWater<T>& water, const std::optional<SlopeSection<T>>& slope,
-                    const SineCosine<T>& base) {
+    // `end`: upper end of the base, section axes.
+    ColumnCheck set(const ColumnWater<T>& water, const std::optional<SlopeSection<T>>& slope, const SineCosine<T>& base,
+                    const PlanePoint<T>& end) {
         base_ = base;
         if (const auto* table = std::get_if<WaterTable<T>>(&water)) {
             unit_weight_ = table->unit_weight;
             return set_level(table->level, slope);
+        }
+        if (const auto* drawn = std::get_if<DrawnDownWater<T>>(&water)) {
+            unit_weight_ = drawn->unit_weight;
+            const ColumnCheck check = set_level(drawn->level, slope);
+            line_ = {PlanePoint<T>(T(0), T(0)), turned(base, end.x(), level_)};
+            return check;
         }
         if (const auto* line = std::get_if<PiezometricLineWater<T>>(&water)) {
             unit_weight_ = line->unit_weight;
@@ -97,6 +104,7 @@ class WaterSurface {
         } else {
             height = std::get<WaterElevation<T>>(level).water_elevation - *slope->toe_elevation;
         }
+        level_ = height;
         line_ = {turned(base_, T(0), height)};
         return ColumnCheck::valid;
     }
@@ -128,6 +136,7 @@ class WaterSurface {
 
     SineCosine<T> base_{};
     T unit_weight_ = T(0);
+    T level_ = T(0);
     std::vector<PlanePoint<T>> line_;
     std::optional<T> filled_ratio_;
 };

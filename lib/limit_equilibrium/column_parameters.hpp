@@ -114,8 +114,23 @@ struct WaterTable {
     }
 };
 
+// A water surface drawn down to the toe: straight from there to a level above the upper end of the base, level behind
+// it. What the linear pressure drop of Hoek & Bray is to plane failure.
 template <class T = double>
-using ColumnWater = std::variant<Dry, FilledJointsWater<T>, WaterTable<T>, PiezometricLineWater<T>>;
+struct DrawnDownWater {
+    T unit_weight;
+    WaterLevel<T> level;
+    static constexpr std::string_view kind = "drawn_down";
+    static constexpr auto fields() {
+        return std::tuple{
+            water_unit_weight_field(&DrawnDownWater::unit_weight),
+            inlined(&DrawnDownWater::level,
+                    "level at the upper end of the base, above the toe; full is the height of the slope")};
+    }
+};
+
+template <class T = double>
+using ColumnWater = std::variant<Dry, FilledJointsWater<T>, WaterTable<T>, DrawnDownWater<T>, PiezometricLineWater<T>>;
 
 template <class T = double>
 struct PointLoad {
@@ -178,7 +193,8 @@ struct SlideHead {
             number("friction_angle", &SlideHead::friction_angle, Dimension::angle,
                    Interval{.lower = 0, .upper = degrees(90), .upper_open = true}, "friction of that joint"),
             number("cohesion", &SlideHead::cohesion, Dimension::stress, at_least(0), "cohesion of that joint"),
-            section("water", &SlideHead::water, "water standing in that joint; absent: none")};
+            section("water", &SlideHead::water,
+                    "water standing in that joint; absent: it stands as the water of the columns does there")};
     }
 };
 

@@ -1,17 +1,23 @@
 #include "limit_equilibrium/lp_bound.hpp"
 
+#include "limit_equilibrium/lp_residuals.hpp"
+
 #include <glpk.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 namespace delabole {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using detail::cross;
+using detail::friction_of;
+using detail::infinity;
+using detail::Scales;
+using detail::Sense;
+using detail::Sought;
 
 // GLPK keeps one environment for each thread, with its own switch for printing; leave both as they were.
 class SolverEnvironment {
@@ -37,16 +43,6 @@ struct DeleteProblem {
 };
 using Problem = std::unique_ptr<glp_prob, DeleteProblem>;
 
-double cross(const Point& a, const Point& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
-// Units that make weights and arms about 1.
-struct Scales {
-    double force = 0;         // mean weight
-    std::vector<double> arm;  // of each body: its farthest contact point
-};
-
 Scales scales_of(const Assembly& assembly) {
     Scales scales;
     for (const Body& body : assembly.bodies) {
@@ -70,18 +66,6 @@ Scales scales_of(const Assembly& assembly) {
     return scales;
 }
 
-enum class Sense { largest, least };
-
-struct Sought {
-    std::vector<BodyLoad> load;
-    Sense sense = Sense::largest;
-    double lower = -infinity;
-};
-
-double friction_of(const Contact& contact, double strength) {
-    return std::atan(strength * std::tan(contact.friction_angle));
-}
-
 // Columns: the sought factor, then for every contact the edges of the cone at its start, of that at its end, and
 // where there is cohesion the shear by it. Rows: forces along x and y and moment of each body.
 class Programme {
@@ -94,29 +78,25 @@ class Programme {
                         values_.data());
     }
 
+    // A failure is nearly always a basis that lost its accuracy; it is met by another start, then by another method. No
+    // solution is what a lost basis may wrongly report, too: two starts have to agree on it.
     LpStatus solve() {
-        glp_smcp control;
-        glp_init_smcp(&control);
-        control.msg_lev = GLP_MSG_OFF;
-        control.meth = GLP_PRIMAL;
-        control.tol_bnd = 1e-10;
-        control.tol_dj = 1e-10;
-        control.it_lim = 1000 + 100 * glp_get_num_rows(problem_.get());
-        glp_adv_basis(problem_.get(), 0);
-        const int failure = glp_simplex(problem_.get(), &control);
-        if (failure != 0) {
-            return LpStatus::not_converged;
+        LpStatus last = LpStatus::not_converged;
+        for (const int method : {GLP_PRIMAL, GLP_DUALP}) {
+            for (const bool advanced : {true, false}) {
+                if (advanced) {
+                    glp_adv_basis(problem_.get(), 0);
+                } else {
+                    glp_std_basis(problem_.get());
+                }
+                const LpStatus status = solve_from_basis(method);
+                if (status == LpStatus::optimal || (status != LpStatus::not_converged && status == last)) {
+                    return status;
+                }
+                last = status;
+            }
         }
-        switch (glp_get_status(problem_.get())) {
-        case GLP_OPT:
-            return LpStatus::optimal;
-        case GLP_UNBND:
-            return LpStatus::unbounded;
-        case GLP_NOFEAS:
-            return LpStatus::infeasible;
-        default:
-            return LpStatus::not_converged;
-        }
+        return LpStatus::not_converged;
     }
 
     int iterations() const { return glp_get_it_cnt(problem_.get()); }
@@ -159,6 +139,9 @@ class Programme {
             motions.push_back({{price(0), price(1)}, price(2) / scales_.arm[body]});
             largest = std::max({largest, motions.back().displacement.norm(), std::abs(price(2))});
         }
+        if (!(largest > 0)) {
+            return {};  // the factor rests on its own limit, no load on a body changes it
+        }
         for (VirtualMotion& motion : motions) {
             motion.displacement /= largest;
             motion.rotation /= largest;
@@ -167,6 +150,41 @@ class Programme {
     }
 
   private:
+    LpStatus solve_from_basis(int method) {
+        glp_bfcp factors;
+        glp_get_bfcp(problem_.get(), &factors);
+        // With GLPK's own 0.1 and 100 rows of a few hundred blocks lose all digits, and the phase-one test its truth.
+        factors.piv_tol = 0.9;
+        factors.nfs_max = 20;
+        glp_set_bfcp(problem_.get(), &factors);
+        glp_smcp control;
+        glp_init_smcp(&control);
+        control.msg_lev = GLP_MSG_OFF;
+        control.meth = method;
+        control.tol_bnd = 1e-10;
+        control.tol_dj = 1e-10;
+        control.it_lim = 1000 + 100 * glp_get_num_rows(problem_.get());
+        if (glp_simplex(problem_.get(), &control) != 0) {
+            return LpStatus::not_converged;
+        }
+        if (glp_get_status(problem_.get()) == GLP_OPT) {
+            // Rounding gathers in the updates of the factors: the answer is taken from fresh ones.
+            if (glp_factorize(problem_.get()) != 0 || glp_warm_up(problem_.get()) != 0) {
+                return LpStatus::not_converged;
+            }
+        }
+        switch (glp_get_status(problem_.get())) {
+        case GLP_OPT:
+            return LpStatus::optimal;
+        case GLP_UNBND:
+            return LpStatus::unbounded;
+        case GLP_NOFEAS:
+            return LpStatus::infeasible;
+        default:
+            return LpStatus::not_converged;
+        }
+    }
+
     static int first_row(std::size_t body) { return static_cast<int>(3 * body) + 1; }
 
     void set_rows() {
@@ -186,7 +204,10 @@ class Programme {
 
     void set_columns() {
         const int factor = glp_add_cols(problem_.get(), 1);
-        glp_set_col_bnds(problem_.get(), factor, std::isfinite(sought_.lower) ? GLP_LO : GLP_FR, sought_.lower, 0);
+        const bool fixed = sought_.lower == sought_.upper;
+        const int least = fixed ? GLP_FX : GLP_LO;
+        glp_set_col_bnds(problem_.get(), factor, std::isfinite(sought_.lower) ? least : GLP_FR, sought_.lower,
+                         sought_.upper);
         glp_set_obj_coef(problem_.get(), factor, 1);
         for (std::size_t index = 0; index < assembly_.bodies.size(); ++index) {
             const BodyLoad& load = sought_.load[index];
@@ -243,79 +264,6 @@ class Programme {
     std::vector<double> values_{0};
 };
 
-// What remains of equilibrium and strength, from the forces themselves and not from the programme's numbers.
-void set_static_residuals(const Assembly& assembly, const Scales& scales, const Sought& sought, double strength,
-                          LpBound& bound) {
-    std::vector<BodyLoad> sums(assembly.bodies.size());
-    for (std::size_t index = 0; index < sums.size(); ++index) {
-        const Body& body = assembly.bodies[index];
-        sums[index].force = body.load.force + Point(0, -body.weight) + bound.value * sought.load[index].force;
-        sums[index].moment = body.load.moment + bound.value * sought.load[index].moment;
-    }
-    for (std::size_t index = 0; index < assembly.contacts.size(); ++index) {
-        const Contact& contact = assembly.contacts[index];
-        const ContactForce& force = bound.forces[index];
-        const double friction = std::tan(friction_of(contact, strength));
-        const double cohesion = strength * contact.cohesion * contact.length() / 2;
-        const auto add = [&](std::size_t body, const Point& point, const Point& vector) {
-            sums[body].force += vector;
-            sums[body].moment += cross(point - assembly.bodies[body].centroid, vector);
-        };
-        for (const auto& [end, point] :
-             {std::pair(force.at_start, contact.start), std::pair(force.at_end, contact.end)}) {
-            const Point vector = end.normal * contact.normal() + end.shear * contact.along();
-            add(contact.body, point, vector);
-            if (contact.other) {
-                add(*contact.other, point, -vector);
-            }
-            // Measured across the cone, so that friction near 90 deg does not magnify rounding.
-            const double beyond = (std::abs(end.shear) - friction * end.normal - cohesion) / std::hypot(1, friction);
-            bound.residuals.cone_violation =
-                std::max({bound.residuals.cone_violation, -end.normal / scales.force, beyond / scales.force});
-        }
-    }
-    for (std::size_t index = 0; index < sums.size(); ++index) {
-        bound.residuals.imbalance =
-            std::max({bound.residuals.imbalance, sums[index].force.cwiseAbs().maxCoeff() / scales.force,
-                      std::abs(sums[index].moment) / (scales.force * scales.arm[index])});
-    }
-}
-
-void set_mechanism_residuals(const Assembly& assembly, const Sought& sought, double strength, LpBound& bound) {
-    const auto work = [&](std::size_t body, const Point& force, double moment) {
-        const VirtualMotion& motion = bound.mechanism[body];
-        return force.dot(motion.displacement) + moment * motion.rotation;
-    };
-    const auto motion_at = [&](std::size_t body, const Point& point) {
-        const VirtualMotion& motion = bound.mechanism[body];
-        const Point arm = point - assembly.bodies[body].centroid;
-        return Point(motion.displacement + motion.rotation * Point(-arm.y(), arm.x()));
-    };
-    double fixed = 0;
-    double moving = 0;
-    for (std::size_t index = 0; index < assembly.bodies.size(); ++index) {
-        const Body& body = assembly.bodies[index];
-        fixed += work(index, Point(body.load.force + Point(0, -body.weight)), body.load.moment);
-        moving += work(index, sought.load[index].force, sought.load[index].moment);
-    }
-    double dissipation = 0;
-    for (const Contact& contact : assembly.contacts) {
-        const double friction = friction_of(contact, strength);
-        for (const Point& point : {contact.start, contact.end}) {
-            Point relative = motion_at(contact.body, point);
-            if (contact.other) {
-                relative -= motion_at(*contact.other, point);
-            }
-            const double opening = relative.dot(contact.normal());
-            const double slip = std::abs(relative.dot(contact.along()));
-            const double overlap = slip * std::sin(friction) - opening * std::cos(friction);
-            bound.residuals.mechanism_overlap = std::max(bound.residuals.mechanism_overlap, overlap);
-            dissipation += slip * strength * contact.cohesion * contact.length() / 2;
-        }
-    }
-    bound.residuals.mechanism_value = (dissipation - fixed) / moving;
-}
-
 LpBound solve(const Assembly& assembly, const Scales& scales, const Sought& sought, double strength) {
     LpBound bound;
     Programme programme(assembly, scales, sought, strength);
@@ -327,8 +275,13 @@ LpBound solve(const Assembly& assembly, const Scales& scales, const Sought& soug
     bound.value = programme.factor();
     bound.forces = programme.forces();
     bound.mechanism = programme.mechanism();
-    set_static_residuals(assembly, scales, sought, strength, bound);
-    set_mechanism_residuals(assembly, sought, strength, bound);
+    detail::set_static_residuals(assembly, scales, sought, strength, bound);
+    detail::set_mechanism_residuals(assembly, sought, strength, bound);
+    if (!(bound.residuals.imbalance <= 1e-7 && bound.residuals.cone_violation <= 1e-7)) {
+        LpBound failed;
+        failed.iterations = bound.iterations;
+        return failed;
+    }
     return bound;
 }
 
@@ -388,6 +341,9 @@ LpBound least_support_force(const Assembly& assembly, std::size_t body, const Po
     return bound;
 }
 
+// 4^5. Cones much nearer to half planes leave the simplex method no digits.
+constexpr double largest_strength = 1024;
+
 // The assembly stands where a horizontal force k times the weights may be 0: where the largest k is not below 0 and the
 // least not above. Both move away from each other as strength grows, so that the smaller of the largest k and minus
 // the least crosses 0 once. It is a piecewise smooth function, whose root is found between a strength with which
@@ -413,23 +369,30 @@ LpBound least_strength_factor(const Assembly& assembly) {
         for (const Sense sense : {Sense::largest, Sense::least}) {
             LpBound bound = solve(assembly, scales, {push, sense}, strength);
             iterations += bound.iterations;
-            failed = failed || bound.status == LpStatus::not_converged;
-            double margin = bound.status == LpStatus::unbounded ? infinity : -infinity;
-            if (bound.status == LpStatus::optimal) {
+            const LpStatus status = bound.status;
+            failed = failed || status == LpStatus::not_converged;
+            double margin = status == LpStatus::unbounded ? infinity : -infinity;
+            if (status == LpStatus::optimal) {
                 margin = sense == Sense::largest ? bound.value : -bound.value;
             }
             if (margin < trial.margin) {
                 trial.margin = margin;
                 trial.state = std::move(bound);
             }
-            if (bound.status == LpStatus::infeasible) {
-                break;
+            if (trial.margin < 0) {
+                break;  // the largest k and minus the least are not both below 0
             }
         }
         return trial;
     };
     const auto finish = [&](Trial trial) {
         LpBound bound = std::move(trial.state);
+        if (trial.margin > 1e-9) {
+            // Not the margin decides but that friction is 0, or that below it no horizontal force would help: the
+            // forces are those without any.
+            bound = solve(assembly, scales, {push, Sense::largest, 0, 0}, trial.strength);
+            failed = failed || bound.status != LpStatus::optimal;
+        }
         bound.status = failed ? LpStatus::not_converged : LpStatus::optimal;
         bound.value = trial.strength;
         bound.iterations = iterations;
@@ -440,7 +403,7 @@ LpBound least_strength_factor(const Assembly& assembly) {
         return finish(std::move(low));
     }
     Trial high = attempt(1);
-    while (high.margin < 0 && high.strength < 1e6 && !failed) {
+    while (high.margin < 0 && high.strength < largest_strength && !failed) {
         low = std::move(high);
         high = attempt(low.strength * 4);
     }

@@ -71,7 +71,7 @@ struct LpBound {
     AssemblyCheck check = AssemblyCheck::valid;
     double value = 0;                        // meaning with each function; 0 unless optimal
     std::vector<ContactForce> forces{};      // of every contact; empty unless optimal
-    std::vector<VirtualMotion> mechanism{};  // of every body; empty unless optimal
+    std::vector<VirtualMotion> mechanism{};  // of every body; empty unless optimal, and where none limits the value
     LpResiduals residuals{};
     int iterations = 0;  // of the simplex method, all programmes together
 };
@@ -89,8 +89,9 @@ LpBound largest_load_factor(const Assembly& assembly, const std::vector<BodyLoad
 LpBound least_support_force(const Assembly& assembly, std::size_t body, const Point& point, const Point& direction);
 
 // Smallest factor on the tangents of all friction angles and on all cohesions for which the assembly stands; its
-// inverse is a factor of safety, too high or right. 0: stands without friction. Infeasible: a factor of 1e6 is not
-// enough. Relative accuracy 1e-10.
+// inverse is a factor of safety, right or too high. 0: stands without friction. Infeasible: a factor of 1024 is not
+// enough. Relative accuracy 1e-10. The mechanism is the one that a horizontal force would set off at that strength, and
+// `mechanism_value` the coefficient of that force, about 0.
 LpBound least_strength_factor(const Assembly& assembly);
 
 }  // namespace delabole

@@ -85,6 +85,14 @@ T height_at(const ColumnShape<T>& shape, const T& u) {
     return T(0);
 }
 
+// Upper end of the base in section axes.
+template <class T>
+PlanePoint<T> end_of_base(const ColumnShapes<T>& shapes) {
+    const ColumnShape<T>& last = shapes.columns.back();
+    return turned_back(shapes.base,
+                       shapes.base_end ? *shapes.base_end : PlanePoint<T>(T(last.base_u + last.width), last.base_v));
+}
+
 template <class T>
 T crest_x(const std::optional<SlopeSection<T>>& slope) {
     if (!slope) {
@@ -137,7 +145,7 @@ ColumnSlope<T> make_columns(const ColumnScene<T>& scene) {
         return slope;
     }
     detail::WaterSurface<T> water;
-    slope.check = water.set(scene.water, scene.slope, shapes.base);
+    slope.check = water.set(scene.water, scene.slope, shapes.base, detail::end_of_base(shapes));
     if (slope.check != ColumnCheck::valid) {
         return slope;
     }

@@ -20,12 +20,14 @@ struct Bracket {
     bool found = false;
 };
 
-// Outwards from zero in growing steps, to the side on which the sign can change.
+// Outwards from zero, to the side on which the sign can change. Under water, and with a strong wedge, slopes may stand
+// over several separate ranges of strength: steps of 5 % find the one nearest to the given strength; beyond a factor of
+// 50 they grow.
 template <class Function>
 Bracket bracket_from_zero(const Function& function, double direction) {
     double near = 0;
     double at_near = function(near);
-    for (double step = 0.25; std::abs(near) < widest_search; step *= 2) {
+    for (double step = 0.05; std::abs(near) < widest_search; step *= std::abs(near) < 4 ? 1 : 2) {
         const double far = near + direction * step;
         const double at_far = function(far);
         if ((at_near > 0) != (at_far > 0)) {
@@ -101,6 +103,16 @@ double margin_at(const ColumnSlope<>& slope, const ColumnStrength<>& strength, d
 
 Point in_section(double base_dip, double u, double v) {
     return {u * std::cos(base_dip) - v * std::sin(base_dip), u * std::sin(base_dip) + v * std::cos(base_dip)};
+}
+
+// Where the base above a column begins: the toe corner of the next one, or where it would be.
+Point corner_above(const ColumnSlope<>& slope, std::size_t index) {
+    const Column<>& column = slope.columns[index];
+    const double u = column.base_u + column.width;
+    if (index + 1 < slope.columns.size()) {
+        return in_section(slope.base_dip, u, slope.columns[index + 1].base_v);
+    }
+    return in_section(slope.base_dip, u, slope.end_v.value_or(column.base_v));
 }
 
 void add_cable(Column<>& column, double base_dip, double plunge, double height, double force) {
@@ -315,12 +327,10 @@ SteppedBaseResult analyse(const SteppedBase<>& problem) {
         result.moving_count =
             columns[index].mode != ColumnMode::stays ? static_cast<double>(index + 1) : result.moving_count;
     }
-    const Column<>& crack = slope.columns[static_cast<std::size_t>(std::max(1.0, result.moving_count)) - 1];
-    const Point corner = in_section(slope.base_dip, crack.base_u + crack.width, crack.base_v);
-    result.crack_base_distance = corner.x();
-    result.crack_base_height = corner.y();
-    const Column<>& last = slope.columns.back();
-    const Point end = in_section(slope.base_dip, last.base_u + last.width, last.base_v);
+    const Point crack = corner_above(slope, static_cast<std::size_t>(std::max(1.0, result.moving_count)) - 1);
+    result.crack_base_distance = crack.x();
+    result.crack_base_height = crack.y();
+    const Point end = corner_above(slope, slope.columns.size() - 1);
     result.base_end_height = end.y();
     result.base_inclination = std::visit(
         [&](const auto& layout) {

@@ -3,6 +3,7 @@
 #include "plots/fit_figures.hpp"
 #include "plots/text.hpp"
 #include "samples.hpp"
+#include "series_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,28 +14,6 @@ namespace delabole {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-template <class Type>
-std::vector<Type> all(const Figure& figure) {
-    std::vector<Type> result;
-    for (const Series& series : figure.series) {
-        if (const auto* content = std::get_if<Type>(&series)) {
-            result.push_back(*content);
-        }
-    }
-    return result;
-}
-
-template <class Type>
-Type with_legend(const Figure& figure, const std::string& legend) {
-    for (const Type& series : all<Type>(figure)) {
-        if (series.legend == legend) {
-            return series;
-        }
-    }
-    ADD_FAILURE() << "no series \"" << legend << "\"";
-    return {};
-}
 
 TEST(Text, MakesNamesHuman) {
     EXPECT_EQ(human_name("tension_crack.base_below_crest"), "tension crack: base below crest");

@@ -282,6 +282,12 @@ std::vector<std::pair<std::string, Figure>> figures() {
             {"critical_crack", critical_figure(critical_crack())},
             {"stereonet_poles", pole_figure(stereonet())},
             {"stereonet_planes", plane_figure(stereonet())}};
+            {"goodman_bray_blocks", block_figure(goodman_bray_blocks())},
+            {"goodman_bray_forces", force_along_slope_figure(goodman_bray_forces())},
+            {"stepped_base", block_figure(stepped_base())},
+            {"single_block", block_figure(single_block())},
+            {"row_of_columns", block_figure(row_of_columns(40))},
+            {"mode_chart", mode_chart_figure(mode_chart())}};
 }
 
 Report report(const std::vector<FigureFiles>& drawn) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fitting/fit_result.hpp"
+#include "plots/block_figures.hpp"
 #include "plots/figures.hpp"
 #include "plots/report.hpp"
 #include "plots/stereonet.hpp"
@@ -23,6 +24,16 @@ MechanismFit mechanism_fit();
 std::vector<SensitivityBar> sensitivities();
 CriticalSearchDrawing critical_dip();
 CriticalSearchDrawing critical_crack();
+
+// Goodman & Bray (1976): 16 blocks on a stepped base, tan(friction angle) 0.7855, with the forces that they print.
+ForceAlongSlope goodman_bray_forces();
+BlockDrawing goodman_bray_blocks();
+// A displaced mechanism with water and a crack.
+BlockDrawing stepped_base();
+BlockDrawing single_block();
+BlockDrawing row_of_columns(int count);
+// Of a block with atan(width / height) 18.435 deg on an inclined plane.
+ModeChart mode_chart();
 
 // Every kind of figure, with the name of its file.
 std::vector<std::pair<std::string, Figure>> figures();

@@ -10,7 +10,7 @@ rooms=(lib fitting plots cases tests)
 
 # What each room may include between angle brackets beside the standard library and POSIX.
 declare -A libraries=(
-    [lib]='(unsupported/)?Eigen/|gsl/'
+    [lib]='(unsupported/)?Eigen/|gsl/|glpk\.h$'
     [fitting]='(unsupported/)?Eigen/|gsl/|nlopt\.hp?p?$'
     [plots]='(unsupported/)?Eigen/|gsl/|gnuplot-iostream\.h$'
     [cases]='(unsupported/)?Eigen/|gsl/|toml\+\+/|udunits2\.h$|CLI/|nlohmann/'
@@ -26,6 +26,8 @@ declare -A rooms_below=(
     [tests]='tests cases plots fitting'
 )
 posix='^(sys/[a-z]+|unistd|fcntl|signal|poll|spawn|termios)\.h$'
+# The one file that may include it: a library whose types nobody else should see.
+declare -A only_file=([glpk.h]=lib/limit_equilibrium/lp_bound.cpp)
 forbidden_in_lib='^(iostream|fstream|ostream|istream|iomanip|cstdio|stdio\.h|filesystem|syncstream|print)$'
 
 broken=0
@@ -47,6 +49,8 @@ for room in "${rooms[@]}"; do
                 :
             elif [[ ! $header =~ ^(${libraries[$room]}) ]]; then
                 report "$file:$line" "<$header> has no place in $room/"
+            elif [[ -n ${only_file[$header]:-} && $file != "${only_file[$header]}" ]]; then
+                report "$file:$line" "<$header> belongs in ${only_file[$header]} alone"
             fi
         elif [[ $text =~ ^[[:space:]]*#[[:space:]]*include[[:space:]]*\"([^\"]+)\" ]]; then
             header=${BASH_REMATCH[1]}

@@ -1,0 +1,459 @@
+#include "plots/block_figures.hpp"
+
+#include "plots/extent.hpp"
+#include "plots/gnuplot_words.hpp"
+#include "plots/mode_style.hpp"
+#include "plots/polygon.hpp"
+#include "plots/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+constexpr double text_height = 19;            // px
+constexpr double letter_width = 0.66;         // of the height of the text
+constexpr double smallest_label = 12;         // px
+constexpr double plot_width = 620;            // px
+constexpr double greatest_plot_height = 680;  // px
+// Of the greatest force, px.
+constexpr double longest_arrow = 85;
+constexpr double shortest_arrow = 40;
+
+struct Rectangle {
+    Point lowest;
+    Point highest;
+};
+
+struct Frame {
+    Extent x;
+    Extent y;
+
+    void include(const Polyline& line) {
+        for (const Point& point : line) {
+            if (point.allFinite()) {
+                x.include(point.x());
+                y.include(point.y());
+            }
+        }
+    }
+    double metres_per_px() const { return std::max(x.size() / plot_width, y.size() / greatest_plot_height); }
+};
+
+Polyline finite_points(const Polyline& line) {
+    Polyline result;
+    std::copy_if(line.begin(), line.end(), std::back_inserter(result),
+                 [](const Point& point) { return point.allFinite(); });
+    return result;
+}
+
+bool crosses(const Rectangle& rectangle, const Point& from, const Point& to) {
+    double enters = 0;
+    double leaves = 1;
+    for (const int axis : {0, 1}) {
+        const double run = to[axis] - from[axis];
+        if (run == 0) {
+            if (from[axis] < rectangle.lowest[axis] || from[axis] > rectangle.highest[axis]) {
+                return false;
+            }
+            continue;
+        }
+        const double first = (rectangle.lowest[axis] - from[axis]) / run;
+        const double second = (rectangle.highest[axis] - from[axis]) / run;
+        enters = std::max(enters, std::min(first, second));
+        leaves = std::min(leaves, std::max(first, second));
+    }
+    return enters <= leaves;
+}
+
+bool crosses(const Rectangle& rectangle, const Polyline& line) {
+    for (std::size_t index = 1; index < line.size(); ++index) {
+        if (crosses(rectangle, line[index - 1], line[index])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+Polyline closed(Polyline outline) {
+    if (!outline.empty()) {
+        outline.push_back(outline.front());
+    }
+    return outline;
+}
+
+// At its elevation, without what cannot be drawn.
+BlockDrawing prepared(BlockDrawing drawing) {
+    const auto prepare = [&](Polyline& line) {
+        line = finite_points(line);
+        for (Point& point : line) {
+            point.y() += drawing.toe_elevation;
+        }
+    };
+    for (DrawnBlock& block : drawing.blocks) {
+        prepare(block.outline);
+        prepare(block.displaced);
+    }
+    std::erase_if(drawing.blocks, [](const DrawnBlock& block) { return block.outline.size() < 3; });
+    for (Polyline* line : {&drawing.base, &drawing.ground, &drawing.water, &drawing.tension_crack}) {
+        prepare(*line);
+    }
+    std::erase_if(drawing.forces, [](const DrawnForce& force) {
+        return !force.at.allFinite() || !force.force.allFinite() || force.force.norm() == 0;
+    });
+    for (DrawnForce& force : drawing.forces) {
+        force.at.y() += drawing.toe_elevation;
+    }
+    return drawing;
+}
+
+class BlockPicture {
+  public:
+    explicit BlockPicture(const BlockDrawing& drawing) : drawing_(prepared(drawing)) {}
+
+    Figure draw() {
+        figure_ = {.title = drawing_.title,
+                   .x = {.title = "distance from the toe", .unit = "m", .grid = false},
+                   .y = {.title = drawing_.toe_elevation != 0 ? "elevation" : "height above the toe",
+                         .unit = "m",
+                         .grid = false},
+                   .equal_scales = true,
+                   .width = static_cast<int>(plot_width) + 100};
+        measure();
+        place_force_key();
+        add_rock();
+        add_blocks();
+        add_line(drawing_.base, "", Colour::black, Dash::solid, 2.5);
+        add_line(drawing_.ground, "ground surface", Colour::black, Dash::solid, 3.5);
+        add_line(drawing_.tension_crack, "tension crack", Colour::purple, Dash::dashed, 4);
+        add_water();
+        add_forces();
+        add_block_labels();
+        figure_.x.range = std::pair{frame_.x.lowest, frame_.x.highest};
+        figure_.y.range = std::pair{frame_.y.lowest, frame_.y.highest};
+        // Title and axis take about 120 px of the height.
+        figure_.height = static_cast<int>(std::max(frame_.y.size() / metres_per_px_, 150.0)) + 120;
+        return std::move(figure_);
+    }
+
+  private:
+    std::vector<const Polyline*> lines() const {
+        return {&drawing_.base, &drawing_.ground, &drawing_.water, &drawing_.tension_crack};
+    }
+
+    // The scale of the forces follows from the picture without them, which they may then enlarge.
+    void measure() {
+        for (const DrawnBlock& block : drawing_.blocks) {
+            frame_.include(block.outline);
+            frame_.include(block.displaced);
+        }
+        for (const Polyline* line : lines()) {
+            frame_.include(*line);
+        }
+        for (const DrawnForce& force : drawing_.forces) {
+            frame_.include({force.at});
+            greatest_force_ = std::max(greatest_force_, force.force.norm());
+        }
+        if (!(std::max(frame_.x.size(), frame_.y.size()) > 0)) {
+            frame_.include(frame_.x.empty() ? Polyline{{0, 0}, {1, 1}}
+                                            : Polyline{{frame_.x.lowest - 1, frame_.y.lowest - 1},
+                                                       {frame_.x.lowest + 1, frame_.y.lowest + 1}});
+        }
+        if (greatest_force_ > 0) {
+            metres_per_newton_ = greatest_arrow() / greatest_force_;
+        }
+        for (const DrawnForce& force : drawing_.forces) {
+            frame_.include({tip(force)});
+        }
+        Extent surface;
+        for (const Polyline* line : {&drawing_.base, &drawing_.ground}) {
+            for (const Point& point : *line) {
+                surface.include(point.x());
+            }
+        }
+        const double margin = 0.06 * std::max(frame_.x.size(), frame_.y.size());
+        frame_.y = {frame_.y.lowest - margin, frame_.y.highest + margin};
+        // A surface is cut off at the side of the frame.
+        frame_.x = {frame_.x.lowest - (surface.lowest > frame_.x.lowest ? margin : 0),
+                    frame_.x.highest + (surface.highest < frame_.x.highest ? margin : 0)};
+        // A single slender block still has an axis wide enough for its numbers.
+        const double widening = 0.5 * (0.6 * frame_.y.size() - frame_.x.size());
+        if (widening > 0) {
+            frame_.x = {frame_.x.lowest - widening, frame_.x.highest + widening};
+        }
+        metres_per_px_ = frame_.metres_per_px();
+    }
+
+    // Little more than the spacing of the blocks, m, so that the arrows of neighbours do not run into one chain.
+    double greatest_arrow() const {
+        std::vector<double> spacing;
+        for (std::size_t index = 1; index < drawing_.blocks.size(); ++index) {
+            spacing.push_back(
+                (centroid(drawing_.blocks[index].outline) - centroid(drawing_.blocks[index - 1].outline)).norm());
+        }
+        if (spacing.empty()) {
+            return longest_arrow * frame_.metres_per_px();
+        }
+        std::sort(spacing.begin(), spacing.end());
+        return std::clamp(1.5 * spacing[spacing.size() / 2], shortest_arrow * frame_.metres_per_px(),
+                          longest_arrow * frame_.metres_per_px());
+    }
+
+    Point tip(const DrawnForce& force) const { return force.at + metres_per_newton_ * force.force; }
+
+    bool free(const Rectangle& place) const {
+        const Point centre = 0.5 * (place.lowest + place.highest);
+        for (const DrawnBlock& block : drawing_.blocks) {
+            if (crosses(place, closed(block.outline)) || inside(block.outline, centre) ||
+                crosses(place, closed(block.displaced))) {
+                return false;
+            }
+        }
+        const std::vector<const Polyline*> others = lines();
+        return std::none_of(others.begin(), others.end(),
+                            [&](const Polyline* line) { return crosses(place, *line); }) &&
+               std::none_of(drawing_.forces.begin(), drawing_.forces.end(),
+                            [&](const DrawnForce& force) { return crosses(place, force.at, tip(force)); });
+    }
+
+    // In a corner where nothing is drawn, otherwise above everything.
+    void place_force_key() {
+        if (!(greatest_force_ > 0)) {
+            return;
+        }
+        const double unit = display_unit(Dimension::force_per_length).si_per_unit;
+        const double force = tick_step(0.5 * greatest_force_ / unit, 1);
+        const double arrow = force * unit * metres_per_newton_;
+        const std::string text =
+            human_number(force, 6) + " " + human_unit(display_unit(Dimension::force_per_length).symbol);
+        const double gap = 10 * metres_per_px_;
+        const Point size{
+            arrow + gap + letter_width * text_height * static_cast<double>(letter_count(text)) * metres_per_px_,
+            1.3 * text_height * metres_per_px_};
+        const Point inner_lowest = Point(frame_.x.lowest + gap, frame_.y.lowest + gap);
+        const Point inner_highest = Point(frame_.x.highest - gap, frame_.y.highest - gap) - size;
+        Point place{inner_lowest.x(), frame_.y.highest + 0.5 * gap};
+        bool found = false;
+        for (const Point& corner : {Point(inner_lowest.x(), inner_highest.y()), inner_highest,
+                                    Point(inner_highest.x(), inner_lowest.y()), inner_lowest}) {
+            const Point around(gap, gap);
+            if (!found && free({corner - around, corner + size + around})) {
+                place = corner;
+                found = true;
+            }
+        }
+        if (!found) {
+            frame_.y.highest += size.y() + 1.5 * gap;
+        }
+        key_ = {{place.x(), place.y() + 0.5 * size.y()}, {place.x() + arrow, place.y() + 0.5 * size.y()}};
+        figure_.labels.push_back({.at = {key_.to.x() + gap, key_.to.y()}, .text = text, .boxed = false});
+    }
+
+    void add_line(const Polyline& line, std::string legend, Colour colour, Dash dash, double width) {
+        if (!line.empty()) {
+            figure_.series.emplace_back(
+                Line{.points = line, .legend = std::move(legend), .colour = colour, .dash = dash, .width = width});
+        }
+    }
+
+    void add_rock() {
+        if (drawing_.base.size() >= 2) {
+            Polyline rock = drawing_.base;
+            rock.emplace_back(rock.back().x(), frame_.y.lowest);
+            rock.emplace_back(drawing_.base.front().x(), frame_.y.lowest);
+            figure_.series.emplace_back(Region{.outline = rock, .colour = Colour::rock, .opacity = 0.5});
+        }
+    }
+
+    void add_blocks() {
+        for (const DrawnMode mode : drawn_modes) {
+            std::string legend = legend_of_mode(mode);
+            for (const DrawnBlock& block : drawing_.blocks) {
+                if (block.mode == mode) {
+                    figure_.series.emplace_back(Region{.outline = block.outline,
+                                                       .legend = std::exchange(legend, ""),
+                                                       .colour = style_of(mode).colour,
+                                                       .opacity = style_of(mode).opacity});
+                }
+            }
+        }
+        const Point gap = Point::Constant(std::numeric_limits<double>::quiet_NaN());
+        Polyline outlines;
+        Polyline displaced;
+        const auto append = [&](Polyline& all, const Polyline& outline) {
+            if (!outline.empty()) {
+                const Polyline edge = closed(outline);
+                all.insert(all.end(), edge.begin(), edge.end());
+                all.push_back(gap);
+            }
+        };
+        for (const DrawnBlock& block : drawing_.blocks) {
+            append(outlines, block.outline);
+            append(displaced, block.displaced);
+        }
+        add_line(outlines, "", Colour::black, Dash::solid, 1.2);
+        add_line(displaced, drawing_.displaced_legend, Colour::vermilion, Dash::dashed, 1.8);
+    }
+
+    void add_water() {
+        const Polyline& water = drawing_.water;
+        add_line(water, "water level", Colour::blue, Dash::solid, 2.5);
+        if (!water.empty()) {
+            figure_.labels.push_back({.at = 0.5 * (water[0] + water[std::min<std::size_t>(1, water.size() - 1)]),
+                                      .text = "▽",
+                                      .align = Label::Align::centre,
+                                      .colour = Colour::blue,
+                                      .raise = 0.45,
+                                      .boxed = false});
+        }
+    }
+
+    void add_forces() {
+        constexpr std::array kinds{
+            std::pair{ForceKind::interblock, Colour::black}, std::pair{ForceKind::base_reaction, Colour::green},
+            std::pair{ForceKind::thrust, Colour::blue}, std::pair{ForceKind::applied, Colour::vermilion}};
+        for (const auto& [kind, colour] : kinds) {
+            Arrows arrows{.legend = std::string(enum_names(kind)[static_cast<std::size_t>(kind)]), .colour = colour};
+            for (const DrawnForce& force : drawing_.forces) {
+                if (force.kind == kind) {
+                    arrows.shafts.push_back({force.at, tip(force)});
+                }
+            }
+            if (!arrows.shafts.empty()) {
+                figure_.series.emplace_back(std::move(arrows));
+            }
+        }
+        if (greatest_force_ > 0) {
+            figure_.series.emplace_back(Arrows{.shafts = {key_}});
+        }
+    }
+
+    struct Numeral {
+        std::string text;
+        Point at;
+        double size;  // px
+    };
+
+    // A little less high than a line, because numbers have no descenders.
+    Point text_size(const std::string& text, double size) const {
+        return metres_per_px_ * Point(letter_width * size * static_cast<double>(letter_count(text)), 0.85 * size);
+    }
+
+    // Height of a text that stays within its block, px.
+    double fitting_size(const DrawnBlock& block) const {
+        const Point at = centroid(block.outline);
+        const double letters = static_cast<double>(letter_count(block.label)) + 0.4;
+        return std::min(chord(block.outline, at, 0) / (letter_width * letters), chord(block.outline, at, 1)) /
+               metres_per_px_;
+    }
+
+    // The centroid, or, where an arrow or the water level runs through it, a place nearby in the block.
+    Point place_of_label(const DrawnBlock& block, double size) const {
+        const Point centre = centroid(block.outline);
+        const Point half = 0.5 * text_size(block.label, size);
+        Polyline places{centre};
+        for (const double share : {0.25, 0.45, 0.65}) {
+            for (std::size_t index = 0; index < block.outline.size(); ++index) {
+                const Point middle = 0.5 * (block.outline[index] + block.outline[(index + 1) % block.outline.size()]);
+                places.emplace_back(centre + share * (middle - centre));
+            }
+        }
+        // Room for the heads of the arrows.
+        const Point around = Point::Constant(4 * metres_per_px_);
+        const auto clear_of_forces = [&](const Point& place) {
+            const Rectangle text{place - half, place + half};
+            const Rectangle wider{text.lowest - around, text.highest + around};
+            return !crosses(text, closed(block.outline)) && !crosses(text, drawing_.water) &&
+                   std::none_of(drawing_.forces.begin(), drawing_.forces.end(),
+                                [&](const DrawnForce& force) { return crosses(wider, force.at, tip(force)); });
+        };
+        const auto clear_of_all = [&](const Point& place) {
+            const Rectangle text{place - half, place + half};
+            return clear_of_forces(place) &&
+                   std::none_of(drawing_.blocks.begin(), drawing_.blocks.end(),
+                                [&](const DrawnBlock& other) { return crosses(text, closed(other.displaced)); });
+        };
+        auto found = std::find_if(places.begin(), places.end(), clear_of_all);
+        if (found == places.end()) {
+            found = std::find_if(places.begin(), places.end(), clear_of_forces);
+        }
+        return found == places.end() ? centre : *found;
+    }
+
+    void add_block_labels() {
+        std::vector<double> sizes;
+        for (const DrawnBlock& block : drawing_.blocks) {
+            if (!block.label.empty()) {
+                sizes.push_back(fitting_size(block));
+            }
+        }
+        if (sizes.empty()) {
+            return;
+        }
+        // One size for all, that of the smaller blocks; a few that are smaller still do not shrink the rest.
+        std::sort(sizes.begin(), sizes.end());
+        const double common = std::clamp(sizes[sizes.size() / 4], smallest_label, text_height);
+        std::vector<Numeral> numerals;
+        for (const DrawnBlock& block : drawing_.blocks) {
+            if (!block.label.empty()) {
+                const double size = std::clamp(fitting_size(block), smallest_label, common);
+                numerals.push_back({block.label, place_of_label(block, size), size});
+            }
+        }
+        std::vector<Numeral> shown = numerals;
+        for (const std::size_t step : {2, 5, 10, 20, 50, 100, 200, 500, 1000}) {
+            if (apart(shown)) {
+                break;
+            }
+            shown.clear();
+            for (std::size_t index = 0; index < numerals.size(); ++index) {
+                // 1, 3, 5, ..., but 1, 5, 10, ...
+                if (step == 2 ? index % 2 == 0 : index == 0 || (index + 1) % step == 0) {
+                    shown.push_back(numerals[index]);
+                }
+            }
+        }
+        for (const Numeral& numeral : shown) {
+            figure_.labels.push_back({.at = numeral.at,
+                                      .text = numeral.text,
+                                      .align = Label::Align::centre,
+                                      .boxed = shown.size() < numerals.size(),
+                                      .size = numeral.size / text_height});
+        }
+    }
+
+    bool apart(const std::vector<Numeral>& numerals) const {
+        const auto half_size = [&](const Numeral& numeral) -> Point {
+            return 0.5 * text_size(numeral.text, numeral.size);
+        };
+        for (std::size_t index = 1; index < numerals.size(); ++index) {
+            const Point distance = (numerals[index].at - numerals[index - 1].at).cwiseAbs();
+            const Point needed = 1.2 * (half_size(numerals[index]) + half_size(numerals[index - 1]));
+            if ((distance.array() < needed.array()).all()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    BlockDrawing drawing_;
+    Figure figure_ = {};
+    Frame frame_ = {};
+    double metres_per_px_ = 1;
+    double metres_per_newton_ = 0;
+    double greatest_force_ = 0;  // N/m
+    Arrows::Shaft key_ = {};
+};
+
+}  // namespace
+
+Figure block_figure(const BlockDrawing& drawing) {
+    return BlockPicture(drawing).draw();
+}
+
+}  // namespace delabole
