@@ -70,7 +70,7 @@ JointForce<> head_force(const ColumnSlope<>& slope, const ColumnStrength<>& stre
 
 // Factor by which all friction (as tangents) and cohesion, those of the wedge above too, have to be divided for
 // limiting equilibrium. Found outwards from the given strength, the nearest change from standing to failing, to a few
-// units in the last place of the factor as far as the margin resolves it. Some 15 evaluations of the recursion.
+// units in the last place of the factor as far as the margin resolves it. 15 to 60 evaluations of the recursion.
 //
 // Strength divided, the margin changes sign once, except near where the tangents of the joints' and the bases' friction
 // at the limit have a product of 1: the forces have a pole there, a slope may stand and fail several times within a few
