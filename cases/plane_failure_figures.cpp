@@ -1,5 +1,6 @@
 #include "cases/plane_failure_figures.hpp"
 
+#include "cases/sensitivity_step.hpp"
 #include "fitting/words.hpp"
 #include "plane_failure/critical.hpp"
 #include "plane_failure/water_diagram.hpp"
@@ -57,29 +58,6 @@ Polyline failure_locus(const PlaneFailureResult& result) {
         locus.emplace_back(friction_angle, cohesion);
     }
     return locus;
-}
-
-struct Step {
-    double size;  // SI
-    std::string words;
-};
-
-// Lengths and stresses are compared with the slope and not with themselves: 5 % of an elevation, or of no cohesion,
-// says nothing.
-Step step_of(const Sensitivity& input, double height, double overburden) {
-    const auto step = [&](double size) { return Step{size, "+" + value_in_words(size, input.dimension)}; };
-    switch (input.dimension) {
-    case Dimension::angle:
-        return step(degrees(1));
-    case Dimension::ratio:
-        return step(0.05);
-    case Dimension::length:
-        return step(0.02 * height);
-    case Dimension::stress:
-        return step(0.02 * overburden);
-    default:
-        return {0.02 * std::abs(input.value), "+2 %"};
-    }
 }
 
 double least_factor(PlaneFailure<> problem, const CriticalSearch<>& this_plane, CriticalFeature find) {
@@ -176,7 +154,7 @@ std::vector<SensitivityBar> sensitivity_bars(const PlaneFailure<>& problem) {
     const double overburden = problem.rock.unit_weight * height;
     std::vector<SensitivityBar> bars;
     for (const Sensitivity& input : sensitivities(problem).derivatives) {
-        const Step step = step_of(input, height, overburden);
+        const SensitivityStep step = sensitivity_step(input.dimension, input.value, height, overburden);
         const double effect = input.derivative * step.size;
         if (effect != 0) {
             bars.push_back({input.parameter, step.words, effect});

@@ -38,6 +38,7 @@ struct ReproductionChapter {
 };
 
 ReproductionChapter chapter_2();
+ReproductionChapter appendix_a_chapter();
 
 std::string statement(bool met);
 // A difference of rounding is no difference.

@@ -1,6 +1,12 @@
 // What is impossible about columns on a stepped base, and which value is to blame.
 #include "cases/model_reports.hpp"
+#include "cases/units.hpp"
+#include "limit_equilibrium/base_profile.hpp"
 #include "limit_equilibrium/stepped_base_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace delabole {
 
@@ -49,6 +55,60 @@ std::string_view in_words(ColumnCheck check) {
     return "";
 }
 
+// The first load or bolt that finds no place, and the limit that it breaks.
+struct Misplaced {
+    std::string key;
+    std::string explanation;
+};
+
+double highest_point(const ColumnScene<>& scene, const ColumnSlope<>& slope, std::size_t index) {
+    const Column<>& column = slope.columns[index];
+    double highest = 0;
+    for (const Point& point : column_outlines(scene)[index]) {
+        highest = std::max(highest, point.y() * std::cos(slope.base_dip) - point.x() * std::sin(slope.base_dip));
+    }
+    return highest - column.base_v;
+}
+
+template <class Load>
+std::optional<Misplaced> first_misplaced(ColumnScene<> scene, const ColumnSlope<>& slope, const std::string& list,
+                                         const std::vector<Load>& loads, std::vector<Load> ColumnScene<>::*member) {
+    for (std::size_t index = 0; index < loads.size(); ++index) {
+        const Load& load = loads[index];
+        scene.*member = {load};
+        if (make_columns(scene).check != ColumnCheck::load_outside_columns) {
+            continue;
+        }
+        const std::string key = list + "[" + std::to_string(index + 1) + "]";
+        const auto count = static_cast<double>(slope.columns.size());
+        if (load.block > count || load.block != std::floor(load.block)) {
+            return Misplaced{key + ".block", "there are only " + std::to_string(slope.columns.size()) + " columns"};
+        }
+        const auto number = static_cast<std::size_t>(load.block);
+        (scene.*member).clear();
+        return Misplaced{key + ".height",
+                         "lies above the top of column " + std::to_string(number) + ", which is " +
+                             readable_quantity(highest_point(scene, slope, number - 1), Dimension::length) + " high"};
+    }
+    return std::nullopt;
+}
+
+std::optional<Misplaced> first_misplaced(const SteppedBaseStudy<>& study) {
+    const ColumnScene<>& given = study.model.scene;
+    SteppedBaseStudy<> unloaded = study;
+    unloaded.model.scene.point_load.clear();
+    unloaded.model.scene.bolt.clear();
+    const ColumnScene<> bare = resolve(unloaded).problem.scene;
+    const ColumnSlope<> slope = make_columns(bare);
+    if (slope.check != ColumnCheck::valid) {
+        return std::nullopt;
+    }
+    if (auto load = first_misplaced(bare, slope, "point_load", given.point_load, &ColumnScene<>::point_load)) {
+        return load;
+    }
+    return first_misplaced(bare, slope, "bolt", given.bolt, &ColumnScene<>::bolt);
+}
+
 ColumnCheck check_of(std::string_view failure) {
     return value_of<ColumnCheck>(failure).value_or(ColumnCheck::valid);
 }
@@ -84,15 +144,11 @@ std::vector<std::string> blamed_keys(const SteppedBaseStudy<>& study, std::strin
         return {"slide_head.joint_dip"};
     case ColumnCheck::head_joint_never_surfaces:
         return {"slide_head.joint_dip"};
-    case ColumnCheck::load_outside_columns: {
-        for (std::size_t index = 0; index < study.model.scene.bolt.size(); ++index) {
-            blocks.push_back("bolt[" + std::to_string(index + 1) + "].block");
+    case ColumnCheck::load_outside_columns:
+        if (const auto misplaced = first_misplaced(study)) {
+            return {misplaced->key};
         }
-        for (std::size_t index = 0; index < study.model.scene.point_load.size(); ++index) {
-            blocks.push_back("point_load[" + std::to_string(index + 1) + "].block");
-        }
-        return blocks;
-    }
+        return {};
     case ColumnCheck::load_needs_slope:
         return {"water.kind", "columns.kind"};
     case ColumnCheck::bench_needs_continuous:
@@ -109,7 +165,12 @@ std::vector<std::string> blamed_keys(const SteppedBaseStudy<>& study, std::strin
     return {};
 }
 
-std::string explain_failure(const SteppedBaseStudy<>&, std::string_view failure, const std::string&) {
+std::string explain_failure(const SteppedBaseStudy<>& study, std::string_view failure, const std::string&) {
+    if (check_of(failure) == ColumnCheck::load_outside_columns) {
+        if (const auto misplaced = first_misplaced(study)) {
+            return misplaced->explanation;
+        }
+    }
     return std::string(in_words(check_of(failure)));
 }
 

@@ -1,5 +1,6 @@
-// Columns on a stepped base as the program reports them: answers, warnings, figures.
+// Columns on a stepped base as the program reports them: answers and warnings.
 #include "cases/model_reports.hpp"
+#include "cases/stepped_base_columns.hpp"
 #include "fitting/words.hpp"
 #include "limit_equilibrium/stepped_base_study.hpp"
 
@@ -79,13 +80,10 @@ Analysis analyse_case(const SteppedBaseStudy<>& study) {
     }
     append_outputs(analysis, result);
     append_required(analysis, resolved.problem, study);
+    append_column_outputs(analysis,
+                          column_results(make_columns(resolved.problem.scene), strength_of(resolved.problem)));
     warn(analysis, resolved.problem, result, resolved.critical_at_boundary);
     return analysis;
 }
-
-void append_case_figures(const SteppedBaseStudy<>&, const ResultFolder&, Report&) {}
-
-void append_mechanism_figures(const SteppedBaseStudy<>&, const MechanismFit&, const FitProblem&, const ResultFolder&,
-                              Report&) {}
 
 }  // namespace delabole

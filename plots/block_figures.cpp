@@ -136,8 +136,8 @@ class BlockPicture {
         add_block_labels();
         figure_.x.range = std::pair{frame_.x.lowest, frame_.x.highest};
         figure_.y.range = std::pair{frame_.y.lowest, frame_.y.highest};
-        // Title and axis take about 120 px of the height.
-        figure_.height = static_cast<int>(std::max(frame_.y.size() / metres_per_px_, 150.0)) + 120;
+        // A title of two lines and the axis take about 165 px of the height.
+        figure_.height = static_cast<int>(std::max(frame_.y.size() / metres_per_px_, 150.0)) + 165;
         return std::move(figure_);
     }
 
@@ -334,7 +334,7 @@ class BlockPicture {
     }
 
     struct Numeral {
-        std::string text;
+        const DrawnBlock* block;
         Point at;
         double size;  // px
     };
@@ -352,37 +352,48 @@ class BlockPicture {
                metres_per_px_;
     }
 
-    // The centroid, or, where an arrow or the water level runs through it, a place nearby in the block.
+    // What a text at this place hides or runs into.
+    double disturbance(const DrawnBlock& block, const Rectangle& text) const {
+        const Point around = Point::Constant(4 * metres_per_px_);  // for the heads of the arrows
+        const Rectangle wider{text.lowest - around, text.highest + around};
+        double sum = 0;
+        sum += crosses(text, closed(block.outline)) ? 3 : 0;
+        sum += crosses(text, drawing_.water) ? 2 : 0;
+        for (const DrawnForce& force : drawing_.forces) {
+            sum += crosses(text, force.at, tip(force)) ? 4 : crosses(wider, force.at, tip(force)) ? 1 : 0;
+        }
+        for (const DrawnBlock& other : drawing_.blocks) {
+            sum += crosses(text, closed(other.displaced)) ? 0.5 : 0;
+        }
+        return sum;
+    }
+
+    // The place in the block that is least disturbed, and of several such the one nearest to the centroid.
     Point place_of_label(const DrawnBlock& block, double size) const {
+        constexpr int steps = 16;
         const Point centre = centroid(block.outline);
         const Point half = 0.5 * text_size(block.label, size);
-        Polyline places{centre};
-        for (const double share : {0.25, 0.45, 0.65}) {
-            for (std::size_t index = 0; index < block.outline.size(); ++index) {
-                const Point middle = 0.5 * (block.outline[index] + block.outline[(index + 1) % block.outline.size()]);
-                places.emplace_back(centre + share * (middle - centre));
+        Frame extent;
+        extent.include(block.outline);
+        const Point lowest{extent.x.lowest, extent.y.lowest};
+        const Point diagonal{extent.x.size(), extent.y.size()};
+        Point best = centre;
+        double least = disturbance(block, {centre - half, centre + half});
+        for (int row = 1; row < steps && least > 0; ++row) {
+            for (int column = 1; column < steps; ++column) {
+                const Point place = lowest + Point(column, row).cwiseProduct(diagonal) / steps;
+                if (!inside(block.outline, place)) {
+                    continue;
+                }
+                const double badness =
+                    disturbance(block, {place - half, place + half}) + (place - centre).norm() / diagonal.norm();
+                if (badness < least) {
+                    least = badness;
+                    best = place;
+                }
             }
         }
-        // Room for the heads of the arrows.
-        const Point around = Point::Constant(4 * metres_per_px_);
-        const auto clear_of_forces = [&](const Point& place) {
-            const Rectangle text{place - half, place + half};
-            const Rectangle wider{text.lowest - around, text.highest + around};
-            return !crosses(text, closed(block.outline)) && !crosses(text, drawing_.water) &&
-                   std::none_of(drawing_.forces.begin(), drawing_.forces.end(),
-                                [&](const DrawnForce& force) { return crosses(wider, force.at, tip(force)); });
-        };
-        const auto clear_of_all = [&](const Point& place) {
-            const Rectangle text{place - half, place + half};
-            return clear_of_forces(place) &&
-                   std::none_of(drawing_.blocks.begin(), drawing_.blocks.end(),
-                                [&](const DrawnBlock& other) { return crosses(text, closed(other.displaced)); });
-        };
-        auto found = std::find_if(places.begin(), places.end(), clear_of_all);
-        if (found == places.end()) {
-            found = std::find_if(places.begin(), places.end(), clear_of_forces);
-        }
-        return found == places.end() ? centre : *found;
+        return best;
     }
 
     void add_block_labels() {
@@ -402,7 +413,7 @@ class BlockPicture {
         for (const DrawnBlock& block : drawing_.blocks) {
             if (!block.label.empty()) {
                 const double size = std::clamp(fitting_size(block), smallest_label, common);
-                numerals.push_back({block.label, place_of_label(block, size), size});
+                numerals.push_back({&block, centroid(block.outline), size});
             }
         }
         std::vector<Numeral> shown = numerals;
@@ -418,18 +429,19 @@ class BlockPicture {
                 }
             }
         }
+        const bool every = shown.size() == numerals.size();
         for (const Numeral& numeral : shown) {
-            figure_.labels.push_back({.at = numeral.at,
-                                      .text = numeral.text,
+            figure_.labels.push_back({.at = every ? place_of_label(*numeral.block, numeral.size) : numeral.at,
+                                      .text = numeral.block->label,
                                       .align = Label::Align::centre,
-                                      .boxed = shown.size() < numerals.size(),
+                                      .boxed = !every,
                                       .size = numeral.size / text_height});
         }
     }
 
     bool apart(const std::vector<Numeral>& numerals) const {
         const auto half_size = [&](const Numeral& numeral) -> Point {
-            return 0.5 * text_size(numeral.text, numeral.size);
+            return 0.5 * text_size(numeral.block->label, numeral.size);
         };
         for (std::size_t index = 1; index < numerals.size(); ++index) {
             const Point distance = (numerals[index].at - numerals[index - 1].at).cwiseAbs();

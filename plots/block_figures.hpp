@@ -52,9 +52,9 @@ struct BlockDrawing {
     double toe_elevation = 0;  // m; added to heights on the vertical axis
 };
 
-// Forces are drawn to one scale, the greatest about a seventh of the picture long; an arrow of a round force beside the
-// blocks is the key to it. The labels of the blocks shrink with the blocks; when even small ones would run into each
-// other, only the first and every second, fifth, tenth, ... is drawn.
+// Forces are drawn to one scale, the greatest about one and a half times as long as the blocks are apart; an arrow of a
+// round force beside the blocks is the key to it. A block's label shrinks with its block and keeps clear of arrows;
+// when even small labels would run into each other, every second, fifth, tenth, ... is drawn, always with the first.
 Figure block_figure(const BlockDrawing& drawing);
 
 // Interblock forces against the number of the block, N/m. Every column is empty or as long as `block`.

@@ -209,15 +209,18 @@ TEST(BlockFigure, NumbersEveryBlockOfAFewInItsBlockAndOffTheArrows) {
         EXPECT_TRUE(inside(block.outline, label->at)) << block.label;
         EXPECT_GE(19 * label->size, 11.9) << "px";
     }
-    // Block 7 has room; one of its arrows would run through its middle if the number stood there.
+    // The arrow runs through the middle of the first square.
     BlockDrawing crossed = two_squares();
-    crossed.forces = {{.at = {1, 0}, .force = {0, 1e5}}};
+    crossed.forces = {{.at = {1, 0.8}, .force = {0, 1e5}}};
     const Figure off = block_figure(crossed);
     const Arrows::Shaft shaft = with_legend<Arrows>(off, "interblock force").shafts.at(0);
+    ASSERT_GT(shaft.to.y(), 1);
     const auto first = std::find_if(off.labels.begin(), off.labels.end(),
                                     [](const Label& candidate) { return candidate.text == "1"; });
     ASSERT_NE(first, off.labels.end());
-    EXPECT_GT(std::abs(signed_distance({shaft.from, shaft.to}, first->at)), 0.01);
+    // Half the height of the digits is about 8 px, of 150 px to the metre.
+    EXPECT_GT(std::abs(signed_distance({shaft.from, shaft.to}, first->at)), 0.04);
+    EXPECT_TRUE(inside(crossed.blocks[0].outline, first->at));
 }
 
 TEST(BlockFigure, ThinsOutNumbersThatWouldTouch) {

@@ -5,13 +5,20 @@ source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 write_good_case good.toml
 write_good_fit good_fit.toml
+write_good_blocks good_blocks.toml
+write_good_columns good_columns.toml
 
 # bad WHAT SED MESSAGE: the case changed by a sed script; the message is the whole of standard error.
 bad() {
-    title "$1"
-    sed -E "$2" good.toml >case.toml
-    expect "the case was changed" refuse cmp -s good.toml case.toml
-    refused_by "$3" check run
+    bad_of good.toml "$@"
+}
+
+# bad_of FILE WHAT SED MESSAGE
+bad_of() {
+    title "$2"
+    sed -E "$3" "$1" >case.toml
+    expect "the case was changed" refuse cmp -s "$1" case.toml
+    refused_by "$4" check run
 }
 
 bad_fit() {
@@ -35,7 +42,7 @@ refused_by() {
 }
 
 title "the cases that everything below changes are in order"
-delabole check good.toml good_fit.toml
+delabole check good.toml good_fit.toml good_blocks.toml good_columns.toml
 expect_status 0
 
 bad "wrong unit" '/^height/s/12 m/12 kPa/' 'case.toml:6:10: slope.height = "12 kPa": '
@@ -73,6 +80,41 @@ bad "crack flatter than the plane" '/^\[tension_crack/,/^dip/s/90/30/' \
     'case.toml:15:7: tension_crack.dip = "30 deg": must be more than failure_plane.dip = 35 deg'
 bad "plane that never meets the ground" '/^upper_surface_dip/s/0/40/;/^\[tension_crack/,/^distance/d;s/crack_and_base/dry/;/^water_depth/d;/9\.81/d' \
     'case.toml:8:21: slope.upper_surface_dip = "40 deg": the ground behind the crest is as steep as the failure plane'
+
+# Columns on a stepped base that cannot be.
+bad_of good_columns.toml "joints that cannot topple on the base" '/^joint_dip/s/70/50/' \
+    'case.toml:12:13: columns.joint_dip = "50 deg": cannot topple on this base: bases normal to the joints dip 40 deg'
+bad_of good_columns.toml "base as steep as the face" '/^base_inclination/s/35/65/' \
+    'case.toml:14:20: columns.base_inclination = "65 deg": the base is as steep as the face or steeper'
+bad_of good_columns.toml "base steeper than the face" '/^base_inclination/s/35/70/' \
+    'case.toml:14:20: columns.base_inclination = "70 deg": the base is as steep as the face or steeper'
+bad_of good_columns.toml "base that ends above the crest" '/^base_end_height/s/25/61/' \
+    'case.toml:15:19: columns.base_end_height = "61 m": the base would end above the ground'
+bad_of good_columns.toml "base that never meets the ground" '/^base_end_height/d;/^upper_surface_dip/s/0/36/' \
+    'case.toml:14:20: columns.base_inclination = "35 deg": the ground behind the crest is as steep as the base'
+bad_of good_columns.toml "columns without a slope" '/^\[slope/,/^upper_surface_dip/d' \
+    'columns.kind = "continuous": cuts the columns out of a slope, so [slope] is required'
+bad_of good_columns.toml "too many columns" '/^spacing/s/3 m/1 um/' \
+    'case.toml:13:11: columns.spacing = "1 um": gives more than 1 000 000 columns'
+bad_of good_columns.toml "elevation of water without a datum" 's/^water_depth.*/water_elevation = "15 m"/' \
+    'case.toml:30:19: water.water_elevation = "15 m": is an elevation, so slope.toe_elevation is required too'
+bad_of good_columns.toml "negative unit weight" '/^unit_weight = "26/s/26/-26/' \
+    'case.toml:18:15: rock.unit_weight = "-26 kN/m3": must be more than 0 kN/m3'
+bad_of good_columns.toml "cable above the top of its column" '/^height = "1 m"/s/1 m/20 m/' \
+    'case.toml:36:10: bolt[1].height = "20 m": lies above the top of column 1'
+bad_of good_columns.toml "cable in a column that is not there" '/^block/s/1/40/' \
+    'case.toml:33:9: bolt[1].block = 40: there are only'
+bad_of good_blocks.toml "step higher than the block" '/^step_above = "0.6/s/0.6/3.5/' \
+    'case.toml:17:14: columns.block[2].step_above = "3.5 m": a step is higher than the block below it'
+bad_of good_blocks.toml "no blocks" '/^\[\[columns.block/,/^step_above/d' 'needs at least one [[columns.block]]'
+bad_of good_blocks.toml "weight of one block negative" '/^step_above = "0.6/s/$/\nunit_weight = "-1 kN\/m3"/' \
+    'case.toml:18:15: columns.block[2].unit_weight = "-1 kN/m3": must be more than 0 kN/m3'
+bad_of good_blocks.toml "cable in a block that is not there" '/^block = 2/s/2/4/' \
+    'case.toml:38:9: bolt[1].block = 4: there are only 3 blocks'
+bad_of good_blocks.toml "cable in half a block" '/^block = 2/s/2/2.5/' \
+    'case.toml:38:9: bolt[1].block = 2.5: must be a whole number'
+bad_of good_blocks.toml "cable above the top of its block" '/^height = "1.5 m"/s/1.5/3.5/' \
+    'case.toml:41:10: bolt[1].height = "3.5 m": lies above the top of column 2, which is 3 m high'
 
 title "what the message allows is accepted"
 sed '/^water_depth/s/3 m/4.34798 m/' good.toml >case.toml

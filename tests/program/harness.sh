@@ -175,7 +175,96 @@ water_depth = "3 m"
 CASE
 }
 
-# The same with something to back-analyse; quick.
+# Blocks on a stepped base.
+write_good_blocks() {
+    cat >"$1" <<'CASE'
+schema = 1
+model = "stepped_base"
+title = "Three blocks that are in order"
+
+[columns]
+kind = "blocks"
+joint_dip = "68 deg"
+
+[[columns.block]]
+height = "1 m"
+width = "1 m"
+step_above = "0.5 m"
+
+[[columns.block]]
+height = "3 m"
+width = "1 m"
+step_above = "0.6 m"
+
+[[columns.block]]
+height = "2 m"
+width = "1 m"
+step_above = "0.5 m"
+
+[rock]
+unit_weight = "26 kN/m3"
+
+[joints]
+friction_angle = "35 deg"
+
+[bases]
+friction_angle = "35 deg"
+cohesion = "0 kPa"
+
+[water]
+kind = "dry"
+
+[[bolt]]
+block = 2
+force = "5 kN/m"
+plunge = "0 deg"
+height = "1.5 m"
+CASE
+}
+
+# Columns cut out of a slope.
+write_good_columns() {
+    cat >"$1" <<'CASE'
+schema = 1
+model = "stepped_base"
+title = "A slope of columns that is in order"
+
+[slope]
+height = "60 m"
+face_dip = "65 deg"
+upper_surface_dip = "0 deg"
+
+[columns]
+kind = "continuous"
+joint_dip = "70 deg"
+spacing = "3 m"
+base_inclination = "35 deg"
+base_end_height = "25 m"
+
+[rock]
+unit_weight = "26 kN/m3"
+
+[joints]
+friction_angle = "35 deg"
+
+[bases]
+friction_angle = "38 deg"
+cohesion = "0 kPa"
+
+[water]
+kind = "water_table"
+unit_weight = "9.81 kN/m3"
+water_depth = "15 m"
+
+[[bolt]]
+block = 1
+force = "5 kN/m"
+plunge = "0 deg"
+height = "1 m"
+CASE
+}
+
+# The good case with something to back-analyse; quick.
 write_good_fit() {
     write_good_case "$1"
     cat >>"$1" <<'CASE'
