@@ -8,8 +8,8 @@
 //   topples about its toe corner:  P_(n-1) L = P_n (M - m w) + O
 //   slides on its base:            P_(n-1) (1 - c m) = P_n (1 - c m) + D - c N - C
 // The larger of both, and of zero, is needed: the column topples, slides or stays. With one friction angle and weight
-// alone these are eqs. 20 and 21; the printed (20) has lost its quotient bar, and both print the force of the upper
-// joint where that of the lower is meant (the thesis's program has them right).
+// alone these are eqs. 20 and 21 solved for the force below. The thesis numbers the columns from the toe, solves for
+// the force above, the most that a column can bear, and takes the smaller one: the same limiting equilibrium.
 //
 // Contact of a leaning column is at the highest point the two share, so that joints have friction but no cohesion: a
 // joint that touches at a corner has no area for it.

@@ -8,7 +8,9 @@ namespace delabole {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double widest_search = 50;  // of the logarithm: 21 decades each way
+// Of the logarithm: 11 decades each way and a last step more. What drives level bases is rounding, the cosine of 90 deg
+// being 6e-17: they must hold at any strength.
+constexpr double widest_search = 25;
 constexpr int most_iterations = 200;
 
 // Where a function changes from not positive to positive, in either direction.
@@ -259,16 +261,18 @@ std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const Colum
         const double moment = column.overturning_moment + upper.normal * upper.height - upper.shear * column.width -
                               lower * result.lower_force_height;
         result.friction_ratio = result.normal_reaction > 0 ? result.shear_reaction / result.normal_reaction : infinity;
-        result.reaction_position = result.mode == ColumnMode::topples ? 0
+        const bool unloaded = result.normal_reaction == 0 && moment == 0;  // a column of no height
+        result.reaction_position = result.mode == ColumnMode::topples || unloaded ? 0
                                    : result.normal_reaction > 0 ? -moment / (result.normal_reaction * column.width)
                                                                 : infinity;
         // Moments balance to rounding where the column just topples.
         constexpr double rounding = 1e-9;
         result.reaction_inside_base = result.reaction_position >= -rounding && result.reaction_position <= 1 + rounding;
-        result.base_friction_holds =
-            result.shear_reaction <= reduced.base_friction * result.normal_reaction +
-                                         reduced.base_cohesion * column.width +
-                                         rounding * (std::abs(column.normal_force) + std::abs(lower));
+        const double unresolved = rounding * (std::abs(column.normal_force) + std::abs(lower));
+        result.base_friction_holds = result.normal_reaction >= -unresolved &&
+                                     std::abs(result.shear_reaction) <= reduced.base_friction * result.normal_reaction +
+                                                                            reduced.base_cohesion * column.width +
+                                                                            unresolved;
     };
     const JointForce<> head = head_force(slope, strength, factor);
     JointForce<> upper = head;
@@ -319,6 +323,7 @@ SteppedBaseResult analyse(const SteppedBase<>& problem) {
         result.weight += columns[index].weight;
         result.toppling_count += columns[index].mode == ColumnMode::topples ? 1 : 0;
         result.sliding_count += columns[index].mode == ColumnMode::slides ? 1 : 0;
+        result.inadmissible_count += columns[index].base_friction_holds && columns[index].reaction_inside_base ? 0 : 1;
         result.moving_count =
             columns[index].mode != ColumnMode::stays ? static_cast<double>(index + 1) : result.moving_count;
     }

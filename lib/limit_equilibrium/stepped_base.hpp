@@ -70,7 +70,12 @@ JointForce<> head_force(const ColumnSlope<>& slope, const ColumnStrength<>& stre
 
 // Factor by which all friction (as tangents) and cohesion, those of the wedge above too, have to be divided for
 // limiting equilibrium. Found outwards from the given strength, the nearest change from standing to failing, to a few
-// units in the last place of the factor as far as the margin resolves it. Some 15 evaluations of the recursion.
+// units in the last place of the factor as far as the margin resolves it. 15 to 60 evaluations of the recursion.
+//
+// Strength divided, the margin changes sign once, except near where the tangents of the joints' and the bases' friction
+// at the limit have a product of 1: the forces have a pole there, a slope may stand and fail several times within a few
+// per cent of strength, and the search may pass a sliver. Measured: 4 in 1000 random wet slopes, none with a product
+// under 0.7 at the limit.
 Limit factor_of_safety(const ColumnSlope<>& slope, const ColumnStrength<>& strength);
 
 // The one friction angle (rad) of joints, bases and wedge for limiting equilibrium, cohesion as given; the thesis's "mu
@@ -128,7 +133,7 @@ struct ColumnResult {
     double friction_ratio;      // S / R; infinite where nothing presses on the base
     double reaction_position;   // of R, share of the width from the toe corner; 0 for a toppling column
     bool reaction_inside_base;  // no: the column would turn as well, which the recursion does not see
-    bool base_friction_holds;   // S / R within the base's friction (always so for a sliding column)
+    bool base_friction_holds;   // S within the base's strength in either direction, and R no tension
 };
 
 // From the toe up, at the strength divided by a factor.
@@ -146,6 +151,7 @@ struct SteppedBaseResult {
     double toppling_count = 0;
     double sliding_count = 0;
     double moving_count = 0;
+    double inadmissible_count = 0;
     double crack_base_distance = 0;
     double crack_base_height = 0;
     double base_inclination = 0;
@@ -172,6 +178,9 @@ struct SteppedBaseResult {
                    "columns that slide in limiting equilibrium"),
             number("moving_count", &Result::moving_count, Dimension::ratio, any_number(),
                    "number of the uppermost column that moves in limiting equilibrium, counted from the toe"),
+            number("inadmissible_count", &Result::inadmissible_count, Dimension::ratio, any_number(),
+                   "columns whose base cannot give the reaction that limiting equilibrium asks of it: tension, "
+                   "friction exceeded, or outside the base"),
             number("crack_base_distance", &Result::crack_base_distance, Dimension::length, any_number(),
                    "horizontal distance from the toe to the upper end of the base of the moving columns"),
             number("crack_base_height", &Result::crack_base_height, Dimension::length, any_number(),
