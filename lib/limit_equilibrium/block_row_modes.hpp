@@ -1,0 +1,535 @@
+// One mode of motion of a row of blocks: the tilt at which it begins, its forces, and whether it can happen. A template
+// over the scalar.
+//
+// A mode gives every block a role, from the lowest block up:
+//     S...  slide together down the plane, pushed by what stands above or by themselves
+//     F, P, B, =  turn forward, all by the same angle, each about its own toe: the toe slides forward (F), does not
+//     slide
+//           (P), slides backward (B); "=" adheres to the block below and turns as one unit with it
+//     0...  stand, the part below moves away from them
+//
+// Why this order. Blocks that turn by the same angle w keep their faces in contact; the distance of two faces is the
+// width b of the block between them, that of their toes along the plane therefore b / cos(w): toes move apart. Of two
+// neighbouring toes the lower one moves forward relative to the upper: F below P below B, one P at most. A row of N
+// has N modes F..FPB..B and N - 1 modes F..FB..B: three for two blocks (thesis eqs. 7, 10, 11), five for three, seven
+// for four, which are the counts of the lost Fig 4.9. Backward turning about a heel never occurs: thrust from above
+// acts forward, its friction passes through the heel, and for a tilt >= 0 so does gravity act against it.
+//
+// Statics. T = W sin(tilt), N = W cos(tilt), X = (a T - b N) / 2 the overturning moment about the toe, c and mu the
+// friction of base and upper interface, S the thrust in that interface at height l; a turning block rises against its
+// upper neighbour, so that the whole shear mu S acts down on it. For block i
+//     R = N + mu S - mu' S',   Q = T + S - S',   X + S l - b mu S - S' l' = 0       (primes: interface below)
+//     F:  Q =  c R:   S  (1 - c mu)  = c N - T + S' (1 - c mu')        from below
+//     B:  Q = -c R:   S' (1 + c mu') = c N + T + S  (1 + c mu)         from above
+// Summed over the turning blocks the l fall out but for the lowest, h S' where sliding blocks are pushed at their top
+// corner (Goodman & Bray's contact), none otherwise:
+//     sum X = h S' + sum b mu S
+// Every term is linear in sin and cos of the tilt: tan(tilt) in closed form for any number of unequal blocks.
+//
+// F..FB..B lacks the pivot's shear as an unknown: sum X closed with S from below is the tilt of F..FPB..B with P in the
+// lowest B's place, closed from above that with P in the highest F's place, equality of both S a third tilt, without
+// any block dimension (eqs. 11, 17). The three agree only where the two neighbouring modes with a pivot change over.
+// It is reported as over-determined, never as the answer.
+//
+// Forward sliding under thrust needs 1 - c mu > 0, phi + psi < 90 deg: beyond that the thrust with its friction lies
+// within the friction cone of the base and no thrust can move the block ("locked").
+//
+// Between blocks that slide together nothing slips; their interfaces are taken as smooth. With one pushed block or the
+// same friction under all of them this choice does not affect the tilt.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace delabole {
+
+enum class RowModeCheck {
+    admissible,
+    no_tilt,                   // no tilt below 90 deg satisfies the equation
+    locked,                    // phi + psi >= 90 deg where a block would be pushed forward
+    over_determined,           // one unknown too few
+    tension,                   // between blocks
+    base_lifts,                // the plane would have to pull
+    pivot_slips,               // the pivot's shear exceeds its friction
+    thrust_outside_interface,  // the point of application lies below or above the contact
+    sliding_block_overturns,   // no reaction within the base of a block that slides
+    adhering_blocks_slip,
+    blocked_by_standing_block,  // the heel of the uppermost turning block runs into its neighbour
+    standing_blocks_fail,       // the part that is to stand fails first
+};
+
+constexpr std::array<std::string_view, 12> enum_names(RowModeCheck) {
+    return {"admissible",
+            "no_tilt",
+            "locked",
+            "over_determined",
+            "tension",
+            "base_lifts",
+            "pivot_slips",
+            "thrust_outside_interface",
+            "sliding_block_overturns",
+            "adhering_blocks_slip",
+            "blocked_by_standing_block",
+            "standing_blocks_fail"};
+}
+
+// Roles as letters, one per block, the lowest first: "SFPB0".
+namespace row_role {
+inline constexpr char slides = 'S';
+inline constexpr char forward = 'F';
+inline constexpr char pivot = 'P';
+inline constexpr char backward = 'B';
+inline constexpr char adheres = '=';
+inline constexpr char stands = '0';
+}  // namespace row_role
+
+template <class T>
+struct RowMember {
+    T height;
+    T width;
+    T weight;
+    T base_friction;       // tangents
+    T interface_friction;  // with the block above
+    T contact;             // height of the contact with the block above
+};
+
+// The forces on one block, per metre run.
+template <class T>
+struct MemberForces {
+    T thrust;         // S, in the interface above
+    T thrust_moment;  // S l
+    T shear;          // in that interface, down on this block
+    T normal_force;   // R, of the plane
+    T base_shear;     // Q, of the plane, up-dip positive
+    T base_moment;    // R times its distance from the toe
+};
+
+template <class T>
+struct RowMode {
+    RowModeCheck check = RowModeCheck::no_tilt;
+    T tangent{};         // of the tilt; 0 where there is none
+    T second_tangent{};  // over-determined modes: of the tilt at which both thrusts agree, 0 where there is none
+    std::vector<MemberForces<T>> forces{};  // at `tangent`, blocks of the (sub-)row; empty without a tilt
+};
+
+// Evaluates modes of the blocks from `first` on; keeps its working space between calls.
+template <class T>
+class RowModeSolver {
+  public:
+    explicit RowModeSolver(std::vector<RowMember<T>> members) : members_(std::move(members)) {}
+
+    const std::vector<RowMember<T>>& members() const { return members_; }
+
+    // Tilt alone: `check` is no_tilt, locked, over_determined or admissible, there are no forces. Roles in the order
+    // S* (F* P? B* with "=") 0*, as many as there are blocks from `first` on, not all standing.
+    RowMode<T> close(std::string_view roles, std::size_t first) {
+        divide(roles, first);
+        return units_.empty() ? close_sliding() : close_turning();
+    }
+
+    // Tilt, forces and every check but that of the standing part.
+    RowMode<T> solve(std::string_view roles, std::size_t first) {
+        RowMode<T> mode = close(roles, first);
+        if (mode.check == RowModeCheck::admissible) {
+            complete(mode);
+        }
+        return mode;
+    }
+
+    // The checks of a mode that has been closed last.
+    void complete(RowMode<T>& mode) {
+        using std::sqrt;
+        cosine_ = 1 / T(sqrt(T(1 + mode.tangent * mode.tangent)));
+        sine_ = mode.tangent * cosine_;
+        mode.forces.assign(slides_ + turns_ + stands_, MemberForces<T>{});
+        turning_forces(mode);
+        sliding_forces(mode);
+        standing_forces(mode);
+        mode.check = statics(mode);
+        if (mode.check == RowModeCheck::admissible && heel_is_blocked()) {
+            mode.check = RowModeCheck::blocked_by_standing_block;
+        }
+    }
+
+  private:
+    // sine sin(tilt) + cosine cos(tilt)
+    struct Swing {
+        T sine{};
+        T cosine{};
+    };
+
+    // Blocks that turn as one.
+    struct Unit {
+        std::size_t begin;  // members
+        std::size_t end;
+        char role;
+        T weight;
+        T width;
+        T height_moment;  // sum of W a / 2
+        T width_moment;   // sum of W times distance from the unit's toe
+        T base_friction;
+        T interface_friction;  // above
+        T contact;
+        Swing thrust;  // above
+    };
+
+    static T at_least_zero(const T& value) { return value > 0 ? value : T(0); }
+    T at(const Swing& swing) const { return T(swing.sine * sine_ + swing.cosine * cosine_); }
+
+    void divide(std::string_view roles, std::size_t first) {
+        first_ = first;
+        slides_ = 0;
+        units_.clear();
+        std::size_t index = 0;
+        for (; index < roles.size() && roles[index] == row_role::slides; ++index) {
+            ++slides_;
+        }
+        for (; index < roles.size() && roles[index] != row_role::stands; ++index) {
+            const RowMember<T>& member = members_[first + index];
+            if (roles[index] != row_role::adheres) {
+                units_.push_back({first + index, first + index, roles[index], T(0), T(0), T(0), T(0),
+                                  member.base_friction, T(0), T(0), Swing{}});
+            }
+            Unit& unit = units_.back();
+            unit.height_moment += member.weight * member.height / 2;
+            unit.width_moment += member.weight * (unit.width + member.width / 2);
+            unit.weight += member.weight;
+            unit.width += member.width;
+            unit.interface_friction = member.interface_friction;
+            unit.contact = member.contact;
+            unit.end = first + index + 1;
+        }
+        turns_ = index - slides_;
+        stands_ = roles.size() - index;
+    }
+
+    RowMode<T> close_sliding() {
+        pushed_ = Swing{};
+        pushed_height_ = 0;
+        T weight{};
+        T resistance{};
+        for (std::size_t index = first_; index < first_ + slides_; ++index) {
+            weight += members_[index].weight;
+            resistance += members_[index].weight * members_[index].base_friction;
+        }
+        return {RowModeCheck::admissible, T(resistance / weight), T(0), {}};
+    }
+
+    static bool set_tangent(const T& numerator, const T& denominator, T& tangent) {
+        const bool exists = denominator > 0 && numerator >= 0;
+        tangent = exists ? T(numerator / denominator) : T(0);
+        return exists;
+    }
+
+    RowMode<T> close_turning() {
+        RowMode<T> mode;
+        std::size_t pivot = 0;  // the unit whose shear is free; in an over-determined mode the lowest B
+        while (units_[pivot].role == row_role::forward && pivot + 1 < units_.size()) {
+            ++pivot;
+        }
+        const bool over_determined = units_[pivot].role != row_role::pivot;
+        if (!thrusts_from_below(pivot)) {
+            mode.check = RowModeCheck::locked;
+            return mode;
+        }
+        thrusts_from_above(pivot);
+        const bool exists = set_tangent(restoring(), overturning(), mode.tangent);
+        if (over_determined && pivot > 0) {
+            const Swing below = units_[pivot - 1].thrust;
+            thrusts_from_above(pivot - 1);
+            const Swing above = units_[pivot - 1].thrust;
+            set_tangent(T(below.cosine - above.cosine), T(above.sine - below.sine), mode.second_tangent);
+            mode.check = RowModeCheck::over_determined;
+        } else {
+            mode.check = exists ? RowModeCheck::admissible : RowModeCheck::no_tilt;
+        }
+        return mode;
+    }
+
+    // False where a block is locked.
+    bool thrusts_from_below(std::size_t pivot) {
+        pushed_ = Swing{};
+        T friction_below{};
+        pushed_height_ = 0;
+        if (slides_ > 0) {
+            for (std::size_t index = first_; index < first_ + slides_; ++index) {
+                pushed_.cosine += members_[index].weight * members_[index].base_friction;
+                pushed_.sine -= members_[index].weight;
+            }
+            const RowMember<T>& last = members_[first_ + slides_ - 1];
+            const T mobility = 1 - last.base_friction * last.interface_friction;
+            if (!(mobility > 0)) {
+                return false;
+            }
+            pushed_ = {T(pushed_.sine / mobility), T(pushed_.cosine / mobility)};
+            pushed_height_ = last.contact;
+            friction_below = last.interface_friction;
+        }
+        Swing below = pushed_;
+        for (std::size_t index = 0; index < pivot; ++index) {
+            Unit& unit = units_[index];
+            const T mobility = 1 - unit.base_friction * unit.interface_friction;
+            if (!(mobility > 0)) {
+                return false;
+            }
+            const T passed = 1 - unit.base_friction * friction_below;
+            unit.thrust.sine = (below.sine * passed - unit.weight) / mobility;
+            unit.thrust.cosine = (below.cosine * passed + unit.base_friction * unit.weight) / mobility;
+            below = unit.thrust;
+            friction_below = unit.interface_friction;
+        }
+        return true;
+    }
+
+    void thrusts_from_above(std::size_t pivot) {
+        units_.back().thrust = Swing{};
+        for (std::size_t index = units_.size() - 1; index > pivot; --index) {
+            const Unit& unit = units_[index];
+            Unit& below = units_[index - 1];
+            const T passed = 1 + unit.base_friction * unit.interface_friction;
+            const T mobility = 1 + unit.base_friction * below.interface_friction;
+            below.thrust.sine = (unit.thrust.sine * passed + unit.weight) / mobility;
+            below.thrust.cosine = (unit.thrust.cosine * passed + unit.base_friction * unit.weight) / mobility;
+        }
+    }
+
+    // sum X - h S' - sum b mu S = overturning sin - restoring cos
+    T overturning() const {
+        T sum = -pushed_height_ * pushed_.sine;
+        for (const Unit& unit : units_) {
+            sum += unit.height_moment - unit.width * unit.interface_friction * unit.thrust.sine;
+        }
+        return sum;
+    }
+    T restoring() const {
+        T sum = pushed_height_ * pushed_.cosine;
+        for (const Unit& unit : units_) {
+            sum += unit.width_moment + unit.width * unit.interface_friction * unit.thrust.cosine;
+        }
+        return sum;
+    }
+
+    void turning_forces(RowMode<T>& mode) const {
+        if (units_.empty()) {
+            return;
+        }
+        const T pushed = at(pushed_);
+        T thrust_below = pushed;
+        T shear_below = slides_ > 0 ? T(members_[first_ + slides_ - 1].interface_friction * pushed) : T(0);
+        T moment_below = pushed_height_ * pushed;
+        for (const Unit& unit : units_) {
+            const bool last = &unit == &units_.back();
+            const T thrust = last ? T(0) : at(unit.thrust);
+            const T shear = unit.interface_friction * thrust;
+            const T overturning_moment = unit.height_moment * sine_ - unit.width_moment * cosine_;
+            // The uppermost moment is zero by the closing, but for rounding.
+            const T moment = last ? T(0) : T(moment_below - overturning_moment + unit.width * shear);
+            MemberForces<T>& leader = mode.forces[unit.begin - first_];
+            leader.normal_force = unit.weight * cosine_ + shear - shear_below;
+            leader.base_shear = unit.weight * sine_ + thrust - thrust_below;
+            MemberForces<T>& top = mode.forces[unit.end - 1 - first_];
+            top.thrust = thrust;
+            top.thrust_moment = moment;
+            top.shear = shear;
+            hang(mode, unit);
+            thrust_below = thrust;
+            shear_below = shear;
+            moment_below = moment;
+        }
+    }
+
+    // Within a unit the upper blocks have left the plane and hang on the lower ones.
+    void hang(RowMode<T>& mode, const Unit& unit) const {
+        for (std::size_t index = unit.end - 1; index > unit.begin; --index) {
+            const RowMember<T>& member = members_[index];
+            const MemberForces<T>& above = mode.forces[index - first_];
+            MemberForces<T>& below = mode.forces[index - 1 - first_];
+            below.thrust = above.thrust + member.weight * sine_;
+            below.shear = above.shear + member.weight * cosine_;
+            below.thrust_moment = above.thrust_moment - member.width * above.shear + own_moment(member);
+        }
+    }
+
+    T own_moment(const RowMember<T>& member) const {
+        return T(member.weight * (member.height * sine_ - member.width * cosine_) / 2);
+    }
+
+    // Thrust moments among sliding blocks are free within limits; lowest_ and highest_ are those limits, the moment
+    // handed down from above picks the values nearest to a thrust at mid-height.
+    void sliding_forces(RowMode<T>& mode) {
+        sliding_stands_ = true;
+        if (slides_ == 0) {
+            return;
+        }
+        const T pushed = units_.empty() ? T(0) : at(pushed_);
+        T thrust{};
+        for (std::size_t index = 0; index < slides_; ++index) {
+            const RowMember<T>& member = members_[first_ + index];
+            const bool last = index + 1 == slides_;
+            MemberForces<T>& forces = mode.forces[index];
+            const T thrust_below = thrust;
+            forces.thrust = thrust_below + member.weight * (member.base_friction * cosine_ - sine_);
+            if (last) {
+                forces.thrust = pushed;
+                forces.shear = member.interface_friction * pushed;
+            }
+            thrust = forces.thrust;
+            forces.normal_force = member.weight * cosine_ + forces.shear;
+            forces.base_shear = member.weight * sine_ + forces.thrust - thrust_below;
+        }
+        place_reactions(mode, T(pushed_height_ * pushed));
+    }
+
+    void place_reactions(RowMode<T>& mode, const T& handed_down) {
+        lowest_.assign(slides_ + 1, T(0));
+        highest_.assign(slides_ + 1, T(0));
+        const T slack = tolerance(mode);
+        // From the reaction within the base: its moment about the toe is between 0 and R b.
+        const auto balance = [&](std::size_t index) {
+            const RowMember<T>& member = members_[first_ + index];
+            return T(member.width * mode.forces[index].shear - own_moment(member));
+        };
+        for (std::size_t index = 0; index < slides_; ++index) {
+            const RowMember<T>& member = members_[first_ + index];
+            const MemberForces<T>& forces = mode.forces[index];
+            lowest_[index + 1] = lowest_[index] + balance(index) - forces.normal_force * member.width;
+            highest_[index + 1] = highest_[index] + balance(index);
+            if (index + 1 < slides_) {
+                const T top = at_least_zero(T(forces.thrust * member.contact));
+                lowest_[index + 1] = std::max(lowest_[index + 1], T(0));
+                highest_[index + 1] = std::min(highest_[index + 1], top);
+            }
+            const T length = member.width + member.height;
+            if (lowest_[index + 1] > highest_[index + 1] + slack * length) {
+                sliding_stands_ = false;
+                return;
+            }
+        }
+        const RowMember<T>& upper = members_[first_ + slides_ - 1];
+        const T length = upper.width + upper.height;
+        sliding_stands_ =
+            handed_down >= lowest_[slides_] - slack * length && handed_down <= highest_[slides_] + slack * length;
+        T moment = handed_down;
+        for (std::size_t index = slides_; index-- > 0;) {
+            const RowMember<T>& member = members_[first_ + index];
+            MemberForces<T>& forces = mode.forces[index];
+            forces.thrust_moment = moment;
+            // base_moment = balance - moment + moment below, within [0, R b]
+            const T least = std::max(T(moment - balance(index)), lowest_[index]);
+            const T most = std::min(T(moment - balance(index) + forces.normal_force * member.width), highest_[index]);
+            T below{};
+            if (index > 0) {
+                const T middle = mode.forces[index - 1].thrust * members_[first_ + index - 1].contact / 2;
+                below = std::min(std::max(middle, least), most);
+            }
+            forces.base_moment = balance(index) - moment + below;
+            moment = below;
+        }
+    }
+
+    // As if each stood alone: what passes between standing blocks is not determined.
+    void standing_forces(RowMode<T>& mode) const {
+        for (std::size_t index = slides_ + turns_; index < mode.forces.size(); ++index) {
+            const RowMember<T>& member = members_[first_ + index];
+            MemberForces<T>& forces = mode.forces[index];
+            forces.normal_force = member.weight * cosine_;
+            forces.base_shear = member.weight * sine_;
+            forces.base_moment = -own_moment(member);
+        }
+    }
+
+    // Forces below this count as zero: each is a chain of a few operations per block on sums up to the largest force.
+    T tolerance(const RowMode<T>& mode) const {
+        T largest{};
+        for (const MemberForces<T>& forces : mode.forces) {
+            largest = std::max({largest, T(forces.normal_force < 0 ? -forces.normal_force : forces.normal_force),
+                                T(forces.thrust < 0 ? -forces.thrust : forces.thrust)});
+        }
+        return T(largest * static_cast<double>(16 * (16 + mode.forces.size())) * std::numeric_limits<T>::epsilon());
+    }
+
+    RowModeCheck statics(const RowMode<T>& mode) const {
+        const T slack = tolerance(mode);
+        for (std::size_t index = 0; index < slides_ + turns_; ++index) {
+            if (mode.forces[index].thrust < -slack) {
+                return RowModeCheck::tension;
+            }
+            if (mode.forces[index].normal_force < -slack) {
+                return RowModeCheck::base_lifts;
+            }
+        }
+        if (!sliding_stands_) {
+            return RowModeCheck::sliding_block_overturns;
+        }
+        for (const Unit& unit : units_) {
+            const RowModeCheck check = unit_statics(mode, unit, slack);
+            if (check != RowModeCheck::admissible) {
+                return check;
+            }
+        }
+        return RowModeCheck::admissible;
+    }
+
+    RowModeCheck unit_statics(const RowMode<T>& mode, const Unit& unit, const T& slack) const {
+        const MemberForces<T>& leader = mode.forces[unit.begin - first_];
+        if (unit.role == row_role::pivot) {
+            const T friction = unit.base_friction * leader.normal_force;
+            const T shear = leader.base_shear < 0 ? T(-leader.base_shear) : leader.base_shear;
+            if (shear > friction + slack * (1 + unit.base_friction)) {
+                return RowModeCheck::pivot_slips;
+            }
+        }
+        for (std::size_t index = unit.begin; index < unit.end; ++index) {
+            const RowMember<T>& member = members_[index];
+            const MemberForces<T>& forces = mode.forces[index - first_];
+            if (index + 1 < unit.end &&
+                forces.shear > member.interface_friction * forces.thrust + slack * (1 + member.interface_friction)) {
+                return RowModeCheck::adhering_blocks_slip;
+            }
+            const T margin = slack * (member.height + (1 + member.interface_friction) * unit.width);
+            if (forces.thrust_moment < -margin || forces.thrust_moment > forces.thrust * member.contact + margin) {
+                return RowModeCheck::thrust_outside_interface;
+            }
+        }
+        return RowModeCheck::admissible;
+    }
+
+    // The uppermost heel: its toe moves backward by the sum of (1 / cos w - 1) b over the units from the pivot up to
+    // the one below it, the heel itself comes forward by (1 - cos w) b. To second order in w the sums of b decide.
+    bool heel_is_blocked() const {
+        if (stands_ == 0 || units_.empty()) {
+            return false;
+        }
+        T pushed_back{};
+        for (std::size_t index = units_.size() - 1; index-- > 0;) {
+            if (units_[index].role == row_role::forward) {
+                break;
+            }
+            pushed_back += units_[index].width;
+        }
+        return pushed_back > units_.back().width;
+    }
+
+    std::vector<RowMember<T>> members_;
+    std::size_t first_ = 0;
+    std::size_t slides_ = 0;
+    std::size_t turns_ = 0;
+    std::size_t stands_ = 0;
+    std::vector<Unit> units_;
+    Swing pushed_;       // thrust on the highest sliding block
+    T pushed_height_{};  // where it acts
+    T sine_{};
+    T cosine_{};
+    bool sliding_stands_ = true;
+    std::vector<T> lowest_;
+    std::vector<T> highest_;
+};
+
+}  // namespace delabole

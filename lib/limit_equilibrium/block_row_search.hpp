@@ -1,0 +1,315 @@
+// Which mode of a row of blocks governs: the admissible one that begins at the least tilt. A template over the scalar.
+//
+// Two answers. Free: parts may move away from what stands above them, as the lowest block alone does; needs no more
+// than that the rest stands without its support. In contact: the whole row moves together, as the thesis assumes. A
+// row of equal blocks has its lowest block at the limit at tan(tilt) = b / a, whatever the number and the friction;
+// beyond that its blocks hold one another only if they were pressed together, up to the limit in contact.
+//
+// Up to `exact_row_limit` blocks every mode is examined: lower parts that slide, turning groups in every pattern,
+// upper parts that stand, and blocks that adhere (any grouping up to `adhering_row_limit` blocks, beyond it the whole
+// row as one); whether an upper part stands is decided by the same search. Time O(N^5), 16 blocks take milliseconds.
+// Longer rows get a bounded search, linear in N: the lowest block alone, the sliding part of least resistance, the
+// whole row sliding, and the turning group found by bisection on the tilt, above it blocks each of which stands by
+// itself. Its answer is a true mode with every check made; with base friction that varies, or where standing blocks
+// need one another, a lower one may escape it.
+#pragma once
+
+#include "limit_equilibrium/block_row_modes.hpp"
+
+#include <optional>
+
+namespace delabole {
+
+inline constexpr std::size_t exact_row_limit = 16;
+inline constexpr std::size_t adhering_row_limit = 4;
+
+// Calls visit(roles) for every mode of `count` blocks, at most exact_row_limit.
+template <class Visitor>
+void for_each_row_mode(std::size_t count, Visitor&& visit) {
+    std::string roles(count, row_role::stands);
+    // Bit i of `joined`: turning block i + 1 adheres to turning block i.
+    const auto visit_patterns = [&](std::size_t slides, std::size_t turns, unsigned joined) {
+        std::size_t leaders = 0;
+        std::array<std::size_t, exact_row_limit> leader{};
+        for (std::size_t index = 0; index < turns; ++index) {
+            const bool adheres = index > 0 && (joined >> (index - 1) & 1U) != 0;
+            roles[slides + index] = row_role::adheres;
+            if (!adheres) {
+                leader[leaders++] = slides + index;
+            }
+        }
+        for (std::size_t forward = 0; forward < leaders; ++forward) {
+            for (std::size_t index = 0; index < leaders; ++index) {
+                roles[leader[index]] = index < forward    ? row_role::forward
+                                       : index == forward ? row_role::pivot
+                                                          : row_role::backward;
+            }
+            visit(std::string_view(roles));
+            if (forward > 0) {
+                roles[leader[forward]] = row_role::backward;
+                visit(std::string_view(roles));
+            }
+        }
+    };
+    for (std::size_t slides = 0; slides <= count; ++slides) {
+        for (std::size_t turns = 0; slides + turns <= count; ++turns) {
+            std::fill(roles.begin(), roles.end(), row_role::stands);
+            std::fill_n(roles.begin(), slides, row_role::slides);
+            if (turns == 0) {
+                if (slides > 0) {
+                    visit(std::string_view(roles));
+                }
+                continue;
+            }
+            const unsigned all_joined = (1U << (turns - 1)) - 1;
+            for (unsigned joined = 0; joined <= all_joined; ++joined) {
+                if (count <= adhering_row_limit || joined == 0 || (joined == all_joined && turns == count)) {
+                    visit_patterns(slides, turns, joined);
+                } else if (turns == count) {
+                    joined = all_joined - 1;
+                } else {
+                    break;
+                }
+            }
+        }
+    }
+}
+
+template <class T>
+struct NamedRowMode {
+    std::string roles;
+    RowMode<T> mode;
+};
+
+template <class T>
+struct RowSearchResult {
+    bool exact = true;
+    std::vector<NamedRowMode<T>> modes{};  // all that were examined
+    std::optional<std::size_t> least{};    // index of the admissible mode of least tilt; absent: none is admissible
+    std::optional<std::size_t> least_in_contact{};
+};
+
+template <class T>
+class RowSearch {
+  public:
+    explicit RowSearch(std::vector<RowMember<T>> members) : solver_(std::move(members)) {}
+
+    RowSearchResult<T> search() {
+        result_ = {};
+        result_.exact = count() <= exact_row_limit;
+        if (result_.exact) {
+            examine_all();
+        } else {
+            examine_some();
+        }
+        return std::move(result_);
+    }
+
+  private:
+    std::size_t count() const { return solver_.members().size(); }
+    const RowMember<T>& member(std::size_t index) const { return solver_.members()[index]; }
+
+    bool stands_above(std::string_view roles, std::size_t first, const T& tangent) const {
+        const std::size_t moving = roles.find(row_role::stands);
+        if (moving == std::string_view::npos) {
+            return true;
+        }
+        const std::optional<T>& limit = standing_limit_[first + moving];
+        // Equal blocks reach their limits together; the margin is rounding.
+        return !limit || tangent <= *limit * (1 + 64 * std::numeric_limits<T>::epsilon());
+    }
+
+    void keep(std::string_view roles, RowMode<T> mode) {
+        if (mode.check == RowModeCheck::admissible && !stands_above(roles, 0, mode.tangent)) {
+            mode.check = RowModeCheck::standing_blocks_fail;
+        }
+        const std::size_t index = result_.modes.size();
+        const auto improve = [&](std::optional<std::size_t>& least) {
+            if (!least || mode.tangent < result_.modes[*least].mode.tangent) {
+                least = index;
+            }
+        };
+        if (mode.check == RowModeCheck::admissible) {
+            improve(result_.least);
+            if (roles.back() != row_role::stands) {
+                improve(result_.least_in_contact);
+            }
+        }
+        result_.modes.push_back({std::string(roles), std::move(mode)});
+    }
+
+    // Tangent of the tilt up to which the blocks from `first` on stand without support.
+    std::optional<T> limit_of_upper_part(std::size_t first) {
+        std::optional<T> least;
+        for_each_row_mode(count() - first, [&](std::string_view roles) {
+            RowMode<T> mode = solver_.close(roles, first);
+            if (mode.check != RowModeCheck::admissible || (least && mode.tangent >= *least) ||
+                !stands_above(roles, first, mode.tangent)) {
+                return;
+            }
+            solver_.complete(mode);
+            if (mode.check == RowModeCheck::admissible) {
+                least = mode.tangent;
+            }
+        });
+        return least;
+    }
+
+    void examine_all() {
+        standing_limit_.assign(count() + 1, std::nullopt);
+        for (std::size_t first = count(); first-- > 1;) {
+            standing_limit_[first] = limit_of_upper_part(first);
+        }
+        for_each_row_mode(count(), [&](std::string_view roles) { keep(roles, solver_.solve(roles, 0)); });
+    }
+
+    static T limit_alone(const RowMember<T>& block) {
+        return std::min(T(block.width / block.height), block.base_friction);
+    }
+
+    void examine_some() {
+        standing_limit_.assign(count() + 1, std::nullopt);
+        for (std::size_t first = count(); first-- > 0;) {
+            const T alone = limit_alone(member(first));
+            const std::optional<T>& above = standing_limit_[first + 1];
+            standing_limit_[first] = above ? std::min(alone, *above) : alone;
+        }
+        std::string roles(count(), row_role::stands);
+        roles[0] = row_role::pivot;
+        keep(roles, solver_.solve(roles, 0));
+        examine_sliding();
+        examine_turning(false);
+        examine_turning(true);
+    }
+
+    void examine_sliding() {
+        std::size_t best = 1;
+        T least{};
+        T weight{};
+        T resistance{};
+        for (std::size_t index = 0; index < count(); ++index) {
+            weight += member(index).weight;
+            resistance += member(index).weight * member(index).base_friction;
+            if (index == 0 || resistance / weight < least) {
+                least = resistance / weight;
+                best = index + 1;
+            }
+        }
+        std::string roles(count(), row_role::stands);
+        std::fill_n(roles.begin(), best, row_role::slides);
+        keep(roles, solver_.solve(roles, 0));
+        if (best < count()) {
+            roles.assign(count(), row_role::slides);
+            keep(roles, solver_.solve(roles, 0));
+        }
+    }
+
+    // The turning group that governs at a tilt.
+    struct Group {
+        T excess{};             // of overturning over resisting moment; positive: fails
+        std::size_t first = 0;  // lowest turning block
+        std::size_t pivot = 0;
+        std::size_t end = 0;  // past the highest turning block; 0: none turns
+    };
+
+    Group group_at(const T& tilt, bool whole) {
+        using std::cos;
+        using std::sin;
+        const T sine = sin(tilt);
+        const T cosine = cos(tilt);
+        Group group;
+        group.end = count();
+        while (!whole && group.end > 0 && sine <= cosine * limit_alone(member(group.end - 1))) {
+            --group.end;
+        }
+        if (group.end == 0) {
+            return group;
+        }
+        const std::size_t changeover = thrusts_at(sine, cosine, group.end);
+        // Downwards, one more turning block at a time.
+        T turning{};
+        bool any = false;
+        for (std::size_t first = group.end; first-- > 0;) {
+            const RowMember<T>& block = member(first);
+            turning += block.weight * (block.height * sine - block.width * cosine) / 2;
+            if (first + 1 < group.end) {
+                turning -= block.width * block.interface_friction * thrust_[first];
+            }
+            // From the changeover on, blocks slide backward under a thrust too small to push them forward.
+            if (first > changeover) {
+                continue;
+            }
+            const T excess = first == 0 ? turning : T(turning - member(first - 1).contact * thrust_[first - 1]);
+            if (!any || excess > group.excess) {
+                any = true;
+                group.excess = excess;
+                group.first = first;
+                group.pivot = changeover;
+            }
+        }
+        return group;
+    }
+
+    // The lesser of the thrusts from below and from above at every interface; returns the block where they change over.
+    std::size_t thrusts_at(const T& sine, const T& cosine, std::size_t end) {
+        thrust_.assign(end, T(0));
+        T above{};
+        T friction_above{};
+        for (std::size_t index = end - 1; index > 0; --index) {
+            const RowMember<T>& block = member(index);
+            above = (block.weight * (sine + block.base_friction * cosine) +
+                     above * (1 + block.base_friction * friction_above)) /
+                    (1 + block.base_friction * member(index - 1).interface_friction);
+            friction_above = member(index - 1).interface_friction;
+            thrust_[index - 1] = above;
+        }
+        T below{};
+        T friction_below{};
+        for (std::size_t index = 0; index + 1 < end; ++index) {
+            const RowMember<T>& block = member(index);
+            const T mobility = 1 - block.base_friction * block.interface_friction;
+            if (!(mobility > 0)) {
+                return index;  // locked
+            }
+            below = (block.weight * (block.base_friction * cosine - sine) +
+                     below * (1 - block.base_friction * friction_below)) /
+                    mobility;
+            friction_below = block.interface_friction;
+            if (below >= thrust_[index]) {
+                return index;
+            }
+            thrust_[index] = below;
+        }
+        return end - 1;
+    }
+
+    void examine_turning(bool whole) {
+        using std::atan;
+        T low{};
+        T high = 2 * T(atan(T(1)));
+        if (!(group_at(high, whole).excess > 0)) {
+            return;
+        }
+        // To a half of the last place; the closed form gives the tilt itself.
+        for (int digit = 0; digit < std::numeric_limits<T>::digits; ++digit) {
+            const T middle = (low + high) / 2;
+            (group_at(middle, whole).excess > 0 ? high : low) = middle;
+        }
+        const Group group = group_at(high, whole);
+        std::string roles(count(), row_role::stands);
+        for (std::size_t index = 0; index < group.end; ++index) {
+            roles[index] = index < group.first    ? row_role::slides
+                           : index < group.pivot  ? row_role::forward
+                           : index == group.pivot ? row_role::pivot
+                                                  : row_role::backward;
+        }
+        keep(roles, solver_.solve(roles, 0));
+    }
+
+    RowModeSolver<T> solver_;
+    RowSearchResult<T> result_;
+    std::vector<std::optional<T>> standing_limit_;  // absent: no limit known
+    std::vector<T> thrust_;
+};
+
+}  // namespace delabole
