@@ -88,6 +88,7 @@ inline constexpr char pivot = 'P';
 inline constexpr char backward = 'B';
 inline constexpr char adheres = '=';
 inline constexpr char stands = '0';
+inline constexpr char retreats = 'R';
 }  // namespace row_role
 
 template <class T>
@@ -114,8 +115,9 @@ struct MemberForces {
 template <class T>
 struct RowMode {
     RowModeCheck check = RowModeCheck::no_tilt;
-    T tangent{};         // of the tilt; 0 where there is none
-    T second_tangent{};  // over-determined modes: of the tilt at which both thrusts agree, 0 where there is none
+    bool pressed = false;  // no motion but the limit of what pressing the blocks together can hold
+    T tangent{};           // of the tilt; 0 where there is none
+    T second_tangent{};    // over-determined modes: of the tilt at which both thrusts agree, 0 where there is none
     std::vector<MemberForces<T>> forces{};  // at `tangent`, blocks of the (sub-)row; empty without a tilt
 };
 
@@ -128,7 +130,7 @@ class RowModeSolver {
     const std::vector<RowMember<T>>& members() const { return members_; }
 
     // Tilt alone: `check` is no_tilt, locked, over_determined or admissible, there are no forces. Roles in the order
-    // S* (F* P? B* with "=") 0*, as many as there are blocks from `first` on, not all standing.
+    // S* (F* P? B* with "=") (0* or R*), as many as there are blocks from `first` on, not all standing; R only with P.
     RowMode<T> close(std::string_view roles, std::size_t first) {
         divide(roles, first);
         return units_.empty() ? close_sliding() : close_turning();
@@ -148,12 +150,14 @@ class RowModeSolver {
         using std::sqrt;
         cosine_ = 1 / T(sqrt(T(1 + mode.tangent * mode.tangent)));
         sine_ = mode.tangent * cosine_;
-        mode.forces.assign(slides_ + turns_ + stands_, MemberForces<T>{});
+        mode.forces.assign(slides_ + turns_ + stands_ + retreats_, MemberForces<T>{});
         turning_forces(mode);
+        reactions_exist_ = true;
         sliding_forces(mode);
         standing_forces(mode);
+        retreating_forces(mode);
         mode.check = statics(mode);
-        if (mode.check == RowModeCheck::admissible && heel_is_blocked()) {
+        if (mode.check == RowModeCheck::admissible && stands_ > 0 && heel_pushes_back()) {
             mode.check = RowModeCheck::blocked_by_standing_block;
         }
     }
@@ -191,7 +195,8 @@ class RowModeSolver {
         for (; index < roles.size() && roles[index] == row_role::slides; ++index) {
             ++slides_;
         }
-        for (; index < roles.size() && roles[index] != row_role::stands; ++index) {
+        for (; index < roles.size() && roles[index] != row_role::stands && roles[index] != row_role::retreats;
+             ++index) {
             const RowMember<T>& member = members_[first + index];
             if (roles[index] != row_role::adheres) {
                 units_.push_back({first + index, first + index, roles[index], T(0), T(0), T(0), T(0),
@@ -207,7 +212,9 @@ class RowModeSolver {
             unit.end = first + index + 1;
         }
         turns_ = index - slides_;
-        stands_ = roles.size() - index;
+        const bool retreats = index < roles.size() && roles[index] == row_role::retreats;
+        retreats_ = retreats ? roles.size() - index : 0;
+        stands_ = retreats ? 0 : roles.size() - index;
     }
 
     RowMode<T> close_sliding() {
@@ -219,7 +226,7 @@ class RowModeSolver {
             weight += members_[index].weight;
             resistance += members_[index].weight * members_[index].base_friction;
         }
-        return {RowModeCheck::admissible, T(resistance / weight), T(0), {}};
+        return {RowModeCheck::admissible, false, T(resistance / weight), T(0), {}};
     }
 
     static bool set_tangent(const T& numerator, const T& denominator, T& tangent) {
@@ -230,16 +237,21 @@ class RowModeSolver {
 
     RowMode<T> close_turning() {
         RowMode<T> mode;
-        std::size_t pivot = 0;  // the unit whose shear is free; in an over-determined mode the lowest B
-        while (units_[pivot].role == row_role::forward && pivot + 1 < units_.size()) {
+        std::size_t pivot = 0;  // the unit whose shear is free; in an over-determined mode the lowest B; or none
+        while (pivot < units_.size() && units_[pivot].role == row_role::forward) {
             ++pivot;
         }
-        const bool over_determined = units_[pivot].role != row_role::pivot;
+        const bool pressed = pivot == units_.size();
+        const bool over_determined = !pressed && units_[pivot].role != row_role::pivot;
+        mode.pressed = pressed || (retreats_ > 0 && !heel_pushes_back());
+        units_.back().thrust = thrust_of_retreat();
         if (!thrusts_from_below(pivot)) {
             mode.check = RowModeCheck::locked;
             return mode;
         }
-        thrusts_from_above(pivot);
+        if (!pressed) {
+            thrusts_from_above(pivot);
+        }
         const bool exists = set_tangent(restoring(), overturning(), mode.tangent);
         if (over_determined && pivot > 0) {
             const Swing below = units_[pivot - 1].thrust;
@@ -251,6 +263,22 @@ class RowModeSolver {
             mode.check = exists ? RowModeCheck::admissible : RowModeCheck::no_tilt;
         }
         return mode;
+    }
+
+    // Of the blocks pushed back, on the uppermost turning block: T and c N of all of them, less the friction that the
+    // rising heel takes off the lowest one.
+    Swing thrust_of_retreat() const {
+        Swing thrust;
+        if (retreats_ > 0) {
+            const std::size_t begin = units_.back().end;
+            for (std::size_t index = begin; index < begin + retreats_; ++index) {
+                thrust.sine += members_[index].weight;
+                thrust.cosine += members_[index].weight * members_[index].base_friction;
+            }
+            const T mobility = 1 + members_[begin].base_friction * units_.back().interface_friction;
+            thrust = {T(thrust.sine / mobility), T(thrust.cosine / mobility)};
+        }
+        return thrust;
     }
 
     // False where a block is locked.
@@ -289,7 +317,6 @@ class RowModeSolver {
     }
 
     void thrusts_from_above(std::size_t pivot) {
-        units_.back().thrust = Swing{};
         for (std::size_t index = units_.size() - 1; index > pivot; --index) {
             const Unit& unit = units_[index];
             Unit& below = units_[index - 1];
@@ -326,10 +353,10 @@ class RowModeSolver {
         T moment_below = pushed_height_ * pushed;
         for (const Unit& unit : units_) {
             const bool last = &unit == &units_.back();
-            const T thrust = last ? T(0) : at(unit.thrust);
+            const T thrust = at(unit.thrust);
             const T shear = unit.interface_friction * thrust;
             const T overturning_moment = unit.height_moment * sine_ - unit.width_moment * cosine_;
-            // The uppermost moment is zero by the closing, but for rounding.
+            // The uppermost moment is zero by the closing, but for rounding: no thrust, or thrust at the heel.
             const T moment = last ? T(0) : T(moment_below - overturning_moment + unit.width * shear);
             MemberForces<T>& leader = mode.forces[unit.begin - first_];
             leader.normal_force = unit.weight * cosine_ + shear - shear_below;
@@ -361,22 +388,15 @@ class RowModeSolver {
         return T(member.weight * (member.height * sine_ - member.width * cosine_) / 2);
     }
 
-    // Thrust moments among sliding blocks are free within limits; lowest_ and highest_ are those limits, the moment
-    // handed down from above picks the values nearest to a thrust at mid-height.
     void sliding_forces(RowMode<T>& mode) {
-        sliding_stands_ = true;
-        if (slides_ == 0) {
-            return;
-        }
         const T pushed = units_.empty() ? T(0) : at(pushed_);
         T thrust{};
         for (std::size_t index = 0; index < slides_; ++index) {
             const RowMember<T>& member = members_[first_ + index];
-            const bool last = index + 1 == slides_;
             MemberForces<T>& forces = mode.forces[index];
             const T thrust_below = thrust;
             forces.thrust = thrust_below + member.weight * (member.base_friction * cosine_ - sine_);
-            if (last) {
+            if (index + 1 == slides_) {
                 forces.thrust = pushed;
                 forces.shear = member.interface_friction * pushed;
             }
@@ -384,48 +404,69 @@ class RowModeSolver {
             forces.normal_force = member.weight * cosine_ + forces.shear;
             forces.base_shear = member.weight * sine_ + forces.thrust - thrust_below;
         }
-        place_reactions(mode, T(pushed_height_ * pushed));
+        place_reactions(mode, 0, slides_, T(pushed_height_ * pushed));
     }
 
-    void place_reactions(RowMode<T>& mode, const T& handed_down) {
-        lowest_.assign(slides_ + 1, T(0));
-        highest_.assign(slides_ + 1, T(0));
+    void retreating_forces(RowMode<T>& mode) {
+        if (retreats_ == 0) {
+            return;
+        }
+        const std::size_t begin = slides_ + turns_;
+        T thrust{};
+        for (std::size_t index = begin + retreats_; index-- > begin;) {
+            const RowMember<T>& member = members_[first_ + index];
+            MemberForces<T>& forces = mode.forces[index];
+            forces.thrust = thrust;
+            forces.normal_force = member.weight * cosine_;
+            thrust += member.weight * (sine_ + member.base_friction * cosine_);
+            forces.base_shear = -member.base_friction * forces.normal_force;
+        }
+        MemberForces<T>& lowest = mode.forces[begin];
+        lowest.normal_force -= mode.forces[begin - 1].shear;
+        lowest.base_shear = -members_[first_ + begin].base_friction * lowest.normal_force;
+        place_reactions(mode, begin, begin + retreats_, T(0));
+    }
+
+    // Blocks from `begin` to `end` that move along the plane together. The moments of the thrusts between them are
+    // free within limits; `handed_down` is that of the thrust on the uppermost, the thrust on the lowest from below
+    // has none. Of the possible ones those nearest to a thrust at mid-height are taken.
+    void place_reactions(RowMode<T>& mode, std::size_t begin, std::size_t end, const T& handed_down) {
+        if (begin == end) {
+            return;
+        }
+        lowest_.assign(end - begin + 1, T(0));
+        highest_.assign(end - begin + 1, T(0));
         const T slack = tolerance(mode);
-        // From the reaction within the base: its moment about the toe is between 0 and R b.
         const auto balance = [&](std::size_t index) {
             const RowMember<T>& member = members_[first_ + index];
             return T(member.width * mode.forces[index].shear - own_moment(member));
         };
-        for (std::size_t index = 0; index < slides_; ++index) {
+        // The reaction's moment about the toe lies between 0 and R b.
+        for (std::size_t index = begin; index < end; ++index) {
             const RowMember<T>& member = members_[first_ + index];
             const MemberForces<T>& forces = mode.forces[index];
-            lowest_[index + 1] = lowest_[index] + balance(index) - forces.normal_force * member.width;
-            highest_[index + 1] = highest_[index] + balance(index);
-            if (index + 1 < slides_) {
-                const T top = at_least_zero(T(forces.thrust * member.contact));
-                lowest_[index + 1] = std::max(lowest_[index + 1], T(0));
-                highest_[index + 1] = std::min(highest_[index + 1], top);
-            }
-            const T length = member.width + member.height;
-            if (lowest_[index + 1] > highest_[index + 1] + slack * length) {
-                sliding_stands_ = false;
+            T& lowest = lowest_[index - begin + 1];
+            T& highest = highest_[index - begin + 1];
+            lowest = lowest_[index - begin] + balance(index) - forces.normal_force * member.width;
+            highest = highest_[index - begin] + balance(index);
+            const bool last = index + 1 == end;
+            lowest = std::max(lowest, last ? handed_down : T(0));
+            highest = std::min(highest, last ? handed_down : at_least_zero(T(forces.thrust * member.contact)));
+            if (lowest > highest + slack * (member.width + member.height)) {
+                reactions_exist_ = false;
                 return;
             }
         }
-        const RowMember<T>& upper = members_[first_ + slides_ - 1];
-        const T length = upper.width + upper.height;
-        sliding_stands_ =
-            handed_down >= lowest_[slides_] - slack * length && handed_down <= highest_[slides_] + slack * length;
         T moment = handed_down;
-        for (std::size_t index = slides_; index-- > 0;) {
+        for (std::size_t index = end; index-- > begin;) {
             const RowMember<T>& member = members_[first_ + index];
             MemberForces<T>& forces = mode.forces[index];
             forces.thrust_moment = moment;
-            // base_moment = balance - moment + moment below, within [0, R b]
-            const T least = std::max(T(moment - balance(index)), lowest_[index]);
-            const T most = std::min(T(moment - balance(index) + forces.normal_force * member.width), highest_[index]);
             T below{};
-            if (index > 0) {
+            if (index > begin) {
+                const T least = std::max(T(moment - balance(index)), lowest_[index - begin]);
+                const T most =
+                    std::min(T(moment - balance(index) + forces.normal_force * member.width), highest_[index - begin]);
                 const T middle = mode.forces[index - 1].thrust * members_[first_ + index - 1].contact / 2;
                 below = std::min(std::max(middle, least), most);
             }
@@ -436,7 +477,7 @@ class RowModeSolver {
 
     // As if each stood alone: what passes between standing blocks is not determined.
     void standing_forces(RowMode<T>& mode) const {
-        for (std::size_t index = slides_ + turns_; index < mode.forces.size(); ++index) {
+        for (std::size_t index = slides_ + turns_; index < slides_ + turns_ + stands_; ++index) {
             const RowMember<T>& member = members_[first_ + index];
             MemberForces<T>& forces = mode.forces[index];
             forces.normal_force = member.weight * cosine_;
@@ -457,7 +498,7 @@ class RowModeSolver {
 
     RowModeCheck statics(const RowMode<T>& mode) const {
         const T slack = tolerance(mode);
-        for (std::size_t index = 0; index < slides_ + turns_; ++index) {
+        for (std::size_t index = 0; index < mode.forces.size(); ++index) {
             if (mode.forces[index].thrust < -slack) {
                 return RowModeCheck::tension;
             }
@@ -465,7 +506,7 @@ class RowModeSolver {
                 return RowModeCheck::base_lifts;
             }
         }
-        if (!sliding_stands_) {
+        if (!reactions_exist_) {
             return RowModeCheck::sliding_block_overturns;
         }
         for (const Unit& unit : units_) {
@@ -474,7 +515,22 @@ class RowModeSolver {
                 return check;
             }
         }
-        return RowModeCheck::admissible;
+        return presses_too_hard(mode, slack) ? RowModeCheck::standing_blocks_fail : RowModeCheck::admissible;
+    }
+
+    // Whether the blocks that press on the heel of the turning ones would slide up the plane.
+    bool presses_too_hard(const RowMode<T>& mode, const T& slack) const {
+        if (!mode.pressed || stands_ == 0) {
+            return false;
+        }
+        const std::size_t begin = slides_ + turns_;
+        const T friction = members_[first_ + begin].base_friction;
+        T capacity = -friction * mode.forces[begin - 1].shear;
+        for (std::size_t index = begin; index < begin + stands_; ++index) {
+            const RowMember<T>& member = members_[first_ + index];
+            capacity += member.weight * (sine_ + member.base_friction * cosine_);
+        }
+        return mode.forces[begin - 1].thrust > capacity + slack * (1 + friction);
     }
 
     RowModeCheck unit_statics(const RowMode<T>& mode, const Unit& unit, const T& slack) const {
@@ -503,8 +559,8 @@ class RowModeSolver {
 
     // The uppermost heel: its toe moves backward by the sum of (1 / cos w - 1) b over the units from the pivot up to
     // the one below it, the heel itself comes forward by (1 - cos w) b. To second order in w the sums of b decide.
-    bool heel_is_blocked() const {
-        if (stands_ == 0 || units_.empty()) {
+    bool heel_pushes_back() const {
+        if (units_.empty()) {
             return false;
         }
         T pushed_back{};
@@ -522,12 +578,13 @@ class RowModeSolver {
     std::size_t slides_ = 0;
     std::size_t turns_ = 0;
     std::size_t stands_ = 0;
+    std::size_t retreats_ = 0;
     std::vector<Unit> units_;
     Swing pushed_;       // thrust on the highest sliding block
     T pushed_height_{};  // where it acts
     T sine_{};
     T cosine_{};
-    bool sliding_stands_ = true;
+    bool reactions_exist_ = true;  // within the bases of the blocks that move along the plane
     std::vector<T> lowest_;
     std::vector<T> highest_;
 };

@@ -45,10 +45,22 @@ void for_each_row_mode(std::size_t count, Visitor&& visit) {
                                                           : row_role::backward;
             }
             visit(std::string_view(roles));
+            if (slides + turns < count) {
+                const auto upper = roles.begin() + static_cast<std::ptrdiff_t>(slides + turns);
+                std::fill(upper, roles.end(), row_role::retreats);
+                visit(std::string_view(roles));
+                std::fill(upper, roles.end(), row_role::stands);
+            }
             if (forward > 0) {
                 roles[leader[forward]] = row_role::backward;
                 visit(std::string_view(roles));
             }
+        }
+        if (slides + turns < count) {
+            for (std::size_t index = 0; index < leaders; ++index) {
+                roles[leader[index]] = row_role::forward;
+            }
+            visit(std::string_view(roles));
         }
     };
     for (std::size_t slides = 0; slides <= count; ++slides) {
@@ -109,56 +121,80 @@ class RowSearch {
     std::size_t count() const { return solver_.members().size(); }
     const RowMember<T>& member(std::size_t index) const { return solver_.members()[index]; }
 
-    bool stands_above(std::string_view roles, std::size_t first, const T& tangent) const {
+    // Tangents of the tilts at which a part fails: by a motion, and at the latest however it is pressed together.
+    // Absent: no such mode is admissible.
+    struct Limits {
+        std::optional<T> free{};
+        std::optional<T> pressed{};
+    };
+
+    bool stands_above(std::string_view roles, std::size_t first, const RowMode<T>& mode) const {
         const std::size_t moving = roles.find(row_role::stands);
         if (moving == std::string_view::npos) {
             return true;
         }
-        const std::optional<T>& limit = standing_limit_[first + moving];
+        const Limits& limits = limits_[first + moving];
+        const std::optional<T>& limit = mode.pressed || !limits.free ? limits.pressed : limits.free;
         // Equal blocks reach their limits together; the margin is rounding.
-        return !limit || tangent <= *limit * (1 + 64 * std::numeric_limits<T>::epsilon());
+        return limit && mode.tangent <= *limit * (1 + 64 * std::numeric_limits<T>::epsilon());
+    }
+
+    static void improve(std::optional<T>& least, const T& tangent) {
+        if (!least || tangent < *least) {
+            least = tangent;
+        }
     }
 
     void keep(std::string_view roles, RowMode<T> mode) {
-        if (mode.check == RowModeCheck::admissible && !stands_above(roles, 0, mode.tangent)) {
+        if (mode.check == RowModeCheck::admissible && !stands_above(roles, 0, mode)) {
             mode.check = RowModeCheck::standing_blocks_fail;
         }
         const std::size_t index = result_.modes.size();
-        const auto improve = [&](std::optional<std::size_t>& least) {
+        const auto take = [&](std::optional<std::size_t>& least) {
             if (!least || mode.tangent < result_.modes[*least].mode.tangent) {
                 least = index;
             }
         };
         if (mode.check == RowModeCheck::admissible) {
-            improve(result_.least);
-            if (roles.back() != row_role::stands) {
-                improve(result_.least_in_contact);
+            if (!mode.pressed) {
+                take(result_.least);
+            }
+            if (mode.pressed || roles.back() != row_role::stands) {
+                take(result_.least_in_contact);
             }
         }
         result_.modes.push_back({std::string(roles), std::move(mode)});
     }
 
-    // Tangent of the tilt up to which the blocks from `first` on stand without support.
-    std::optional<T> limit_of_upper_part(std::size_t first) {
-        std::optional<T> least;
+    // Of the blocks from `first` on, with nothing below them.
+    Limits limits_of_upper_part(std::size_t first) {
+        Limits limits;
         for_each_row_mode(count() - first, [&](std::string_view roles) {
             RowMode<T> mode = solver_.close(roles, first);
-            if (mode.check != RowModeCheck::admissible || (least && mode.tangent >= *least) ||
-                !stands_above(roles, first, mode.tangent)) {
+            const bool in_contact = mode.pressed || roles.back() != row_role::stands;
+            const bool lower = (!mode.pressed && !(limits.free && mode.tangent >= *limits.free)) ||
+                               (in_contact && !(limits.pressed && mode.tangent >= *limits.pressed));
+            if (mode.check != RowModeCheck::admissible || !lower || !stands_above(roles, first, mode)) {
                 return;
             }
             solver_.complete(mode);
-            if (mode.check == RowModeCheck::admissible) {
-                least = mode.tangent;
+            if (mode.check != RowModeCheck::admissible) {
+                return;
+            }
+            if (!mode.pressed) {
+                improve(limits.free, mode.tangent);
+            }
+            if (in_contact) {
+                improve(limits.pressed, mode.tangent);
             }
         });
-        return least;
+        return limits;
     }
 
     void examine_all() {
-        standing_limit_.assign(count() + 1, std::nullopt);
+        limits_.assign(count() + 1, Limits{});
         for (std::size_t first = count(); first-- > 1;) {
-            standing_limit_[first] = limit_of_upper_part(first);
+            limits_[first] = limits_of_upper_part(first);
         }
         for_each_row_mode(count(), [&](std::string_view roles) { keep(roles, solver_.solve(roles, 0)); });
     }
@@ -168,11 +204,11 @@ class RowSearch {
     }
 
     void examine_some() {
-        standing_limit_.assign(count() + 1, std::nullopt);
+        limits_.assign(count() + 1, Limits{});
         for (std::size_t first = count(); first-- > 0;) {
-            const T alone = limit_alone(member(first));
-            const std::optional<T>& above = standing_limit_[first + 1];
-            standing_limit_[first] = above ? std::min(alone, *above) : alone;
+            limits_[first] = limits_[first + 1];
+            improve(limits_[first].free, limit_alone(member(first)));
+            limits_[first].pressed = limits_[first].free;
         }
         std::string roles(count(), row_role::stands);
         roles[0] = row_role::pivot;
@@ -308,7 +344,7 @@ class RowSearch {
 
     RowModeSolver<T> solver_;
     RowSearchResult<T> result_;
-    std::vector<std::optional<T>> standing_limit_;  // absent: no limit known
+    std::vector<Limits> limits_;  // of the blocks from an index on
     std::vector<T> thrust_;
 };
 
