@@ -60,11 +60,11 @@ struct RowAnswer {
             section("search", &A::search, "exact: every mode was examined; bounded: a long row's likely ones"),
             section("mode", &A::mode,
                     "least stable mode, one letter per block from the lowest up: S slides; F, P, B turns with its toe "
-                    "sliding forward, not at all, backward; = adheres to the block below; 0 stands"),
+                    "sliding forward, not at all, backward; = adheres to the block below; 0 stands; R is pushed back"),
             number("critical_tilt", &A::critical_tilt, Dimension::angle, any_number(),
                    "inclination at which that mode begins"),
             section("mode_in_contact", &A::mode_in_contact,
-                    "least stable mode in which no block stays behind; empty: none is admissible"),
+                    "limiting mode of blocks pressed together; empty: none is admissible"),
             number("critical_tilt_in_contact", &A::critical_tilt_in_contact, Dimension::angle, any_number(),
                    "inclination at which that mode begins: limit of blocks pressed together; 90 deg: none")};
     }

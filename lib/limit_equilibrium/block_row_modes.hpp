@@ -6,7 +6,8 @@
 //     F, P, B, =  turn forward, all by the same angle, each about its own toe: the toe slides forward (F), does not
 //     slide
 //           (P), slides backward (B); "=" adheres to the block below and turns as one unit with it
-//     0...  stand, the part below moves away from them
+//     0...  stand, the part below moves away from them; where all toes of the turning part are F they press on its heel
+//     R...  are pushed back up the plane by the heel of the turning part
 //
 // Why this order. Blocks that turn by the same angle w keep their faces in contact; the distance of two faces is the
 // width b of the block between them, that of their toes along the plane therefore b / cos(w): toes move apart. Of two
@@ -33,6 +34,12 @@
 //
 // Forward sliding under thrust needs 1 - c mu > 0, phi + psi < 90 deg: beyond that the thrust with its friction lies
 // within the friction cone of the base and no thrust can move the block ("locked").
+//
+// Thrust S from above on the heel of the uppermost turning block (l = 0) holds that block by its shear mu S alone:
+//     sum X = h S' + sum b mu S, the uppermost interface included
+// It is limited by what the turning toes bear (F..F0..) or by what the blocks above bear (..R..). The heel of a block
+// that turns recedes; only where the toes below drive it back farther than that is R a motion. Otherwise both are
+// limits of pressed blocks: up to there they can hold one another, beyond it, or once they have parted, they cannot.
 //
 // Between blocks that slide together nothing slips; their interfaces are taken as smooth. With one pushed block or the
 // same friction under all of them this choice does not affect the tilt.
@@ -515,22 +522,54 @@ class RowModeSolver {
                 return check;
             }
         }
-        return presses_too_hard(mode, slack) ? RowModeCheck::standing_blocks_fail : RowModeCheck::admissible;
+        if (mode.pressed && stands_ > 0 && !presses_in_equilibrium(mode, slack)) {
+            return RowModeCheck::standing_blocks_fail;
+        }
+        return RowModeCheck::admissible;
     }
 
-    // Whether the blocks that press on the heel of the turning ones would slide up the plane.
-    bool presses_too_hard(const RowMode<T>& mode, const T& slack) const {
-        if (!mode.pressed || stands_ == 0) {
+    // Whether the standing blocks that press on the heel of turning ones can do so: neither do they slide up the plane,
+    // nor, supported by that thrust, does any upper group of them turn.
+    bool presses_in_equilibrium(const RowMode<T>& mode, const T& slack) const {
+        const std::size_t begin = slides_ + turns_;
+        const std::size_t end = begin + stands_;
+        std::vector<T> thrust(end, T(0));
+        for (std::size_t index = end - 1; index >= begin; --index) {
+            const RowMember<T>& member = members_[first_ + index];
+            const T below = members_[first_ + index - 1].interface_friction;
+            thrust[index - 1] = (member.weight * (sine_ + member.base_friction * cosine_) +
+                                 thrust[index] * (1 + member.base_friction * member.interface_friction)) /
+                                (1 + member.base_friction * below);
+        }
+        const T pressing = mode.forces[begin - 1].thrust;
+        if (pressing > thrust[begin - 1] + slack) {
             return false;
         }
-        const std::size_t begin = slides_ + turns_;
-        const T friction = members_[first_ + begin].base_friction;
-        T capacity = -friction * mode.forces[begin - 1].shear;
-        for (std::size_t index = begin; index < begin + stands_; ++index) {
+        T most = pressing;  // that the blocks below an interface bear before they slide forward
+        bool locked = false;
+        for (std::size_t index = begin; index + 1 < end; ++index) {
             const RowMember<T>& member = members_[first_ + index];
-            capacity += member.weight * (sine_ + member.base_friction * cosine_);
+            const T mobility = 1 - member.base_friction * member.interface_friction;
+            locked = locked || !(mobility > 0);
+            if (!locked) {
+                const T below = members_[first_ + index - 1].interface_friction;
+                most = (member.weight * (member.base_friction * cosine_ - sine_) +
+                        most * (1 - member.base_friction * below)) /
+                       mobility;
+                thrust[index] = std::min(thrust[index], most);
+            }
         }
-        return mode.forces[begin - 1].thrust > capacity + slack * (1 + friction);
+        T excess{};
+        for (std::size_t index = end; index-- > begin;) {
+            const RowMember<T>& member = members_[first_ + index];
+            const T held = index + 1 < end ? T(member.width * member.interface_friction * thrust[index]) : T(0);
+            excess += own_moment(member) - held;
+            const T support = index > begin ? T(members_[first_ + index - 1].contact * thrust[index - 1]) : T(0);
+            if (excess > support + slack * (member.width + member.height)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     RowModeCheck unit_statics(const RowMode<T>& mode, const Unit& unit, const T& slack) const {

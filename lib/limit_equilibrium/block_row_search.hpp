@@ -1,17 +1,25 @@
 // Which mode of a row of blocks governs: the admissible one that begins at the least tilt. A template over the scalar.
 //
 // Two answers. Free: parts may move away from what stands above them, as the lowest block alone does; needs no more
-// than that the rest stands without its support. In contact: the whole row moves together, as the thesis assumes. A
-// row of equal blocks has its lowest block at the limit at tan(tilt) = b / a, whatever the number and the friction;
-// beyond that its blocks hold one another only if they were pressed together, up to the limit in contact.
+// than that the rest stands without its support. In contact: the limit of blocks pressed together, by a mode of the
+// whole row, as the thesis assumes, or by the most that pressing on the heel of a lower part can hold.
+//
+// Does a third block add stability? Free, not even a second one does: the lowest of equal blocks is at its limit at
+// tan(tilt) = b / a whatever the number and the friction. In contact the second and the third do, (8) and FFP, and with
+// tall blocks some more through modes with B, until the lowest block cannot be held (F0.., the tilt of FFP):
+//     tan(tilt) = b (1 + mu c) / [a (1 - mu c) + 2 b mu]
+// From there on further blocks add nothing.
 //
 // Up to `exact_row_limit` blocks every mode is examined: lower parts that slide, turning groups in every pattern,
-// upper parts that stand, and blocks that adhere (any grouping up to `adhering_row_limit` blocks, beyond it the whole
-// row as one); whether an upper part stands is decided by the same search. Time O(N^5), 16 blocks take milliseconds.
-// Longer rows get a bounded search, linear in N: the lowest block alone, the sliding part of least resistance, the
-// whole row sliding, and the turning group found by bisection on the tilt, above it blocks each of which stands by
-// itself. Its answer is a true mode with every check made; with base friction that varies, or where standing blocks
-// need one another, a lower one may escape it.
+// upper parts that stand, press or are pushed back, and blocks that adhere (any grouping up to `adhering_row_limit`
+// blocks, beyond it the whole row as one); whether an upper part stands is decided by the same search. Time O(N^5), 16
+// blocks take milliseconds. Of unequal blocks a motion in which two groups turn by different angles, or one part both
+// slides and turns, is not among them; then the answer may be missing, never below a true one.
+//
+// Longer rows get a bounded search, linear in N: the lowest block alone and pressed, the sliding part of least
+// resistance, the whole row sliding, and the turning group found by bisection on the tilt, above it blocks each of
+// which stands by itself. Its answer is a mode with every check made; with base friction that varies, or where standing
+// blocks need one another, a lower one may escape it.
 #pragma once
 
 #include "limit_equilibrium/block_row_modes.hpp"
@@ -97,7 +105,9 @@ template <class T>
 struct RowSearchResult {
     bool exact = true;
     std::vector<NamedRowMode<T>> modes{};  // all that were examined
-    std::optional<std::size_t> least{};    // index of the admissible mode of least tilt; absent: none is admissible
+    // Index of the admissible motion of least tilt; where none is found, the limit in contact, beyond which there is no
+    // equilibrium; absent: none is admissible.
+    std::optional<std::size_t> least{};
     std::optional<std::size_t> least_in_contact{};
 };
 
@@ -113,6 +123,9 @@ class RowSearch {
             examine_all();
         } else {
             examine_some();
+        }
+        if (!result_.least) {
+            result_.least = result_.least_in_contact;
         }
         return std::move(result_);
     }
@@ -130,11 +143,11 @@ class RowSearch {
 
     bool stands_above(std::string_view roles, std::size_t first, const RowMode<T>& mode) const {
         const std::size_t moving = roles.find(row_role::stands);
-        if (moving == std::string_view::npos) {
+        if (moving == std::string_view::npos || mode.pressed) {
             return true;
         }
         const Limits& limits = limits_[first + moving];
-        const std::optional<T>& limit = mode.pressed || !limits.free ? limits.pressed : limits.free;
+        const std::optional<T>& limit = limits.free ? limits.free : limits.pressed;
         // Equal blocks reach their limits together; the margin is rounding.
         return limit && mode.tangent <= *limit * (1 + 64 * std::numeric_limits<T>::epsilon());
     }
@@ -212,6 +225,8 @@ class RowSearch {
         }
         std::string roles(count(), row_role::stands);
         roles[0] = row_role::pivot;
+        keep(roles, solver_.solve(roles, 0));
+        roles[0] = row_role::forward;
         keep(roles, solver_.solve(roles, 0));
         examine_sliding();
         examine_turning(false);
