@@ -1,11 +1,11 @@
 // A row of blocks on an inclined plane: every mode of sliding and toppling, which can happen and at what tilt, and what
-// governs. Equations and checks: block_row_modes.hpp; choice of the mode: block_row_search.hpp; the thesis's formulas
+// governs. Equations and checks: block_row_mode.hpp; choice of the mode: block_row_search.hpp; the thesis's formulas
 // for equal blocks: closed_forms.hpp.
 //
 // Limits: rectangular blocks, dry, no cohesion, statics only; the answer is the tilt at which a motion can begin.
 #pragma once
 
-#include "limit_equilibrium/block_row_modes.hpp"
+#include "limit_equilibrium/block_row_mode.hpp"
 #include "limit_equilibrium/block_row_parameters.hpp"
 #include "parameters/model_interface.hpp"
 

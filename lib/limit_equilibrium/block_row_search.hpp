@@ -13,8 +13,14 @@
 // Up to `exact_row_limit` blocks every mode is examined: lower parts that slide, turning groups in every pattern,
 // upper parts that stand, press or are pushed back, and blocks that adhere (any grouping up to `adhering_row_limit`
 // blocks, beyond it the whole row as one); whether an upper part stands is decided by the same search. Time O(N^5), 16
-// blocks take milliseconds. Of unequal blocks a motion in which two groups turn by different angles, or one part both
-// slides and turns, is not among them; then the answer may be missing, never below a true one.
+// blocks take milliseconds.
+//
+// Not among them, and the reason why an answer may be missing: of unequal blocks, motions in which two groups turn by
+// different angles or one part both slides and turns; a tall block that tips over the top of a locked one (phi + psi
+// >= 90 deg) while its toe slides back. Measured on random rows with friction 10 to 44 deg and b/a 0.09 to 1: an answer
+// for every row of two blocks, 99 % of three, 97 % of four. For two blocks the limit in contact is that of the bound by
+// linear programming; for four it exceeded that bound in 0.3 %, where blocks that press are checked by sums of moments
+// only.
 //
 // Longer rows get a bounded search, linear in N: the lowest block alone and pressed, the sliding part of least
 // resistance, the whole row sliding, and the turning group found by bisection on the tilt, above it blocks each of
@@ -22,7 +28,7 @@
 // blocks need one another, a lower one may escape it.
 #pragma once
 
-#include "limit_equilibrium/block_row_modes.hpp"
+#include "limit_equilibrium/block_row_solver.hpp"
 
 #include <optional>
 
@@ -131,6 +137,9 @@ class RowSearch {
     }
 
   private:
+    // Relative: rounding of the closed forms.
+    const T same_tilt = 64 * std::numeric_limits<T>::epsilon();
+
     std::size_t count() const { return solver_.members().size(); }
     const RowMember<T>& member(std::size_t index) const { return solver_.members()[index]; }
 
@@ -148,8 +157,8 @@ class RowSearch {
         }
         const Limits& limits = limits_[first + moving];
         const std::optional<T>& limit = limits.free ? limits.free : limits.pressed;
-        // Equal blocks reach their limits together; the margin is rounding.
-        return limit && mode.tangent <= *limit * (1 + 64 * std::numeric_limits<T>::epsilon());
+        // Equal blocks reach their limits together.
+        return limit && mode.tangent <= *limit * (1 + same_tilt);
     }
 
     static void improve(std::optional<T>& least, const T& tangent) {
@@ -163,10 +172,22 @@ class RowSearch {
             mode.check = RowModeCheck::standing_blocks_fail;
         }
         const std::size_t index = result_.modes.size();
+        const auto standing = [](std::string_view text) {
+            const std::size_t first = text.find(row_role::stands);
+            return first == std::string_view::npos ? 0 : text.size() - first;
+        };
+        // Modes that begin together but for rounding: the one that moves more blocks.
         const auto take = [&](std::optional<std::size_t>& least) {
-            if (!least || mode.tangent < result_.modes[*least].mode.tangent) {
-                least = index;
+            if (least) {
+                const NamedRowMode<T>& best = result_.modes[*least];
+                const T margin = best.mode.tangent * same_tilt;
+                const bool lower = mode.tangent < best.mode.tangent - margin;
+                const bool same = mode.tangent <= best.mode.tangent + margin;
+                if (!lower && !(same && standing(roles) < standing(best.roles))) {
+                    return;
+                }
             }
+            least = index;
         };
         if (mode.check == RowModeCheck::admissible) {
             if (!mode.pressed) {

@@ -1,7 +1,7 @@
 // The thesis's formulas for rows of two, three and four blocks of the same height a and width b (4.2, 4.3), as printed
 // and as derived. Each returns tan(tilt). mu is the friction of the interfaces, c that of the base, m = mu c.
 //
-// Derivation: block_row_modes.hpp, with equal blocks sum X = sum b mu S and t = tan(tilt), per weight and cos(tilt):
+// Derivation: block_row_mode.hpp, with equal blocks sum X = sum b mu S and t = tan(tilt), per weight and cos(tilt):
 //     from below  S_i = i (c - t) / (1 - m),    from above  S_i = (N - i) (c + t) / (1 + m)
 // so that F^k P B^(N-1-k) begins at
 //     N (a t - b) / 2 = b mu { k (k + 1) / 2 (c - t) / (1 - m) + q (q + 1) / 2 (c + t) / (1 + m) },   q = N - 1 - k
