@@ -1,0 +1,133 @@
+#include "limit_equilibrium/block_row.hpp"
+
+#include "limit_equilibrium/block_row_search.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+constexpr double right_angle = std::numbers::pi / 2;
+constexpr std::size_t most_blocks = 100'000;
+
+BlockRowCheck check_input(const BlockRow<>& row) {
+    if (row.block.empty()) {
+        return BlockRowCheck::no_blocks;
+    }
+    if (row.block.size() > most_blocks) {
+        return BlockRowCheck::too_many_blocks;
+    }
+    bool inside = true;
+    for_each_number(row, [&](double value, const FieldInfo& info) {
+        inside = inside && info.range.contains(value) && std::isfinite(value);
+    });
+    return inside ? BlockRowCheck::valid : BlockRowCheck::input_out_of_range;
+}
+
+double tilt_of(double tangent, bool exists) {
+    return exists ? std::atan(tangent) : right_angle;
+}
+
+RowModeSummary summary_of(NamedRowMode<double>&& named) {
+    const RowMode<double>& mode = named.mode;
+    const bool has_tilt = mode.check != RowModeCheck::no_tilt && mode.check != RowModeCheck::locked;
+    return {std::move(named.roles), mode.check,
+            tilt_of(mode.tangent, has_tilt && (mode.check != RowModeCheck::over_determined || mode.tangent > 0)),
+            tilt_of(mode.second_tangent, mode.second_tangent > 0)};
+}
+
+RowBlockForces forces_of(const MemberForces<double>& forces) {
+    return {forces.thrust,     forces.thrust > 0 ? forces.thrust_moment / forces.thrust : 0.0,
+            forces.shear,      forces.normal_force,
+            forces.base_shear, forces.normal_force > 0 ? forces.base_moment / forces.normal_force : 0.0};
+}
+
+RowState failure_in(std::string_view roles) {
+    if (roles.front() != row_role::slides) {
+        return RowState::topples;
+    }
+    const bool turns = roles.find_first_not_of("S0") != std::string_view::npos;
+    return turns ? RowState::slides_and_topples : RowState::slides;
+}
+
+RowState state_at(double inclination, const RowAnswer& answer) {
+    if (inclination < answer.critical_tilt) {
+        return RowState::stands;
+    }
+    if (inclination < answer.critical_tilt_in_contact && !answer.mode_in_contact.empty()) {
+        return RowState::stands_if_pressed;
+    }
+    return failure_in(answer.mode_in_contact.empty() ? answer.mode : answer.mode_in_contact);
+}
+
+}  // namespace
+
+BlockRowResult analyse(const BlockRow<>& row) {
+    BlockRowResult result;
+    result.check = check_input(row);
+    if (result.check != BlockRowCheck::valid) {
+        return result;
+    }
+    RowSearchResult<double> found = RowSearch<double>(row_members(row)).search();
+    if (found.least) {
+        const NamedRowMode<double>& least = found.modes[*found.least];
+        RowAnswer& answer = result.answer;
+        answer.search = found.exact ? RowSearchKind::exact : RowSearchKind::bounded;
+        answer.mode = least.roles;
+        answer.critical_tilt = std::atan(least.mode.tangent);
+        answer.critical_tilt_in_contact = right_angle;
+        if (found.least_in_contact) {
+            const NamedRowMode<double>& contact = found.modes[*found.least_in_contact];
+            answer.mode_in_contact = contact.roles;
+            answer.critical_tilt_in_contact = std::atan(contact.mode.tangent);
+        }
+        answer.state = state_at(row.base.inclination, answer);
+        result.block.reserve(least.mode.forces.size());
+        for (const MemberForces<double>& forces : least.mode.forces) {
+            result.block.push_back(forces_of(forces));
+        }
+    } else {
+        result.check = BlockRowCheck::no_admissible_mode;
+    }
+    result.mode.reserve(found.modes.size());
+    for (NamedRowMode<double>& mode : found.modes) {
+        result.mode.push_back(summary_of(std::move(mode)));
+    }
+    return result;
+}
+
+ModelInterface model_interface(const BlockRow<>& row) {
+    ModelInterface model;
+    for_each_named_number(row, [&](const std::string& path, const FieldInfo& info, double value) {
+        model.inputs.push_back({path, info.dimension, std::string(info.meaning), info.range, value});
+    });
+    const RowAnswer names;
+    for_each_named_number(names, [&](const std::string& path, const FieldInfo& info, double) {
+        model.outputs.push_back({path, info.dimension, std::string(info.meaning)});
+    });
+    model.predict = [row](std::span<const Assignment> assignments) -> Prediction {
+        BlockRow<> varied = row;
+        std::size_t input = 0;
+        for_each_number(varied, [&](double& value, const FieldInfo&) {
+            for (const Assignment& assignment : assignments) {
+                if (assignment.input == input) {
+                    value = assignment.value;
+                }
+            }
+            ++input;
+        });
+        const BlockRowResult result = analyse(varied);
+        if (result.check != BlockRowCheck::valid) {
+            return {word_of(result.check), {}, {}};
+        }
+        Prediction prediction;
+        for_each_number(result.answer, [&](double value, const FieldInfo&) { prediction.outputs.push_back(value); });
+        return prediction;
+    };
+    return model;
+}
+
+}  // namespace delabole

@@ -1,0 +1,166 @@
+// A single rectangular block on an inclined plane: Ashby's static chart (thesis 4.1, Fig 4.1) and what the block does
+// at the onset of motion as a rigid body, per metre run.
+//
+// The faces are normal to the base. Forces, D down the plane and N into it, with W the weight, a the height, b the
+// width, i the inclination, P and U the water forces on the faces and under the base:
+//
+//     D = W [(1 + k_v) sin i + k_h cos i] + P_behind - P_front
+//     N = W [(1 + k_v) cos i - k_h sin i] - U
+//
+// Static: slides where D > C + N tan(phi), C the cohesive force; topples where the moment about the toe is positive.
+// Fig 4.1(b) superposes these two, and is wrong wherever it says "slides and topples": while one motion goes on, the
+// reaction that belongs to the other is not the static one.
+//
+// Onset of motion, released from rest. Each contact of the base is tried with the accelerations it implies; k is the
+// radius of gyration about the toe, k^2 = (a^2 + b^2) / 3:
+//     slides                 reaction of a block that translates lies within the base
+//     topples                turns about the toe, and |shear| <= N' tan(phi) with the reaction of the turning block
+//     slides and topples     turns about a toe that slips, shear = N' tan(phi)
+//     lifts off              the plane would have to pull
+// Cohesion holds a closed base only: an edge has no area. Dry and without earthquake the boundary between topples and
+// slides-and-topples is
+//     tan(phi) = [4 sin i - 3 cos d sin(i - d)] / [4 cos i + 3 sin d sin(i - d)],  d = atan(b / a)
+// and that between slides and slides-and-topples is phi = d: with phi below d a block slides and never topples, however
+// steep the plane (Sagaseta 1986; Bray & Goodman 1981 for the four regions).
+//
+// Limits: no added mass of water; the water level falls with the plane's turn as the faces do (depths are measured
+// along the faces). Accuracy: closed form, a few units in the last place of the largest force.
+#pragma once
+
+#include "parameters/model_interface.hpp"
+#include "plane_failure/parameters.hpp"
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace delabole {
+
+template <class T = double>
+struct BlockBody {
+    T height;
+    T width;
+    T unit_weight;
+    static constexpr auto fields() {
+        return std::tuple{
+            number("height", &BlockBody::height, Dimension::length, more_than(0), "height, normal to the base"),
+            number("width", &BlockBody::width, Dimension::length, more_than(0), "width, along the base"),
+            number("unit_weight", &BlockBody::unit_weight, Dimension::unit_weight, more_than(0),
+                   "unit weight of the rock")};
+    }
+};
+
+template <class T = double>
+struct BlockBase {
+    T inclination;
+    T friction_angle;
+    T cohesion;
+    static constexpr auto fields() {
+        return std::tuple{
+            number("inclination", &BlockBase::inclination, Dimension::angle,
+                   Interval{.lower = 0, .upper = degrees(90), .upper_open = true}, "inclination of the base"),
+            number("friction_angle", &BlockBase::friction_angle, Dimension::angle, within(0, degrees(89.9)),
+                   "angle of friction of the base"),
+            number("cohesion", &BlockBase::cohesion, Dimension::stress, at_least(0), "cohesion of the base")};
+    }
+};
+
+// Pressures at heel and toe are those of the depths; under the base they go over into one another linearly.
+template <class T = double>
+struct BlockWater {
+    T unit_weight;
+    T depth_behind;
+    std::optional<T> depth_in_front;
+    static constexpr auto fields() {
+        return std::tuple{number("unit_weight", &BlockWater::unit_weight, Dimension::unit_weight, more_than(0),
+                                 "unit weight of water"),
+                          number("depth_behind", &BlockWater::depth_behind, Dimension::length, at_least(0),
+                                 "water on the upper face, measured along it from the base"),
+                          number("depth_in_front", &BlockWater::depth_in_front, Dimension::length, at_least(0),
+                                 "water on the lower face, measured along it from the base; absent: none")};
+    }
+};
+
+template <class T = double>
+struct SingleBlock {
+    BlockBody<T> block;
+    BlockBase<T> base;
+    std::optional<BlockWater<T>> water;
+    std::optional<SeismicLoad<T>> seismic;
+
+    static constexpr std::string_view kind = "single_block";
+    static constexpr auto fields() {
+        return std::tuple{section("block", &SingleBlock::block, "the block"),
+                          section("base", &SingleBlock::base, "the plane"),
+                          section("water", &SingleBlock::water, "water behind, in front and below; absent: dry"),
+                          section("seismic", &SingleBlock::seismic, "pseudo-static earthquake load; absent: none")};
+    }
+};
+
+enum class SingleBlockCheck {
+    valid,
+    water_above_block,   // a depth of water exceeds the height
+    input_out_of_range,  // a number outside the range of its field, or not finite
+};
+
+constexpr std::array<std::string_view, 3> enum_names(SingleBlockCheck) {
+    return {"valid", "water_above_block", "input_out_of_range"};
+}
+
+enum class BlockMotion { stable, slides, topples, slides_and_topples, lifts_off };
+
+constexpr std::array<std::string_view, 5> enum_names(BlockMotion) {
+    return {"stable", "slides", "topples", "slides_and_topples", "lifts_off"};
+}
+
+struct SingleBlockResult {
+    SingleBlockCheck check = SingleBlockCheck::input_out_of_range;  // the rest is meaningful only where valid
+    BlockMotion static_mode{};                                      // the two criteria superposed
+    BlockMotion onset_mode{};                                       // of the rigid body released from rest
+    double factor_of_safety{};                                      // against sliding; infinite where nothing drives
+    double overturning_factor{};                                    // restoring over overturning moment about the toe
+    double critical_sliding_inclination{};                          // 90 deg: at none
+    double critical_toppling_inclination{};                         // 90 deg: at none
+    double weight{};
+    double driving_force{};         // D
+    double normal_force{};          // N, effective
+    double reaction_position{};     // of the static reaction: 0 at the toe, 1 at the heel
+    double toe_acceleration{};      // down the plane, over the acceleration of gravity
+    double angular_acceleration{};  // times the height, over the acceleration of gravity; positive toppling
+
+    static constexpr auto fields() {
+        using R = SingleBlockResult;
+        using D = Dimension;
+        constexpr Interval any = any_number();
+        return std::tuple{
+            section("static_mode", &R::static_mode, "the static criteria superposed"),
+            section("onset_mode", &R::onset_mode, "motion of the rigid body released from rest"),
+            number("factor_of_safety", &R::factor_of_safety, D::ratio, any, "factor of safety against sliding"),
+            number("overturning_factor", &R::overturning_factor, D::ratio, any,
+                   "restoring over overturning moment about the toe"),
+            number("critical_sliding_inclination", &R::critical_sliding_inclination, D::angle, any,
+                   "inclination at which the block begins to slide; 90 deg: none"),
+            number("critical_toppling_inclination", &R::critical_toppling_inclination, D::angle, any,
+                   "inclination at which the block begins to topple; 90 deg: none"),
+            number("weight", &R::weight, D::force_per_length, any, "weight"),
+            number("driving_force", &R::driving_force, D::force_per_length, any, "force down the plane"),
+            number("normal_force", &R::normal_force, D::force_per_length, any, "effective force into the plane"),
+            number("reaction_position", &R::reaction_position, D::ratio, any,
+                   "where the static reaction acts: 0 toe, 1 heel"),
+            number("toe_acceleration", &R::toe_acceleration, D::ratio, any,
+                   "acceleration of the toe down the plane, over that of gravity"),
+            number("angular_acceleration", &R::angular_acceleration, D::ratio, any,
+                   "angular acceleration times height over the acceleration of gravity")};
+    }
+};
+
+SingleBlockResult analyse(const SingleBlock<>& problem);
+
+// Friction angle above which a dry block turns about a toe that does not slip. `slenderness_angle` d = atan(b / a) and
+// the inclination lie in (0, 90 deg), the inclination above d.
+double toe_slip_friction_angle(double inclination, double slenderness_angle);
+
+// Inputs: every number of the problem. Outputs: every number of SingleBlockResult.
+ModelInterface model_interface(const SingleBlock<>& problem);
+
+}  // namespace delabole
