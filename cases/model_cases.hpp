@@ -62,12 +62,16 @@ struct ModelExample {
 // What concerns several inputs at once and can be judged without running the model.
 void check_case(Checker& checker, const PlaneFailureStudy<>& study);
 void check_case(Checker& checker, const SteppedBaseStudy<>& study);
+void check_case(Checker& checker, const SingleBlock<>& problem);
+void check_case(Checker& checker, const BlockRow<>& row);
 void check_case(Checker& checker, const TiltedColumn<>& column);
 void check_case(Checker& checker, const KinematicsStudy& study);
 
 // The pointers only choose the model.
 ModelExample<PlaneFailureStudy<>> example_case(const PlaneFailureStudy<>*);
 ModelExample<SteppedBaseStudy<>> example_case(const SteppedBaseStudy<>*);
+ModelExample<SingleBlock<>> example_case(const SingleBlock<>*);
+ModelExample<BlockRow<>> example_case(const BlockRow<>*);
 ModelExample<TiltedColumn<>> example_case(const TiltedColumn<>*);
 ModelExample<KinematicsStudy> example_case(const KinematicsStudy*);
 
@@ -75,6 +79,8 @@ ModelExample<KinematicsStudy> example_case(const KinematicsStudy*);
 // how many parts it has may matter.
 std::vector<Quantity> possible_outputs(const PlaneFailureStudy<>& study);
 std::vector<Quantity> possible_outputs(const SteppedBaseStudy<>& study);
+std::vector<Quantity> possible_outputs(const SingleBlock<>& problem);
+std::vector<Quantity> possible_outputs(const BlockRow<>& row);
 std::vector<Quantity> possible_outputs(const TiltedColumn<>& column);
 std::vector<Quantity> possible_outputs(const KinematicsStudy& study);
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "kinematics/parameters.hpp"
+#include "limit_equilibrium/block_row_parameters.hpp"
+#include "limit_equilibrium/single_block.hpp"
 #include "limit_equilibrium/stepped_base_study.hpp"
 #include "plane_failure/study.hpp"
 #include "water/tilted_column.hpp"
@@ -11,6 +13,7 @@
 
 namespace delabole {
 
-using CaseModel = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, TiltedColumn<>, KinematicsStudy>;
+using CaseModel =
+    std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, SingleBlock<>, BlockRow<>, TiltedColumn<>, KinematicsStudy>;
 
 }  // namespace delabole

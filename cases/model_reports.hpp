@@ -15,12 +15,16 @@ namespace delabole {
 // Answers, warnings, or the name of the check that failed.
 Analysis analyse_case(const PlaneFailureStudy<>& study);
 Analysis analyse_case(const SteppedBaseStudy<>& study);
+Analysis analyse_case(const SingleBlock<>& problem);
+Analysis analyse_case(const BlockRow<>& row);
 Analysis analyse_case(const TiltedColumn<>& column);
 Analysis analyse_case(const KinematicsStudy& study);
 
 // Figures and tables that only this model has, in the report of `delabole run`. Called after analyse_case gave answers.
 void append_case_figures(const PlaneFailureStudy<>& study, const ResultFolder& folder, Report& report);
 void append_case_figures(const SteppedBaseStudy<>& study, const ResultFolder& folder, Report& report);
+void append_case_figures(const SingleBlock<>& problem, const ResultFolder& folder, Report& report);
+void append_case_figures(const BlockRow<>& row, const ResultFolder& folder, Report& report);
 void append_case_figures(const TiltedColumn<>& column, const ResultFolder& folder, Report& report);
 void append_case_figures(const KinematicsStudy& study, const ResultFolder& folder, Report& report);
 
@@ -28,6 +32,10 @@ void append_case_figures(const KinematicsStudy& study, const ResultFolder& folde
 void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
 void append_mechanism_figures(const SteppedBaseStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
+                              const ResultFolder& folder, Report& report);
+void append_mechanism_figures(const SingleBlock<>& at_best, const MechanismFit& fit, const FitProblem& problem,
+                              const ResultFolder& folder, Report& report);
+void append_mechanism_figures(const BlockRow<>& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
 void append_mechanism_figures(const TiltedColumn<>& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
@@ -37,6 +45,8 @@ void append_mechanism_figures(const KinematicsStudy& at_best, const MechanismFit
 // The keys that a failed check may blame, most likely first: the first that stands in the case is blamed.
 std::vector<std::string> blamed_keys(const PlaneFailureStudy<>& study, std::string_view failure);
 std::vector<std::string> blamed_keys(const SteppedBaseStudy<>& study, std::string_view failure);
+std::vector<std::string> blamed_keys(const SingleBlock<>& problem, std::string_view failure);
+std::vector<std::string> blamed_keys(const BlockRow<>& row, std::string_view failure);
 std::vector<std::string> blamed_keys(const TiltedColumn<>& column, std::string_view failure);
 std::vector<std::string> blamed_keys(const KinematicsStudy& study, std::string_view failure);
 
@@ -44,6 +54,8 @@ std::vector<std::string> blamed_keys(const KinematicsStudy& study, std::string_v
 // `key` is the blamed key, empty where none stands in the case.
 std::string explain_failure(const PlaneFailureStudy<>& study, std::string_view failure, const std::string& key);
 std::string explain_failure(const SteppedBaseStudy<>& study, std::string_view failure, const std::string& key);
+std::string explain_failure(const SingleBlock<>& problem, std::string_view failure, const std::string& key);
+std::string explain_failure(const BlockRow<>& row, std::string_view failure, const std::string& key);
 std::string explain_failure(const TiltedColumn<>& column, std::string_view failure, const std::string& key);
 std::string explain_failure(const KinematicsStudy& study, std::string_view failure, const std::string& key);
 

@@ -38,6 +38,7 @@ struct ReproductionChapter {
 };
 
 ReproductionChapter chapter_2();
+ReproductionChapter chapter_4();
 ReproductionChapter appendix_a_chapter();
 
 std::string statement(bool met);
