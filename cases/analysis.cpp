@@ -2,8 +2,9 @@
 
 #include "cases/model_reports.hpp"
 #include "fitting/words.hpp"
-#include "limit_equilibrium/stepped_base_study.hpp"
 #include "kinematics/kinematics.hpp"
+#include "limit_equilibrium/block_row.hpp"
+#include "limit_equilibrium/stepped_base_study.hpp"
 #include "plane_failure/plane_failure.hpp"
 #include "water/column_tilt.hpp"
 

@@ -122,7 +122,8 @@ Table block_table(const BlockRowResult& result) {
 
 std::string blocks_csv(const BlockRowResult& result) {
     std::vector<std::string> titles{"block", "role"};
-    for_each_named_number(RowBlockForces{}, [&](const std::string& name, const FieldInfo& info, double) {
+    const RowBlockForces names{};
+    for_each_named_number(names, [&](const std::string& name, const FieldInfo& info, double) {
         titles.push_back(column_name(name, info.dimension));
     });
     CsvTable csv(titles);
