@@ -54,7 +54,8 @@ Figure mode_gallery(int count) {
     gallery.title = number_in_words(count) + " blocks: every block turns";
     int place = 0;
     for (const RowModeSummary& mode : whole_row_modes(count, slenderness, 20, 30)) {
-        const Point shift((count + 2.5) * (place % 4), -(slenderness + count / 2.0 + 0.8) * (place / 4));
+        const int in_a_row = count == 3 ? 5 : 4;
+        const Point shift((count + 1.7) * (place % in_a_row), -(slenderness + count / 2.0 + 0.8) * (place / in_a_row));
         BlockDrawing drawing = row_drawing(equal_row(count, slenderness, 20, 30), mode.roles, tilt, {}, "");
         for (std::size_t index = 0; index < drawing.blocks.size(); ++index) {
             DrawnBlock& block = drawing.blocks[index];
@@ -69,7 +70,9 @@ Figure mode_gallery(int count) {
         }
         ++place;
     }
-    return block_figure(gallery);
+    Figure figure = block_figure(gallery);
+    figure.frame = false;
+    return figure;
 }
 
 Line mode_line(double slenderness, const std::string& legend, Colour colour, Dash dash,
@@ -128,7 +131,8 @@ Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report) {
     report.blocks.emplace_back(Heading{"Fig 4.10: three blocks, one friction angle"});
     report.blocks.emplace_back(Paragraph{
         "Mode (a) is FFP, (b) FPB, (c) PBB. The printed (14) is the formula of two blocks and lies below FFP as "
-        "derived; so (a) need not be the least stable one."});
+        "derived; so (a) is the least stable one only up to a friction angle that falls as the "
+        "columns get taller."});
     for (const int ratio : {3, 5, 7}) {
         const std::string words = std::to_string(ratio);
         Figure figure = tilt_figure("Three blocks, a/b = " + words, "friction φ = ψ", "deg");
@@ -141,30 +145,43 @@ Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report) {
         figure.series.emplace_back(mode_line(ratio, "(c) PBB, (16)", Colour::vermilion, Dash::solid,
                                              closed_form::three_blocks_two_backward<double>));
         report.blocks.emplace_back(folder.draw(figure, "fig_4_10_ratio_" + words, "Tilt by mode, blocks in contact."));
-        const auto& printed_line = std::get<Line>(figure.series[0]).points;
-        const auto& forward_line = std::get<Line>(figure.series[1]).points;
-        const auto& middle_line = std::get<Line>(figure.series[2]).points;
-        const auto& backward_line = std::get<Line>(figure.series[3]).points;
-        bool printed_least = true;
-        bool backward_highest = true;
-        double derived_least_to = 45;
-        for (std::size_t index = 0; index < forward_line.size(); ++index) {
-            // At the left end all curves but (c) meet, but for rounding.
-            printed_least = printed_least && printed_line[index].y() <= middle_line[index].y() + 1e-9;
-            backward_highest = backward_highest && !(backward_line[index].y() < middle_line[index].y() - 1e-9) &&
-                               !(backward_line[index].y() < forward_line[index].y() - 1e-9);
-            if (forward_line[index].y() > middle_line[index].y() + 1e-9) {
-                derived_least_to = std::min(derived_least_to, forward_line[index].x());
+        const auto line = [&](std::size_t index) -> const Polyline& {
+            return std::get<Line>(figure.series[index]).points;
+        };
+        constexpr std::array<std::string_view, 3> letters{"(a)", "(b)", "(c)"};
+        const auto least_of_three = [&](std::size_t point, std::size_t first) {
+            const std::array tilts{line(first)[point].y(), line(2)[point].y(), line(3)[point].y()};
+            return static_cast<std::size_t>(std::ranges::min_element(tilts) - tilts.begin());
+        };
+        // Both with (14) as printed and as derived; the curves end in common points, which are left out.
+        const auto least_in_words = [&](std::size_t first) {
+            std::size_t least = least_of_three(1, first);
+            std::string text(letters[least]);
+            for (std::size_t point = 1; point + 1 < line(first).size(); ++point) {
+                if (const std::size_t now = least_of_three(point, first); now != least) {
+                    least = now;
+                    text += " up to " + human_number(line(first)[point].x(), 3) + " deg, then " +
+                            std::string(letters[least]);
+                }
+            }
+            return text;
+        };
+        double highest_up_to = 45;
+        for (std::size_t point = 1; point + 1 < line(3).size(); ++point) {
+            if (line(3)[point].y() < std::max(line(1)[point].y(), line(2)[point].y())) {
+                highest_up_to = std::min(highest_up_to, line(3)[point].x());
             }
         }
+        const std::string derived = least_in_words(1);
+        const std::string as_printed = least_in_words(0);
         result.rows.push_back(
-            {"a/b = " + words + ": least stable mode", "(a)",
-             derived_least_to < 45 ? "(a) up to " + human_number(derived_least_to, 3) + " deg, then (b)" : "(a)", "",
-             std::string("with (14) as printed: ") + statement(printed_least)});
+            {"a/b = " + words + ": least stable mode", "(a)", derived, "", "with (14) as printed: " + as_printed});
         result.rows.push_back({"a/b = " + words + ": most unlikely mode", "(c)",
-                               backward_highest ? "(c)" : "not (c) throughout", "", statement(backward_highest)});
-        result.json["ratio_" + words] = {{"forward_mode_least_up_to_deg", derived_least_to},
-                                         {"backward_mode_highest", backward_highest}};
+                               "(c) up to " + human_number(highest_up_to, 3) + " deg", "",
+                               highest_up_to < 45 ? "statement met below that" : "statement met"});
+        result.json["ratio_" + words] = {{"least_stable", derived},
+                                         {"least_stable_as_printed", as_printed},
+                                         {"backward_mode_highest_up_to_deg", highest_up_to}};
     }
     report.blocks.emplace_back(printed_table("Statements on Fig 4.10", result.rows));
     return result;
@@ -194,7 +211,7 @@ Reproduction reproduce_equations_14_to_19(const ResultFolder&, Report& report) {
     row("(17) FBB, equal thrusts", form::three_blocks_equal_thrusts(mu, c), c * (3 * m - 1) / (3 - m),
         "right, but over-determined: no dimension of the blocks in it");
     row("(18) FFPB", form::four_blocks_printed(a, b, mu, c), form::four_blocks_two_forward_one_backward(a, b, mu, c),
-        "wrong: (2 + μc) where 2(1 + μc) belongs");
+        "wrong: (2 + μc) where 2(1 + μc) belongs, μ by itself in the numerator");
     const double same = tangent(30);
     row("(19) FFPB, μ = c = tan 30", form::four_blocks_one_friction_printed(a, b, same),
         form::four_blocks_two_forward_one_backward(a, b, same, same),
