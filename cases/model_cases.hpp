@@ -71,13 +71,10 @@ ModelExample<SteppedBaseStudy<>> example_case(const SteppedBaseStudy<>*);
 ModelExample<TiltedColumn<>> example_case(const TiltedColumn<>*);
 ModelExample<KinematicsStudy> example_case(const KinematicsStudy*);
 
-// All that the model can answer, whatever a case asks of it.
-std::vector<Quantity> possible_outputs(const PlaneFailureStudy<>*);
-std::vector<Quantity> possible_outputs(const SteppedBaseStudy<>*);
-std::vector<Quantity> possible_outputs(const TiltedColumn<>*);
 // All that the model can answer, whatever a case asks of it. The values of the model may be out of their ranges; only
 // how many parts it has may matter.
 std::vector<Quantity> possible_outputs(const PlaneFailureStudy<>& study);
+std::vector<Quantity> possible_outputs(const SteppedBaseStudy<>& study);
 std::vector<Quantity> possible_outputs(const TiltedColumn<>& column);
 std::vector<Quantity> possible_outputs(const KinematicsStudy& study);
 

@@ -2,8 +2,8 @@
 // model_cases.hpp and model_reports.hpp for what they hold.
 #pragma once
 
-#include "limit_equilibrium/stepped_base_study.hpp"
 #include "kinematics/parameters.hpp"
+#include "limit_equilibrium/stepped_base_study.hpp"
 #include "plane_failure/study.hpp"
 #include "water/tilted_column.hpp"
 
@@ -11,7 +11,6 @@
 
 namespace delabole {
 
-using CaseModel = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, TiltedColumn<>>;
-using CaseModel = std::variant<PlaneFailureStudy<>, TiltedColumn<>, KinematicsStudy>;
+using CaseModel = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, TiltedColumn<>, KinematicsStudy>;
 
 }  // namespace delabole

@@ -64,7 +64,8 @@ struct Misplaced {
 double highest_point(const ColumnScene<>& scene, const ColumnSlope<>& slope, std::size_t index) {
     const Column<>& column = slope.columns[index];
     double highest = 0;
-    for (const Point& point : column_outlines(scene)[index]) {
+    const std::vector<Polyline> outlines = column_outlines(scene);
+    for (const Point& point : outlines[index]) {
         highest = std::max(highest, point.y() * std::cos(slope.base_dip) - point.x() * std::sin(slope.base_dip));
     }
     return highest - column.base_v;
