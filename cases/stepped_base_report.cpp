@@ -26,6 +26,10 @@ void append_required(Analysis& analysis, const SteppedBase<>& problem, const Ste
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, cable.force});
         } else {
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, std::string(word_of(cable.state))});
+            if (cable.state == CableState::no_such_place) {
+                analysis.warnings.push_back(name + ": there is no such column, or its top is lower than " +
+                                            value_in_words(request.height, Dimension::length));
+            }
         }
     }
 }

@@ -101,8 +101,8 @@ bad_of good_columns.toml "elevation of water without a datum" 's/^water_depth.*/
 bad_of good_columns.toml "negative unit weight" '/^unit_weight = "26/s/26/-26/' \
     'case.toml:18:15: rock.unit_weight = "-26 kN/m3": must be more than 0 kN/m3'
 bad_of good_columns.toml "cable above the top of its column" '/^height = "1 m"/s/1 m/20 m/' \
-    'case.toml:36:10: bolt[1].height = "20 m": lies above the top of column 1'
-bad_of good_columns.toml "cable in a column that is not there" '/^block/s/1/40/' \
+    'case.toml:36:10: bolt[1].height = "20 m": lies above the top of column 2'
+bad_of good_columns.toml "cable in a column that is not there" '/^block/s/2/40/' \
     'case.toml:33:9: bolt[1].block = 40: there are only'
 bad_of good_blocks.toml "step higher than the block" '/^step_above = "0.6/s/0.6/3.5/' \
     'case.toml:17:14: columns.block[2].step_above = "3.5 m": a step is higher than the block below it'
