@@ -382,6 +382,16 @@ std::string screen_of(const MechanismFit& fit) {
     return text;
 }
 
+// Of the case's own section; 0 where it has none.
+double toe_elevation_of(const CaseModel& model) {
+    for (const Quantity& input : named_inputs(model)) {
+        if (input.name == "slope.toe_elevation") {
+            return input.value;
+        }
+    }
+    return 0;
+}
+
 const CaseModel& model_of(const CaseFile& file, const std::string& mechanism) {
     const auto& mechanisms = file.fit->mechanisms;
     return std::find_if(mechanisms.begin(), mechanisms.end(),
@@ -404,6 +414,11 @@ FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const
         "mechanism "
         "says nothing about. A mechanism whose geometry is put in matches the observed surfaces by construction; one "
         "that predicts them has to earn it."});
+    if (const auto profiles = profiles_figure(problem, result, toe_elevation_of(file.model))) {
+        report.blocks.emplace_back(folder.draw(*profiles, "profiles",
+                                               "Where the geometry is put in, the profile is no prediction: only a "
+                                               "mechanism that searches for its geometry can miss the observed one."));
+    }
     for (const MechanismFit& fit : result.mechanisms) {
         append_mechanism(report, folder, fit, model_of(file, fit.name), problem);
         documents.json["mechanisms"].push_back(json_of(fit));

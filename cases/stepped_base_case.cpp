@@ -62,7 +62,7 @@ void check_scene(Checker& checker, const ColumnScene<>& scene) {
     const auto check_block = [&](const std::string& key, double block) {
         if (block != std::floor(block)) {
             checker.complain(key + ".block", "must be a whole number, 1 at the toe");
-        } else if (blocks != nullptr && block > static_cast<double>(blocks->block.size())) {
+        } else if (blocks != nullptr && !blocks->block.empty() && block > static_cast<double>(blocks->block.size())) {
             checker.complain(key + ".block", "there are only " + std::to_string(blocks->block.size()) + " blocks");
         }
     };
@@ -144,7 +144,7 @@ ModelExample<SteppedBaseStudy<>> example_case(const SteppedBaseStudy<>*) {
 }
 
 std::vector<Quantity> possible_outputs(const SteppedBaseStudy<>&) {
-    return model_interface(example_study()).outputs;
+    return model_interface(example_study()).outputs;  // has a datum, so that all outputs are there
 }
 
 }  // namespace delabole

@@ -179,15 +179,18 @@ BlockDrawing column_drawing(const SteppedBase<>& problem, const std::vector<Colu
         drawing.base.front() = drawing.ground.front();
         drawing.toe_elevation = problem.scene.slope->toe_elevation.value_or(0.0);
     }
-    // Behind the columns the rock goes on: along the wedge's joint, or the joint of the last column.
+    // Behind the columns the rock goes on: along the wedge's joint, or the joint of the last column, up to the ground.
     const Polyline& rear = outlines.back();
-    if (outlines.size() > columns.size()) {
-        drawing.base.push_back(rear[1]);
+    if (drawing.ground.empty()) {
+        drawing.base.emplace_back(drawing.base.back() + Point(end / 8, 0));
     } else {
-        drawing.base.push_back(rear[rear.size() > 3 ? 2 : 1]);
-    }
-    if (!drawing.ground.empty()) {
-        drawing.base.emplace_back(drawing.ground.back());
+        if (outlines.size() > columns.size()) {
+            drawing.base.push_back(rear[0]);
+            drawing.base.push_back(rear[1]);
+        } else {
+            drawing.base.push_back(rear[rear.size() > 3 ? 2 : 1]);
+        }
+        drawing.base.push_back(drawing.ground.back());
     }
     drawing.water = water_line(problem, slope, drawing.ground, end);
     add_forces(drawing, problem, slope, columns, factor);

@@ -64,17 +64,19 @@ struct Misplaced {
 double highest_point(const ColumnScene<>& scene, const ColumnSlope<>& slope, std::size_t index) {
     const Column<>& column = slope.columns[index];
     double highest = 0;
-    for (const Point& point : column_outlines(scene)[index]) {
+    const std::vector<Polyline> outlines = column_outlines(scene);
+    for (const Point& point : outlines[index]) {
         highest = std::max(highest, point.y() * std::cos(slope.base_dip) - point.x() * std::sin(slope.base_dip));
     }
     return highest - column.base_v;
 }
 
 template <class Load>
-std::optional<Misplaced> first_misplaced(ColumnScene<> scene, const ColumnSlope<>& slope, const std::string& list,
+std::optional<Misplaced> first_misplaced(const ColumnScene<>& bare, const ColumnSlope<>& slope, const std::string& list,
                                          const std::vector<Load>& loads, std::vector<Load> ColumnScene<>::*member) {
     for (std::size_t index = 0; index < loads.size(); ++index) {
         const Load& load = loads[index];
+        ColumnScene<> scene = bare;
         scene.*member = {load};
         if (make_columns(scene).check != ColumnCheck::load_outside_columns) {
             continue;
@@ -85,10 +87,9 @@ std::optional<Misplaced> first_misplaced(ColumnScene<> scene, const ColumnSlope<
             return Misplaced{key + ".block", "there are only " + std::to_string(slope.columns.size()) + " columns"};
         }
         const auto number = static_cast<std::size_t>(load.block);
-        (scene.*member).clear();
         return Misplaced{key + ".height",
                          "lies above the top of column " + std::to_string(number) + ", which is " +
-                             readable_quantity(highest_point(scene, slope, number - 1), Dimension::length) + " high"};
+                             readable_quantity(highest_point(bare, slope, number - 1), Dimension::length) + " high"};
     }
     return std::nullopt;
 }
@@ -141,7 +142,6 @@ std::vector<std::string> blamed_keys(const SteppedBaseStudy<>& study, std::strin
     case ColumnCheck::too_many_columns:
         return {"columns.spacing", "columns.block"};
     case ColumnCheck::slide_head_needs_base_end:
-        return {"slide_head.joint_dip"};
     case ColumnCheck::head_joint_never_surfaces:
         return {"slide_head.joint_dip"};
     case ColumnCheck::load_outside_columns:

@@ -26,6 +26,10 @@ void append_required(Analysis& analysis, const SteppedBase<>& problem, const Ste
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, cable.force});
         } else {
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, std::string(word_of(cable.state))});
+            if (cable.state == CableState::no_such_place) {
+                analysis.warnings.push_back(name + ": there is no such column, or its top is lower than " +
+                                            value_in_words(request.height, Dimension::length));
+            }
         }
     }
 }
@@ -49,13 +53,25 @@ void warn(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseRes
     const ColumnSlope<> slope = make_columns(problem.scene);
     const double factor = result.limit == LimitState::found ? result.factor_of_safety : 1;
     int outside = 0;
+    int lifted_or_slipping = 0;
     for (const ColumnResult& column : column_results(slope, strength_of(problem), factor)) {
-        outside += column.mode == ColumnMode::slides && !column.reaction_inside_base ? 1 : 0;
+        if (!column.base_friction_holds) {
+            ++lifted_or_slipping;
+        } else if (!column.reaction_inside_base) {
+            ++outside;
+        }
     }
     if (outside > 0) {
-        analysis.warnings.emplace_back(std::to_string(outside) +
-                                       " sliding column(s) would turn as well: the reaction falls outside the base, "
-                                       "which the recursion does not see");
+        analysis.warnings.emplace_back(
+            "column(s) that would turn as well, for the reaction falls outside their base, "
+            "which the recursion does not see: " +
+            std::to_string(outside));
+    }
+    if (lifted_or_slipping > 0) {
+        analysis.warnings.emplace_back(
+            "column(s) whose base would be in tension, or would slip while they topple, "
+            "which the recursion does not see: " +
+            std::to_string(lifted_or_slipping));
     }
     if (const auto* classical = std::get_if<ClassicalColumns<>>(&problem.scene.columns)) {
         const ClassicalJump jump = classical_jump(*problem.scene.slope, *classical);

@@ -149,6 +149,11 @@ std::optional<GeometrySweep> safety_sweep(const SteppedBase<>& problem, const Va
             sweep.figure.series.emplace_back(line);
         }
     };
+    if (!problem.scene.bolt.empty() || !problem.scene.point_load.empty()) {
+        sweep.caption +=
+            " Bolts and point loads keep the number of their column, and jump with it; there are gaps where "
+            "they would lie above its top.";
+    }
     if (std::holds_alternative<BlockColumns<>>(problem.scene.columns)) {
         sweep.caption = "The blocks turn with their joints; their sizes are kept.";
         add(problem, "", Colour::blue, Dash::solid);

@@ -5,6 +5,7 @@
 #include "plots/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -193,6 +194,58 @@ std::optional<Figure> profile_likelihood_figure(const MechanismFit& fit, std::st
     }
     figure.series.emplace_back(std::move(ends));
     figure.y.range = std::pair{0.0, top};
+    return figure;
+}
+
+std::optional<Figure> profiles_figure(const FitProblem& problem, const FitResult& result, double toe_elevation) {
+    if (!problem.profile) {
+        return std::nullopt;
+    }
+    const auto raised = [&](const Polyline& profile) {
+        Polyline points = profile;
+        for (Point& point : points) {
+            point.y() += toe_elevation;
+        }
+        return points;
+    };
+    Figure figure;
+    figure.title = "Profile left standing, observed and predicted";
+    figure.x = {.title = "distance from the toe", .unit = "m"};
+    figure.y = {.title = toe_elevation == 0 ? "height above the toe" : "elevation", .unit = "m"};
+    figure.equal_scales = true;
+    constexpr std::array colours = {Colour::vermilion, Colour::blue, Colour::green, Colour::purple, Colour::orange};
+    constexpr std::array dashes = {Dash::solid, Dash::dashed, Dash::dotted};
+    std::size_t count = 0;
+    double end = problem.profile->profile.back().x();
+    for (const MechanismFit& fit : result.mechanisms) {
+        if (fit.prediction.profile.empty()) {
+            continue;
+        }
+        Polyline points = raised(fit.prediction.profile);
+        // The level ground far behind tells nothing.
+        while (points.size() > 2 && points[points.size() - 2].x() > 2 * end) {
+            points.pop_back();
+        }
+        if (points.back().x() > 2 * end) {
+            const Point& before = points[points.size() - 2];
+            const double share = (2 * end - before.x()) / (points.back().x() - before.x());
+            points.back() = before + share * (points.back() - before);
+        }
+        figure.series.emplace_back(Line{.points = std::move(points),
+                                        .legend = fit.name,
+                                        .colour = colours[count % colours.size()],
+                                        .dash = dashes[count % dashes.size()],
+                                        .width = 4.0 - 0.5 * static_cast<double>(std::min<std::size_t>(count, 4))});
+        ++count;
+    }
+    if (count == 0) {
+        return std::nullopt;
+    }
+    figure.series.emplace_back(Points{.points = raised(problem.profile->profile),
+                                      .legend = "observed",
+                                      .colour = Colour::black,
+                                      .marker = Marker::circle,
+                                      .size = 1.6});
     return figure;
 }
 

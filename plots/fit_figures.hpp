@@ -1,6 +1,7 @@
 // The figures of a back-analysis.
 #pragma once
 
+#include "fitting/fit_problem.hpp"
 #include "fitting/fit_result.hpp"
 #include "plots/figure.hpp"
 
@@ -17,5 +18,9 @@ std::optional<Figure> misfit_map_figure(const MechanismFit& fit);
 // holds them; the 68 and 95 % levels of chi-square with one degree of freedom, and the ends of the 95 % interval.
 // Nothing when the fit holds no profile of that parameter.
 std::optional<Figure> profile_likelihood_figure(const MechanismFit& fit, std::string_view parameter);
+
+// The profile left standing as observed and as each mechanism predicts it at its best point. Nothing when no profile
+// was observed, or no mechanism predicts one. `toe_elevation` is added to heights.
+std::optional<Figure> profiles_figure(const FitProblem& problem, const FitResult& result, double toe_elevation);
 
 }  // namespace delabole

@@ -108,11 +108,11 @@ Assembly refused(AssemblyCheck check) {
 
 }  // namespace
 
-Assembly assemble_row(const std::vector<AssembledBlock>& blocks, const BlockFriction& friction) {
+Assembly assemble_row(const std::vector<RectangularBlock>& blocks, const BlockFriction& friction) {
     Assembly assembly;
     double x = 0;
     for (std::size_t index = 0; index < blocks.size(); ++index) {
-        const AssembledBlock& block = blocks[index];
+        const RectangularBlock& block = blocks[index];
         if (!(block.width > 0 && block.height > 0)) {
             return refused(AssemblyCheck::block_without_size);
         }

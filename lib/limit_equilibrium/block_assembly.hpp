@@ -10,7 +10,7 @@
 
 namespace delabole {
 
-struct AssembledBlock {
+struct RectangularBlock {
     double width;
     double height;
     double weight;  // N/m
@@ -22,7 +22,7 @@ struct BlockFriction {
 };
 
 // Rectangles side by side on a level plane, the first at the toe; tilt it with largest_tilt.
-Assembly assemble_row(const std::vector<AssembledBlock>& blocks, const BlockFriction& friction);
+Assembly assemble_row(const std::vector<RectangularBlock>& blocks, const BlockFriction& friction);
 
 // Columns, with all their loads; a wedge above them becomes the last body. Cohesion acts on the wedge's own joint only.
 // The weight of a column acts at the middle of its middle line, which is exact for rectangles; in other shapes the

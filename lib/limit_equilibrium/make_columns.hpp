@@ -149,6 +149,9 @@ ColumnSlope<T> make_columns(const ColumnScene<T>& scene) {
     if (slope.check != ColumnCheck::valid) {
         return slope;
     }
+    if (shapes.base_end) {
+        slope.end_v = shapes.base_end->y();
+    }
     slope.base_dip = atan2(shapes.base.sine, shapes.base.cosine);
     const T crest = detail::crest_x(scene.slope);
     const std::size_t count = shapes.columns.size();

@@ -10,7 +10,7 @@ namespace delabole {
 namespace {
 
 void tilt_of_a_row(benchmark::State& state) {
-    const std::vector<AssembledBlock> blocks(static_cast<std::size_t>(state.range(0)), {1, 3, 1e4});
+    const std::vector<RectangularBlock> blocks(static_cast<std::size_t>(state.range(0)), {1, 3, 1e4});
     const double friction = degrees(static_cast<double>(state.range(1)));
     const Assembly row = assemble_row(blocks, {friction, friction});
     for (auto _ : state) {

@@ -1,9 +1,13 @@
 // What `delabole reproduce chapter4` says: the numbers of the verification deck.
 #include "cases/reproduction.hpp"
+#include "cases/single_block_chart.hpp"
+#include "limit_equilibrium/single_block.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 
 namespace delabole {
@@ -97,6 +101,59 @@ TEST_F(Chapter4, StatementsOnTwoBlocks) {
     for (int height = 2; height <= 9; ++height) {
         const Json& tilt = tilts[std::to_string(height)];
         EXPECT_LT(tilt["phi_20"].get<double>(), tilt["phi_35"].get<double>());
+    }
+}
+
+// By the crossings of a ray along +x.
+bool lies_inside(const Polyline& outline, const Point& point) {
+    bool inside = false;
+    for (std::size_t index = 0; index < outline.size(); ++index) {
+        const Point& from = outline[index];
+        const Point& to = outline[(index + 1) % outline.size()];
+        if ((from.y() > point.y()) != (to.y() > point.y()) &&
+            point.x() < from.x() + (to.x() - from.x()) * (point.y() - from.y()) / (to.y() - from.y())) {
+            inside = !inside;
+        }
+    }
+    return inside;
+}
+
+std::string_view mode_in_chart(const ModeChart& chart, const Point& point) {
+    std::string_view found = "none";
+    for (const ModeRegion& region : chart.regions) {
+        if (lies_inside(region.outline, point)) {
+            EXPECT_EQ(found, "none") << "regions overlap";
+            found = word_of(region.mode);
+        }
+    }
+    return found;
+}
+
+// Every region says what the model says, on a grid that misses all straight boundaries. Points nearer than 0.1 deg to
+// the curved one are decided by its polyline, and left out.
+TEST(SingleBlockChart, SaysWhatTheModelSays) {
+    constexpr std::array<std::string_view, 4> words{"stays", "slides", "topples", "slides and topples"};
+    for (const double friction : {10.0, 35.0, 60.0}) {
+        for (const BlockCriteria criteria : {BlockCriteria::superposed_static, BlockCriteria::onset_of_motion}) {
+            const ModeChart chart = single_block_chart(degrees(friction), criteria, "");
+            for (double inclination = 1.3; inclination < 90; inclination += 3) {
+                for (double slenderness = 0.7; slenderness < 90; slenderness += 3) {
+                    const auto answer = [&](double shift) {
+                        SingleBlock<> block{};
+                        block.block = {1, std::tan(degrees(slenderness)), 1e4};
+                        block.base = {degrees(inclination + shift), degrees(friction), 0};
+                        const SingleBlockResult result = analyse(block);
+                        return criteria == BlockCriteria::onset_of_motion ? result.onset_mode : result.static_mode;
+                    };
+                    const BlockMotion motion = answer(0);
+                    if (answer(0.1) == motion && answer(-0.1) == motion) {
+                        EXPECT_EQ(mode_in_chart(chart, Point(degrees(inclination), degrees(slenderness))),
+                                  words.at(static_cast<std::size_t>(motion)))
+                            << friction << ' ' << inclination << ' ' << slenderness;
+                    }
+                }
+            }
+        }
     }
 }
 

@@ -36,7 +36,7 @@ RowAnswer answer_of(const RandomRow& problem) {
 }
 
 double bound_of(const RandomRow& problem) {
-    const std::vector<AssembledBlock> blocks(static_cast<std::size_t>(problem.count), {1, problem.slenderness, 1e4});
+    const std::vector<RectangularBlock> blocks(static_cast<std::size_t>(problem.count), {1, problem.slenderness, 1e4});
     const LpBound bound = largest_tilt(assemble_row(blocks, {problem.base_friction, problem.interface_friction}));
     EXPECT_EQ(bound.status, LpStatus::optimal);
     return std::atan(bound.value);

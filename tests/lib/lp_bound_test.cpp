@@ -75,7 +75,7 @@ TEST(LpBound, MoreEqualBlocksAreNoWeaker) {
         for (const double friction : {20.0, 35.0, 60.0}) {
             double last = 0;
             for (const std::size_t count : {1U, 2U, 4U, 8U, 16U}) {
-                const LpBound bound = largest_tilt(assemble_row(std::vector<AssembledBlock>(count, {1, ratio, 1e4}),
+                const LpBound bound = largest_tilt(assemble_row(std::vector<RectangularBlock>(count, {1, ratio, 1e4}),
                                                                 {degrees(friction), degrees(friction)}));
                 expect_proven(bound);
                 EXPECT_GE(bound.value, last - 1e-12);
@@ -85,8 +85,8 @@ TEST(LpBound, MoreEqualBlocksAreNoWeaker) {
     }
 }
 
-std::vector<AssembledBlock> random_row(RandomProblem& random, std::size_t count) {
-    std::vector<AssembledBlock> blocks;
+std::vector<RectangularBlock> random_row(RandomProblem& random, std::size_t count) {
+    std::vector<RectangularBlock> blocks;
     for (std::size_t index = 0; index < count; ++index) {
         const double width = random.uniform(0.5, 2);
         const double height = random.uniform(0.5, 8);
@@ -250,8 +250,8 @@ TEST(LpBound, Extremes) {
         for (const double base : {0.0, 1e-6, 20.0, 45.0, 60.0, 89.9}) {
             for (const double interface : {0.0, 30.0, 45.0, 89.9}) {
                 for (const std::size_t count : {2U, 5U, 30U}) {
-                    const LpBound bound = largest_tilt(assemble_row(std::vector<AssembledBlock>(count, {1, ratio, 1e4}),
-                                                                    {degrees(base), degrees(interface)}));
+                    const LpBound bound = largest_tilt(assemble_row(
+                        std::vector<RectangularBlock>(count, {1, ratio, 1e4}), {degrees(base), degrees(interface)}));
                     SCOPED_TRACE(testing::Message() << ratio << ' ' << base << ' ' << interface << ' ' << count);
                     ASSERT_EQ(bound.status, LpStatus::optimal);
                     EXPECT_LT(bound.residuals.imbalance, 1e-7);
@@ -269,7 +269,7 @@ TEST(LpBound, Extremes) {
 }
 
 TEST(LpBound, AThousandBlocks) {
-    const std::vector<AssembledBlock> blocks(1000, {1, 3, 1e4});
+    const std::vector<RectangularBlock> blocks(1000, {1, 3, 1e4});
     for (const double friction : {20.0, 35.0, 60.0}) {
         const LpBound bound = largest_tilt(assemble_row(blocks, {degrees(friction), degrees(friction)}));
         SCOPED_TRACE(friction);
@@ -278,7 +278,7 @@ TEST(LpBound, AThousandBlocks) {
 }
 
 TEST(LpBound, SameAnswerInEveryThread) {
-    const Assembly row = assemble_row(std::vector<AssembledBlock>(20, {1, 3, 1e4}), {degrees(35), degrees(35)});
+    const Assembly row = assemble_row(std::vector<RectangularBlock>(20, {1, 3, 1e4}), {degrees(35), degrees(35)});
     const LpBound alone = largest_tilt(row);
     std::vector<double> values(4);
     std::vector<std::thread> threads;
@@ -296,7 +296,7 @@ TEST(LpBound, SameAnswerInEveryThread) {
 TEST(LpBound, PrintsNothing) {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
-    largest_tilt(assemble_row(std::vector<AssembledBlock>(50, {1, 3, 1e4}), {degrees(89.9), degrees(89.9)}));
+    largest_tilt(assemble_row(std::vector<RectangularBlock>(50, {1, 3, 1e4}), {degrees(89.9), degrees(89.9)}));
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }

@@ -281,7 +281,7 @@ std::vector<std::pair<std::string, Figure>> figures() {
             {"critical_dip", critical_figure(critical_dip())},
             {"critical_crack", critical_figure(critical_crack())},
             {"stereonet_poles", pole_figure(stereonet())},
-            {"stereonet_planes", plane_figure(stereonet())}};
+            {"stereonet_planes", plane_figure(stereonet())},
             {"goodman_bray_blocks", block_figure(goodman_bray_blocks())},
             {"goodman_bray_forces", force_along_slope_figure(goodman_bray_forces())},
             {"stepped_base", block_figure(stepped_base())},

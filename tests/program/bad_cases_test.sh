@@ -101,8 +101,8 @@ bad_of good_columns.toml "elevation of water without a datum" 's/^water_depth.*/
 bad_of good_columns.toml "negative unit weight" '/^unit_weight = "26/s/26/-26/' \
     'case.toml:18:15: rock.unit_weight = "-26 kN/m3": must be more than 0 kN/m3'
 bad_of good_columns.toml "cable above the top of its column" '/^height = "1 m"/s/1 m/20 m/' \
-    'case.toml:36:10: bolt[1].height = "20 m": lies above the top of column 1'
-bad_of good_columns.toml "cable in a column that is not there" '/^block/s/1/40/' \
+    'case.toml:36:10: bolt[1].height = "20 m": lies above the top of column 2'
+bad_of good_columns.toml "cable in a column that is not there" '/^block/s/2/40/' \
     'case.toml:33:9: bolt[1].block = 40: there are only'
 bad_of good_blocks.toml "step higher than the block" '/^step_above = "0.6/s/0.6/3.5/' \
     'case.toml:17:14: columns.block[2].step_above = "3.5 m": a step is higher than the block below it'
@@ -132,6 +132,21 @@ bad_sets "friction of a wall" '/^friction_angle/s/"[^"]*"/"95 deg"/' \
     'strength.friction_angle = "95 deg": must be at least 0 and less than 90 deg'
 bad_sets "no joint set" '/^\[\[joint_set/,$d' 'case.toml:1:1: joint_set: is required: at least one [[joint_set]]'
 bad_sets "unknown key" '/^friction_angle/a cohesion = "5 kPa"' 'strength.cohesion: is not a key of strength'
+
+title "single block: water above its top, a vertical base; row: no block, two weights, friction of a wall"
+delabole init single_block --out block.toml
+expect_status 0
+delabole init block_row --out row.toml
+expect_status 0
+bad_of block.toml "water above the block" \
+    '$a [water]\nunit_weight = "9.81 kN/m3"\ndepth_behind = "4 m"' \
+    'water.depth_behind = "4 m": exceeds the height of the block, 3 m'
+bad_of block.toml "vertical base" '/^inclination/s/"[^"]*"/"90 deg"/' \
+    'base.inclination = "90 deg": must be at least 0 and less than 90 deg'
+bad_of row.toml "no block" '/^\[\[block/,$d' 'case.toml:1:1: block: is required: at least one [[block]]'
+bad_of row.toml "friction of a wall" '/^friction_angle/s/"[^"]*"/"95 deg"/' 'friction_angle = "95 deg": must be from 0 to 89.9 deg'
+bad_of row.toml "weightless block" '0,/^unit_weight/s/^unit_weight = "[^"]*"/unit_weight = "0 kN\/m3"/' \
+    'block[1].unit_weight = "0 kN/m3": must be more than 0 kN/m3'
 
 title "what the message allows is accepted"
 sed '/^water_depth/s/3 m/4.34798 m/' good.toml >case.toml

@@ -79,7 +79,7 @@ expect_error 'good.toml: fit: the case has no [fit] section'
 expect_one_line_of_error
 expect "no folder" refuse test -e none
 
-title "reproduce: all of chapter 2, or one part"
+title "reproduce: all of the thesis, or one part"
 delabole reproduce
 expect_status 0
 expect_complete_results_of_reproduce() {
@@ -90,13 +90,23 @@ expect_complete_results_of_reproduce() {
     expect_result_is_newest "$1"
 }
 expect_complete_results_of_reproduce results/thesis
-expect_figures results/thesis 2
-for what in fig2.8 tilting dry_friction; do
+expect_figures results/thesis 4
+for what in fig2.8 tilting dry_friction limiting_friction friction_angles; do
     delabole reproduce "$what" --out "part_$what"
     expect_status 0
     expect_complete_results_of_reproduce "part_$what"
 done
 expect "printed beside computed" contains part_tilting/report.html 'half saturated'
+expect "printed beside computed" contains part_limiting_friction/report.html '41.1415 deg'
+
+title "run: columns one by one, in the files and not on the screen"
+write_good_blocks blocks.toml
+delabole run blocks.toml --out blocks
+expect_status 0
+expect "no column on the screen" refuse contains "$scratch/out" 'column['
+expect "columns in the result" contains blocks/result.json 'column[3].lower_force_kN_per_m'
+expect "a table of them" contains blocks/columns.csv 'limiting,3,'
+expect_figures blocks 5
 
 title "--set works and is recorded"
 delabole run good.toml --set water.water_depth='2 m' --set strength.friction_angle=40deg --out set
@@ -154,7 +164,7 @@ expect_status 0
 cp "$scratch/out" shown.toml
 delabole show shown.toml
 expect "showing what is shown changes nothing" cmp "$scratch/out" shown.toml
-for model in plane_failure tilted_column kinematics; do
+for model in plane_failure stepped_base single_block block_row tilted_column kinematics; do
     delabole init "$model"
     expect_status 0
     cp "$scratch/out" "$model.toml"

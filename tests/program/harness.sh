@@ -257,7 +257,7 @@ unit_weight = "9.81 kN/m3"
 water_depth = "15 m"
 
 [[bolt]]
-block = 1
+block = 2
 force = "5 kN/m"
 plunge = "0 deg"
 height = "1 m"

@@ -46,7 +46,7 @@ misused run good.toml --threads 2
 misused init plane_falure
 expect_error 'did you mean plane_failure?'
 misused init slope --out slope.toml
-expect_error 'plane_failure, tilted_column or kinematics'
+expect_error 'there is plane_failure, '
 misused reproduce fig2.9
 expect_error 'did you mean fig2.8?'
 misused reproduce everything
