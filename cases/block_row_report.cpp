@@ -55,6 +55,7 @@ std::string tilt_shown(double tilt) {
 
 Table mode_table(const std::vector<RowModeSummary>& modes) {
     std::vector<const RowModeSummary*> sorted;
+    sorted.reserve(modes.size());
     for (const RowModeSummary& mode : modes) {
         sorted.push_back(&mode);
     }

@@ -55,7 +55,8 @@ Figure mode_gallery(int count) {
     int place = 0;
     for (const RowModeSummary& mode : whole_row_modes(count, slenderness, 20, 30)) {
         const int in_a_row = count == 3 ? 5 : 4;
-        const Point shift((count + 1.7) * (place % in_a_row), -(slenderness + count / 2.0 + 0.8) * (place / in_a_row));
+        const int line = place / in_a_row;
+        const Point shift((count + 1.7) * (place % in_a_row), -(slenderness + count / 2.0 + 0.8) * line);
         BlockDrawing drawing = row_drawing(equal_row(count, slenderness, 20, 30), mode.roles, tilt, {}, "");
         for (std::size_t index = 0; index < drawing.blocks.size(); ++index) {
             DrawnBlock& block = drawing.blocks[index];
