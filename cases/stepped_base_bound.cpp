@@ -14,7 +14,7 @@ namespace delabole {
 
 namespace {
 
-constexpr std::size_t most_arrows = 60;
+constexpr std::size_t most_arrows = 120;
 constexpr std::size_t most_drawn_blocks = 300;
 constexpr std::size_t most_bracketed_columns = 100;
 
@@ -109,7 +109,7 @@ void append_state(const SteppedBase<>& problem, const ColumnSlope<>& slope, cons
         block_figure(drawing), name,
         what + " with the least strength for which forces exist that keep them in equilibrium, one choice of such "
                "forces, and the mechanism that proves it the least. Faces that slip open in it, as dilatant joints "
-               "would; real ones need not."));
+               "would; real ones need not. Of more than 120 forces, one in so many is drawn."));
 }
 
 double reduced_friction(const SteppedBase<>& problem, double factor) {
@@ -123,7 +123,7 @@ void append_bracket(const SteppedBase<>& problem, const ColumnSlope<>& slope, co
         return;
     }
     constexpr int decades = 4;
-    constexpr int steps = 4;  // of each decade
+    constexpr int steps = 8;  // of each decade
     const auto shown = [&](double factor) {
         return in_display_unit(reduced_friction(problem, factor), Dimension::angle);
     };
