@@ -11,7 +11,7 @@ namespace {
 using testing::changed;
 using testing::complaint;
 
-// Two columns of which the upper would topple by itself, and an earthquake's section to be put in.
+// Two columns of which the upper would topple by itself.
 constexpr std::string_view columns_text = R"(schema = 1
 model = "stepped_base"
 title = "Two columns"
@@ -52,7 +52,7 @@ double number_of(const Analysis& analysis, std::string_view name) {
     return output != nullptr ? std::get<double>(output->value) : -1;
 }
 
-TEST(SteppedBaseBound, IsReadAndWritten) {
+TEST(SteppedBaseBound, IsRead) {
     const CaseFile file = parse_case(std::string(columns_text), "case");
     EXPECT_EQ(bound_in(file).upper_part, 1);
     ASSERT_TRUE(bound_in(file).cross_joints);
