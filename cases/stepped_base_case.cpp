@@ -1,9 +1,12 @@
 // Columns on a stepped base as the reader knows them.
 #include "cases/model_cases.hpp"
+#include "cases/stepped_base_bound.hpp"
 #include "cases/units.hpp"
 #include "limit_equilibrium/stepped_base_study.hpp"
 
+#include <array>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 namespace delabole {
@@ -88,6 +91,31 @@ void check_scene(Checker& checker, const ColumnScene<>& scene) {
     }
 }
 
+// Cut columns carry nothing but their weight.
+void check_bound(Checker& checker, const LinearProgrammingBound& bound, const ColumnScene<>& scene) {
+    if (!bound.cross_joints) {
+        return;
+    }
+    const std::string key = "linear_programming_bound.cross_joints";
+    if (!(bound.cross_joints->stagger < bound.cross_joints->spacing)) {
+        checker.complain(key + ".stagger", "must be less than the spacing of the cross joints");
+    }
+    const std::array<std::pair<std::string_view, bool>, 7> loads{
+        {{"[water]", !std::holds_alternative<Dry>(scene.water)},
+         {"[seismic]", scene.seismic.has_value()},
+         {"[[surcharge]]", !scene.surcharge.empty()},
+         {"[[line_load]]", !scene.line_load.empty()},
+         {"[[point_load]]", !scene.point_load.empty()},
+         {"[[bolt]]", !scene.bolt.empty()},
+         {"[slide_head]", scene.slide_head.has_value()}}};
+    for (const auto& [section, given] : loads) {
+        if (given) {
+            checker.complain(
+                key, "cuts columns that carry nothing but their own weight, but the case has " + std::string(section));
+        }
+    }
+}
+
 // A slope of 60 m with columns 3 m thick, pushed by a wedge.
 SteppedBaseStudy<> example_study() {
     SteppedBaseStudy<> study{};
@@ -137,6 +165,9 @@ void check_case(Checker& checker, const SteppedBaseStudy<>& study) {
         }
     }
     check_required(checker, study.required, study);
+    if (study.linear_programming_bound) {
+        check_bound(checker, *study.linear_programming_bound, study.model.scene);
+    }
 }
 
 ModelExample<SteppedBaseStudy<>> example_case(const SteppedBaseStudy<>*) {
@@ -144,7 +175,14 @@ ModelExample<SteppedBaseStudy<>> example_case(const SteppedBaseStudy<>*) {
 }
 
 std::vector<Quantity> possible_outputs(const SteppedBaseStudy<>&) {
-    return model_interface(example_study()).outputs;  // has a datum, so that all outputs are there
+    std::vector<Quantity> outputs = model_interface(example_study()).outputs;  // has a datum, so all are there
+    for (const std::string_view part : {bound_prefix, bound_of_blocks_prefix}) {
+        for (Quantity quantity : outputs_of(BoundResult{})) {
+            quantity.name = std::string(part) + "." + quantity.name;
+            outputs.push_back(quantity);
+        }
+    }
+    return outputs;
 }
 
 }  // namespace delabole

@@ -1,5 +1,6 @@
 // Figures and tables of columns on a stepped base.
 #include "cases/model_reports.hpp"
+#include "cases/stepped_base_bound.hpp"
 #include "cases/stepped_base_columns.hpp"
 #include "cases/stepped_base_drawing.hpp"
 #include "cases/stepped_base_sweeps.hpp"
@@ -92,6 +93,10 @@ void append_case_figures(const SteppedBaseStudy<>& study, const ResultFolder& fo
                    report);
     append_forces(limit, "forces", folder, report);
 
+    if (study.linear_programming_bound) {
+        append_bound_figures(problem, result, *study.linear_programming_bound, folder, report);
+    }
+
     report.blocks.emplace_back(Heading{"Column by column"});
     report.blocks.emplace_back(
         Paragraph{"P acts normal to the joints, friction on them is fully mobilised by columns that move; R and S are "
@@ -119,7 +124,7 @@ void append_mechanism_figures(const SteppedBaseStudy<>& at_best, const Mechanism
     if (result.check != ColumnCheck::valid) {
         return;
     }
-    const std::vector<std::string> warnings = analyse_case(SteppedBaseStudy<>{best, std::nullopt, {}, {}}).warnings;
+    const std::vector<std::string> warnings = analyse_case(SteppedBaseStudy<>{best, std::nullopt, {}, {}, std::nullopt}).warnings;
     if (!warnings.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "The columns at the best point", warnings});
     }

@@ -1,5 +1,6 @@
 // Columns on a stepped base as the program reports them: answers and warnings.
 #include "cases/model_reports.hpp"
+#include "cases/stepped_base_bound.hpp"
 #include "cases/stepped_base_columns.hpp"
 #include "fitting/words.hpp"
 #include "limit_equilibrium/stepped_base_study.hpp"
@@ -99,6 +100,9 @@ Analysis analyse_case(const SteppedBaseStudy<>& study) {
     append_column_outputs(analysis,
                           column_results(make_columns(resolved.problem.scene), strength_of(resolved.problem)));
     warn(analysis, resolved.problem, result, resolved.critical_at_boundary);
+    if (study.linear_programming_bound) {
+        append_bound(analysis, resolved.problem, *study.linear_programming_bound);
+    }
     return analysis;
 }
 

@@ -86,9 +86,9 @@ bool carries_weight_alone(const TurnedAxes& axes, const Column<>& column) {
            std::abs(body.load.moment) <= rounding * std::hypot(column.width, column.height);
 }
 
-std::vector<double> cuts(const Column<>& column, const CrossJoints& cross_joints, double offset) {
+std::vector<double> cuts(const Column<>& column, const CrossJoints& cross_joints, double stagger) {
     std::vector<double> heights{0};
-    const double start = offset > 0 ? offset : cross_joints.spacing;
+    const double start = stagger > 0 ? stagger : cross_joints.spacing;
     for (std::size_t number = 0;; ++number) {
         const double height = start + cross_joints.spacing * static_cast<double>(number);
         if (!(height < column.height * (1 - 1e-9))) {
@@ -176,7 +176,7 @@ Assembly assemble_blocks(const ColumnSlope<>& slope, const CrossJoints& cross_jo
     for (const Column<>& column : slope.columns) {
         blocks += column.height / cross_joints.spacing + 2;
     }
-    if (!(cross_joints.spacing > 0 && cross_joints.offset >= 0 && cross_joints.offset < cross_joints.spacing &&
+    if (!(cross_joints.spacing > 0 && cross_joints.stagger >= 0 && cross_joints.stagger < cross_joints.spacing &&
           blocks <= static_cast<double>(most_blocks))) {
         return refused(AssemblyCheck::cross_joints_too_near);
     }
@@ -191,7 +191,7 @@ Assembly assemble_blocks(const ColumnSlope<>& slope, const CrossJoints& cross_jo
         if (!carries_weight_alone(axes, column)) {
             return refused(AssemblyCheck::loads_beyond_weight);
         }
-        const std::vector<double> heights = cuts(column, cross_joints, index % 2 == 1 ? cross_joints.offset : 0);
+        const std::vector<double> heights = cuts(column, cross_joints, index % 2 == 1 ? cross_joints.stagger : 0);
         std::vector<Piece> pieces;
         for (std::size_t part = 0; part + 1 < heights.size(); ++part) {
             const Piece piece{assembly.bodies.size(), column.base_v + heights[part], column.base_v + heights[part + 1]};

@@ -7,6 +7,7 @@
 
 #include "limit_equilibrium/assembly.hpp"
 #include "limit_equilibrium/column.hpp"
+#include "parameters/fields.hpp"
 
 namespace delabole {
 
@@ -36,9 +37,18 @@ constexpr double whole_joint = 1;
 Assembly assemble_columns(const ColumnSlope<>& slope, const BlockFriction& friction, double upper_part);
 
 struct CrossJoints {
-    double spacing;  // m, along the columns from each base
-    double offset;   // of the first cross joint in every second column, 0 <= offset < spacing; 0: as in the others
-    double friction_angle;  // of the cross joints
+    double spacing;
+    double stagger;  // less than the spacing
+    double friction_angle;
+    static constexpr auto fields() {
+        return std::tuple{number("spacing", &CrossJoints::spacing, Dimension::length, more_than(0),
+                                 "distance between cross joints, along the columns from each base"),
+                          number("stagger", &CrossJoints::stagger, Dimension::length, at_least(0),
+                                 "height above its base of the first cross joint in every second column, less than "
+                                 "the spacing; 0: as in the others"),
+                          number("friction_angle", &CrossJoints::friction_angle, Dimension::angle,
+                                 within(0, degrees(89.9)), "friction angle of the cross joints")};
+    }
 };
 
 // Rectangular columns under their own weight cut across: the blocks of a slope that is jointed in two directions. A

@@ -90,8 +90,8 @@ LpBound least_support_force(const Assembly& assembly, std::size_t body, const Po
 
 // Smallest factor on the tangents of all friction angles and on all cohesions for which the assembly stands; its
 // inverse is a factor of safety, right or too high. 0: stands without friction. Infeasible: a factor of 1024 is not
-// enough. Relative accuracy 1e-10. The mechanism is the one that a horizontal force would set off at that strength, and
-// `mechanism_value` the coefficient of that force, about 0.
+// enough. No tangent is raised beyond 1e4. Relative accuracy 1e-10. The mechanism is the one that a horizontal force
+// would set off at that strength, and `mechanism_value` the coefficient of that force, about 0.
 LpBound least_strength_factor(const Assembly& assembly);
 
 }  // namespace delabole

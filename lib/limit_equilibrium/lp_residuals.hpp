@@ -3,6 +3,7 @@
 
 #include "limit_equilibrium/lp_bound.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,9 +31,14 @@ struct Sought {
     double upper = infinity;
 };
 
-// All strength times a factor: tan(phi), not phi.
+// Beyond this a cone is a half plane to as many digits as the simplex method keeps.
+constexpr double largest_raised_tangent = 1e4;
+
+// All strength times a factor: tan(phi), not phi. Raised strength stops at a tangent of 1e4, or at that given.
 inline double friction_of(const Contact& contact, double strength) {
-    return std::atan(strength * std::tan(contact.friction_angle));
+    const double given = std::tan(contact.friction_angle);
+    const double most = strength > 1 ? std::max(given, largest_raised_tangent) : given;
+    return std::atan(std::min(strength * given, most));
 }
 
 // Imbalance and cone violation, from the forces themselves and not from the programme's numbers.

@@ -3,6 +3,7 @@
 
 #include "limit_equilibrium/critical_base.hpp"
 #include "limit_equilibrium/stepped_base.hpp"
+#include "limit_equilibrium/stepped_base_bound.hpp"
 #include "numerics/required_value.hpp"
 #include "plane_failure/study.hpp"
 
@@ -17,6 +18,7 @@ struct SteppedBaseStudy {
     std::optional<CriticalBaseSearch<T>> critical;
     std::vector<RequiredValue<T>> required;
     std::vector<RequiredCable<T>> required_cable;
+    std::optional<LinearProgrammingBound> linear_programming_bound;
 
     static constexpr std::string_view kind = "stepped_base";
     static constexpr auto fields() {
@@ -24,7 +26,9 @@ struct SteppedBaseStudy {
             inlined(&SteppedBaseStudy::model, "slope, columns and their strength"),
             section("critical", &SteppedBaseStudy::critical, "search for the least stable base"),
             section("required", &SteppedBaseStudy::required, "inputs solved for"),
-            section("required_cable", &SteppedBaseStudy::required_cable, "cables whose tension is solved for")};
+            section("required_cable", &SteppedBaseStudy::required_cable, "cables whose tension is solved for"),
+            section("linear_programming_bound", &SteppedBaseStudy::linear_programming_bound,
+                    "bound on the factor of safety, from the unsafe side, by any forces that friction allows")};
     }
 };
 

@@ -180,6 +180,7 @@ TEST(Template, OptionalSectionsAreValid) {
     expect_valid_sections("plane_failure",
                           {"# [slope.bench]", "# [tension_cutoff]", "# [pond]", "# [seismic]", "# [[surcharge]]",
                            "# [[line_load]]", "# [[bolt]]", "# [critical]", "# [[required]]"});
+    expect_valid_sections("stepped_base", {"# [linear_programming_bound]"});
     expect_valid_sections("kinematics", {"# [slope.upper_surface]", "# [sampling]"});
 }
 
