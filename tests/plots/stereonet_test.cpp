@@ -48,7 +48,8 @@ TEST(StereonetFigure, NamesWhatItShows) {
     const Figure poles = pole_figure(samples::stereonet());
     for (const std::string_view text :
          {"joint set a, mean 80/102.5", "joint set b, mean 85/282.5", "cleavage", "face 70/102.5", "daylight envelope",
-          "planes dipping 20°", "poles that slide", "poles that topple", "sampled poles, at most 150", "density of the sampled poles, 2, 4, 8"}) {
+          "planes dipping 20°", "poles that slide", "poles that topple", "sampled poles, at most 150",
+          "density of the sampled poles, 2, 4, 8"}) {
         EXPECT_TRUE(names(poles, text)) << text;
     }
     const Figure planes = plane_figure(samples::stereonet());
