@@ -124,7 +124,8 @@ void append_mechanism_figures(const SteppedBaseStudy<>& at_best, const Mechanism
     if (result.check != ColumnCheck::valid) {
         return;
     }
-    const std::vector<std::string> warnings = analyse_case(SteppedBaseStudy<>{best, std::nullopt, {}, {}, std::nullopt}).warnings;
+    const std::vector<std::string> warnings =
+        analyse_case(SteppedBaseStudy<>{best, std::nullopt, {}, {}, std::nullopt}).warnings;
     if (!warnings.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "The columns at the best point", warnings});
     }
