@@ -15,7 +15,11 @@ namespace delabole {
 
 namespace {
 
+// A number in full precision; what is none, as the words that JSON has for it.
 std::string shortest(double value) {
+    if (!std::isfinite(value)) {
+        return std::isnan(value) ? "undefined" : value > 0 ? "infinite" : "-infinite";
+    }
     std::array<char, 32> buffer{};
     return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }

@@ -116,16 +116,16 @@ void check_bound(Checker& checker, const LinearProgrammingBound& bound, const Co
     }
 }
 
-// A slope of 60 m with columns 3 m thick, pushed by a wedge.
+// A slope of 60 m with columns 5 m thick, pushed by a wedge.
 SteppedBaseStudy<> example_study() {
     SteppedBaseStudy<> study{};
     ColumnScene<>& scene = study.model.scene;
     scene.slope = SlopeSection<>{
         .height = 60, .face_dip = degrees(65), .upper_surface_dip = 0, .bench = std::nullopt, .toe_elevation = 100};
     scene.columns = ContinuousColumns<>{
-        .joint_dip = degrees(70), .spacing = 3, .base_inclination = degrees(35), .base_end_height = 25};
+        .joint_dip = degrees(70), .spacing = 5, .base_inclination = degrees(35), .base_end_height = 25};
     scene.rock = {.unit_weight = 26e3};
-    scene.water = WaterTable<>{.unit_weight = 9.81e3, .level = WaterDepth<>{15}};
+    scene.water = WaterTable<>{.unit_weight = 9.81e3, .level = WaterDepth<>{8}};
     scene.slide_head =
         SlideHead<>{.joint_dip = degrees(70), .friction_angle = degrees(35), .cohesion = 0, .water = std::nullopt};
     study.model.joints = {.friction_angle = degrees(35)};

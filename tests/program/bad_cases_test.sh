@@ -144,7 +144,8 @@ bad_of block.toml "water above the block" \
 bad_of block.toml "vertical base" '/^inclination/s/"[^"]*"/"90 deg"/' \
     'base.inclination = "90 deg": must be at least 0 and less than 90 deg'
 bad_of row.toml "no block" '/^\[\[block/,$d' 'case.toml:1:1: block: is required: at least one [[block]]'
-bad_of row.toml "friction of a wall" '/^friction_angle/s/"[^"]*"/"95 deg"/' 'friction_angle = "95 deg": must be from 0 to 89.9 deg'
+bad_of row.toml "friction of a wall" '0,/^friction_angle/s/^friction_angle = "[^"]*"/friction_angle = "95 deg"/' \
+    'friction_angle = "95 deg": must be from 0 to 89.9 deg'
 bad_of row.toml "weightless block" '0,/^unit_weight/s/^unit_weight = "[^"]*"/unit_weight = "0 kN\/m3"/' \
     'block[1].unit_weight = "0 kN/m3": must be more than 0 kN/m3'
 
