@@ -12,7 +12,7 @@ struct ModeStyle {
     double opacity;
 };
 
-constexpr std::array drawn_modes{
+inline constexpr std::array drawn_modes{
     DrawnMode::plain, DrawnMode::stays, DrawnMode::slides, DrawnMode::topples, DrawnMode::slides_and_topples,
     DrawnMode::fixed};
 
