@@ -154,37 +154,13 @@ PairFeasibility pair_feasibility(const Kinematics& model, const Samples& samples
             .toppling_base = base ? model.joint_set[*base].name : std::string{}};
 }
 
-template <class Object>
-std::vector<Quantity> quantities_of(const Object& object, bool inputs) {
-    std::vector<Quantity> quantities;
-    for_each_named_number(object, [&](const std::string& path, const FieldInfo& info, double value) {
-        Quantity quantity{path, info.dimension, std::string(info.meaning)};
-        if (inputs) {
-            quantity.range = info.range;
-            quantity.value = value;
-        }
-        quantities.push_back(std::move(quantity));
-    });
-    return quantities;
-}
-
-Prediction predict(const KinematicsStudy& study, std::span<const Assignment> assignments) {
-    KinematicsStudy changed = study;
-    for (const Assignment& assignment : assignments) {
-        std::size_t index = 0;
-        for_each_number(changed.model, [&](double& value, const FieldInfo&) {
-            if (index++ == assignment.input) {
-                value = assignment.value;
-            }
-        });
-    }
-    const KinematicsResult result = analyse(changed);
+Prediction predict(KinematicsStudy study, std::span<const Assignment> assignments) {
+    assign(study.model, assignments);
+    const KinematicsResult result = analyse(study);
     if (result.check != KinematicsCheck::valid) {
-        return {.failure = word_of(result.check), .outputs = {}, .profile = {}};
+        return {word_of(result.check), {}, {}};
     }
-    Prediction prediction;
-    for_each_number(result, [&](double value, const FieldInfo&) { prediction.outputs.push_back(value); });
-    return prediction;
+    return {{}, output_values(result), {}};
 }
 
 }  // namespace
@@ -246,12 +222,12 @@ KinematicsResult analyse(const KinematicsStudy& study) {
 
 ModelInterface model_interface(const KinematicsStudy& study) {
     ModelInterface model;
-    model.inputs = quantities_of(study.model, true);
+    model.inputs = inputs_of(study.model);
     // The number of outputs depends on the number of sets alone: an invalid study, which has none, predicts none
     // either.
     KinematicsStudy cheapest = study;
     cheapest.sampling = OrientationSampling{.sample_count = 1, .seed = {}};
-    model.outputs = quantities_of(analyse(cheapest), false);
+    model.outputs = outputs_of(analyse(cheapest));
     model.predict = [study](std::span<const Assignment> assignments) { return predict(study, assignments); };
     return model;
 }

@@ -101,31 +101,16 @@ BlockRowResult analyse(const BlockRow<>& row) {
 
 ModelInterface model_interface(const BlockRow<>& row) {
     ModelInterface model;
-    for_each_named_number(row, [&](const std::string& path, const FieldInfo& info, double value) {
-        model.inputs.push_back({path, info.dimension, std::string(info.meaning), info.range, value});
-    });
-    const RowAnswer names;
-    for_each_named_number(names, [&](const std::string& path, const FieldInfo& info, double) {
-        model.outputs.push_back({path, info.dimension, std::string(info.meaning)});
-    });
+    model.inputs = inputs_of(row);
+    model.outputs = outputs_of(RowAnswer{});
     model.predict = [row](std::span<const Assignment> assignments) -> Prediction {
         BlockRow<> varied = row;
-        std::size_t input = 0;
-        for_each_number(varied, [&](double& value, const FieldInfo&) {
-            for (const Assignment& assignment : assignments) {
-                if (assignment.input == input) {
-                    value = assignment.value;
-                }
-            }
-            ++input;
-        });
+        assign(varied, assignments);
         const BlockRowResult result = analyse(varied);
         if (result.check != BlockRowCheck::valid) {
             return {word_of(result.check), {}, {}};
         }
-        Prediction prediction;
-        for_each_number(result.answer, [&](double value, const FieldInfo&) { prediction.outputs.push_back(value); });
-        return prediction;
+        return {{}, output_values(result.answer), {}};
     };
     return model;
 }

@@ -235,31 +235,16 @@ double toe_slip_friction_angle(double inclination, double slenderness_angle) {
 
 ModelInterface model_interface(const SingleBlock<>& problem) {
     ModelInterface model;
-    for_each_named_number(problem, [&](const std::string& path, const FieldInfo& info, double value) {
-        model.inputs.push_back({path, info.dimension, std::string(info.meaning), info.range, value});
-    });
-    const SingleBlockResult names;
-    for_each_named_number(names, [&](const std::string& path, const FieldInfo& info, double) {
-        model.outputs.push_back({path, info.dimension, std::string(info.meaning)});
-    });
+    model.inputs = inputs_of(problem);
+    model.outputs = outputs_of(SingleBlockResult{});
     model.predict = [problem](std::span<const Assignment> assignments) -> Prediction {
         SingleBlock<> varied = problem;
-        std::size_t input = 0;
-        for_each_number(varied, [&](double& value, const FieldInfo&) {
-            for (const Assignment& assignment : assignments) {
-                if (assignment.input == input) {
-                    value = assignment.value;
-                }
-            }
-            ++input;
-        });
+        assign(varied, assignments);
         const SingleBlockResult result = analyse(varied);
         if (result.check != SingleBlockCheck::valid) {
             return {word_of(result.check), {}, {}};
         }
-        Prediction prediction;
-        for_each_number(result, [&](double value, const FieldInfo&) { prediction.outputs.push_back(value); });
-        return prediction;
+        return {{}, output_values(result), {}};
     };
     return model;
 }

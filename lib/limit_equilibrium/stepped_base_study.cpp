@@ -35,8 +35,7 @@ Prediction predict(SteppedBaseStudy<> study, std::span<const Assignment> assignm
     if (result.limit != LimitState::found) {
         return {word_of(result.limit), {}, {}};
     }
-    Prediction prediction;
-    for_each_number(result, [&](double value, const FieldInfo&) { prediction.outputs.push_back(value); });
+    Prediction prediction{{}, output_values(result), {}};
     if (has_datum(resolved.problem)) {
         prediction.outputs.push_back(result.crack_base_height + *resolved.problem.scene.slope->toe_elevation);
     }

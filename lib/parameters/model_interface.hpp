@@ -61,6 +61,14 @@ std::vector<Quantity> outputs_of(const Result& result) {
     return outputs;
 }
 
+// Their values, in the order of outputs_of.
+template <Described Result>
+std::vector<double> output_values(const Result& result) {
+    std::vector<double> values;
+    for_each_number(result, [&](double value, const FieldInfo&) { values.push_back(value); });
+    return values;
+}
+
 // Sets inputs, counted as inputs_of counts them.
 template <Described Parameters>
 void assign(Parameters& parameters, std::span<const Assignment> assignments) {

@@ -236,9 +236,7 @@ Prediction predict(PlaneFailureStudy<> study, std::span<const Assignment> assign
     if (result.check != PlaneFailureCheck::valid) {
         return {word_of(result.check), {}, {}};
     }
-    Prediction prediction;
-    prediction.outputs.reserve(24);
-    for_each_number(result, [&](double value, const FieldInfo&) { prediction.outputs.push_back(value); });
+    Prediction prediction{{}, output_values(result), {}};
     if (study.model.slope.toe_elevation) {
         prediction.outputs.push_back(result.crack_base_height + *study.model.slope.toe_elevation);
         prediction.outputs.push_back(result.crack_top_height + *study.model.slope.toe_elevation);

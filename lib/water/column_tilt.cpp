@@ -25,8 +25,7 @@ ModelInterface model_interface(const TiltedColumn<>& column) {
         if (!inside) {
             return Prediction{"input_out_of_range", {}, {}};
         }
-        const ColumnTilt result_of_change = column_tilt(changed);
-        return Prediction{{}, {result_of_change.tilt, result_of_change.water_force_over_weight}, {}};
+        return Prediction{{}, output_values(column_tilt(changed)), {}};
     };
     return model;
 }
