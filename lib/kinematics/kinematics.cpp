@@ -17,12 +17,6 @@ OrientationSampling sampling_of(const KinematicsStudy& study) {
             given.seed.value_or(OrientationSampling::default_seed)};
 }
 
-bool in_range(const KinematicsStudy& study) {
-    bool good = true;
-    for_each_number(study, [&](double value, const FieldInfo& info) { good = good && info.range.contains(value); });
-    return good;
-}
-
 bool dips_in_order(const JointSet& set) {
     const auto* range = std::get_if<OrientationRange>(&set.orientation);
     return range == nullptr || range->lower_dip <= range->upper_dip;

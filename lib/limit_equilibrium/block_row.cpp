@@ -20,11 +20,7 @@ BlockRowCheck check_input(const BlockRow<>& row) {
     if (row.block.size() > most_blocks) {
         return BlockRowCheck::too_many_blocks;
     }
-    bool inside = true;
-    for_each_number(row, [&](double value, const FieldInfo& info) {
-        inside = inside && info.range.contains(value) && std::isfinite(value);
-    });
-    return inside ? BlockRowCheck::valid : BlockRowCheck::input_out_of_range;
+    return in_range(row) ? BlockRowCheck::valid : BlockRowCheck::input_out_of_range;
 }
 
 double tilt_of(double tangent, bool exists) {

@@ -125,13 +125,8 @@ ColumnCheck set_slide_head(const ColumnScene<T>& scene, const ColumnShapes<T>& s
 template <class T>
 ColumnSlope<T> make_columns(const ColumnScene<T>& scene) {
     using std::atan2;
-    using std::isfinite;
     ColumnSlope<T> slope;
-    bool inside = true;
-    for_each_number(scene, [&](const T& value, const FieldInfo& info) {
-        inside = inside && info.range.contains(static_cast<double>(value)) && isfinite(static_cast<double>(value));
-    });
-    if (!inside) {
+    if (!in_range(scene)) {
         slope.check = ColumnCheck::input_out_of_range;
         return slope;
     }

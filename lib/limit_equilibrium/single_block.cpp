@@ -178,11 +178,7 @@ BlockMotion static_mode_of(const SingleBlockResult& result) {
 }
 
 SingleBlockCheck check_input(const SingleBlock<>& problem) {
-    bool inside = true;
-    for_each_number(problem, [&](double value, const FieldInfo& info) {
-        inside = inside && info.range.contains(value) && std::isfinite(value);
-    });
-    if (!inside) {
+    if (!in_range(problem)) {
         return SingleBlockCheck::input_out_of_range;
     }
     const bool above = problem.water && std::max(problem.water->depth_behind,

@@ -297,11 +297,7 @@ std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const Colum
 
 SteppedBaseResult analyse(const SteppedBase<>& problem) {
     SteppedBaseResult result;
-    bool inside = true;
-    for_each_number(problem, [&](double value, const FieldInfo& info) {
-        inside = inside && info.range.contains(value) && std::isfinite(value);
-    });
-    if (!inside) {
+    if (!in_range(problem)) {
         result.check = ColumnCheck::input_out_of_range;
         return result;
     }

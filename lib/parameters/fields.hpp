@@ -17,6 +17,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <limits>
 #include <optional>
@@ -264,6 +265,17 @@ void convert(const From& from, To& to) {
 template <Described Object, class Function>
 constexpr void for_each_number(Object& object, Function&& function) {
     detail::walk_numbers(object, FieldInfo{}, function);
+}
+
+// Every number finite and in the range of its field.
+template <Described Object>
+bool in_range(const Object& object) {
+    bool inside = true;
+    for_each_number(object, [&](const auto& value, const FieldInfo& info) {
+        const auto number = static_cast<double>(value);
+        inside = inside && std::isfinite(number) && info.range.contains(number);
+    });
+    return inside;
 }
 
 // Calls function(path, info, number) for every number present; paths read "strength.cohesion", "bolt[1].force".

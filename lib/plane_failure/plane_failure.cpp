@@ -153,11 +153,7 @@ FactorOfSafety factor_of_safety(const PlaneFailure<>& problem) {
 }
 
 PlaneFailureCheck check_ranges(const PlaneFailure<>& problem) {
-    bool inside = true;
-    for_each_number(problem, [&](double value, const FieldInfo& info) {
-        inside = inside && info.range.contains(value) && std::isfinite(value);
-    });
-    return inside ? PlaneFailureCheck::valid : PlaneFailureCheck::input_out_of_range;
+    return in_range(problem) ? PlaneFailureCheck::valid : PlaneFailureCheck::input_out_of_range;
 }
 
 PlaneFailureResult analyse(const PlaneFailure<>& problem) {

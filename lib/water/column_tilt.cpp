@@ -19,10 +19,7 @@ ModelInterface model_interface(const TiltedColumn<>& column) {
     model.predict = [column](std::span<const Assignment> assignments) {
         TiltedColumn<> changed = column;
         assign(changed, assignments);
-        bool inside = true;
-        for_each_number(changed,
-                        [&](double value, const FieldInfo& info) { inside = inside && info.range.contains(value); });
-        if (!inside) {
+        if (!in_range(changed)) {
             return Prediction{"input_out_of_range", {}, {}};
         }
         return Prediction{{}, output_values(column_tilt(changed)), {}};
