@@ -17,11 +17,11 @@ struct SlopeOrientation {
     std::optional<Orientation> upper_surface;
     static constexpr auto fields() {
         using S = SlopeOrientation;
-        return std::tuple{number("face_dip", &S::face_dip, Dimension::angle,
-                                 Interval{.lower = 0, .upper = degrees(90), .lower_open = true}, "dip of the face"),
-                          number("face_dip_direction", &S::face_dip_direction, Dimension::angle,
-                                 within(0, degrees(360)), "dip direction of the face, out of the slope"),
-                          section("upper_surface", &S::upper_surface, "ground behind the crest; absent: level")};
+        return std::tuple{
+            number("face_dip", &S::face_dip, Dimension::angle, left_open(0, degrees(90)), "dip of the face"),
+            number("face_dip_direction", &S::face_dip_direction, Dimension::angle, within(0, degrees(360)),
+                   "dip direction of the face, out of the slope"),
+            section("upper_surface", &S::upper_surface, "ground behind the crest; absent: level")};
     }
 };
 
@@ -29,8 +29,7 @@ struct JointFriction {
     double friction_angle;
     static constexpr auto fields() {
         return std::tuple{number("friction_angle", &JointFriction::friction_angle, Dimension::angle,
-                                 Interval{.lower = 0, .upper = degrees(90), .upper_open = true},
-                                 "friction angle of every joint")};
+                                 right_open(0, degrees(90)), "friction angle of every joint")};
     }
 };
 

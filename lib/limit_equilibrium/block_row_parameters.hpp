@@ -18,11 +18,10 @@ struct RowBase {
     T inclination;
     T friction_angle;
     static constexpr auto fields() {
-        return std::tuple{
-            number("inclination", &RowBase::inclination, Dimension::angle,
-                   Interval{.lower = 0, .upper = degrees(90), .upper_open = true}, "inclination of the plane as it is"),
-            number("friction_angle", &RowBase::friction_angle, Dimension::angle, within(0, degrees(89.9)),
-                   "angle of friction between blocks and plane")};
+        return std::tuple{number("inclination", &RowBase::inclination, Dimension::angle, right_open(0, degrees(90)),
+                                 "inclination of the plane as it is"),
+                          number("friction_angle", &RowBase::friction_angle, Dimension::angle, within(0, degrees(89.9)),
+                                 "angle of friction between blocks and plane")};
     }
 };
 

@@ -15,6 +15,23 @@
 
 namespace delabole {
 
+template <class Columns>
+constexpr auto joint_dip_field() {
+    return number("joint_dip", &Columns::joint_dip, Dimension::angle, left_open(0, degrees(90)),
+                  "dip of the joints, into the slope");
+}
+
+// Of columns of one spacing with their toe corners on one line.
+template <class Columns>
+constexpr auto regular_columns_fields() {
+    return std::tuple{joint_dip_field<Columns>(),
+                      number("spacing", &Columns::spacing, Dimension::length, more_than(0), "normal spacing of joints"),
+                      number("base_inclination", &Columns::base_inclination, Dimension::angle, between(0, degrees(90)),
+                             "inclination of the line through the toe corners of the bases"),
+                      number("base_end_height", &Columns::base_end_height, Dimension::length, more_than(0),
+                             "height above the toe at which that line ends; absent: it goes on to the ground")};
+}
+
 // Columns cut by the true ground: everything is a continuous function of slope height and spacing.
 template <class T = double>
 struct ContinuousColumns {
@@ -23,16 +40,7 @@ struct ContinuousColumns {
     T base_inclination;
     std::optional<T> base_end_height;
     static constexpr std::string_view kind = "continuous";
-    static constexpr auto fields() {
-        return std::tuple{
-            number("joint_dip", &ContinuousColumns::joint_dip, Dimension::angle,
-                   Interval{.lower = 0, .upper = degrees(90), .lower_open = true}, "dip of the joints, into the slope"),
-            number("spacing", &ContinuousColumns::spacing, Dimension::length, more_than(0), "normal spacing of joints"),
-            number("base_inclination", &ContinuousColumns::base_inclination, Dimension::angle, between(0, degrees(90)),
-                   "inclination of the line through the toe corners of the bases"),
-            number("base_end_height", &ContinuousColumns::base_end_height, Dimension::length, more_than(0),
-                   "height above the toe at which that line ends; absent: it goes on to the ground")};
-    }
+    static constexpr auto fields() { return regular_columns_fields<ContinuousColumns>(); }
 };
 
 // Flat-topped columns after Goodman & Bray (1976). Their number jumps with slope height and spacing.
@@ -43,16 +51,7 @@ struct ClassicalColumns {
     T base_inclination;
     std::optional<T> base_end_height;
     static constexpr std::string_view kind = "classical";
-    static constexpr auto fields() {
-        return std::tuple{
-            number("joint_dip", &ClassicalColumns::joint_dip, Dimension::angle,
-                   Interval{.lower = 0, .upper = degrees(90), .lower_open = true}, "dip of the joints, into the slope"),
-            number("spacing", &ClassicalColumns::spacing, Dimension::length, more_than(0), "normal spacing of joints"),
-            number("base_inclination", &ClassicalColumns::base_inclination, Dimension::angle, between(0, degrees(90)),
-                   "inclination of the line through the toe corners of the bases"),
-            number("base_end_height", &ClassicalColumns::base_end_height, Dimension::length, more_than(0),
-                   "height above the toe at which that line ends; absent: it goes on to the ground")};
-    }
+    static constexpr auto fields() { return regular_columns_fields<ClassicalColumns>(); }
 };
 
 template <class T = double>
@@ -79,10 +78,8 @@ struct BlockColumns {
     std::vector<ColumnBlock<T>> block;
     static constexpr std::string_view kind = "blocks";
     static constexpr auto fields() {
-        return std::tuple{
-            number("joint_dip", &BlockColumns::joint_dip, Dimension::angle,
-                   Interval{.lower = 0, .upper = degrees(90), .lower_open = true}, "dip of the joints, into the slope"),
-            section("block", &BlockColumns::block, "the blocks, from the toe up")};
+        return std::tuple{joint_dip_field<BlockColumns>(),
+                          section("block", &BlockColumns::block, "the blocks, from the toe up")};
     }
 };
 
@@ -187,11 +184,10 @@ struct SlideHead {
     std::optional<HeadWater<T>> water;
     static constexpr auto fields() {
         return std::tuple{
-            number("joint_dip", &SlideHead::joint_dip, Dimension::angle,
-                   Interval{.lower = 0, .upper = degrees(90), .lower_open = true},
+            number("joint_dip", &SlideHead::joint_dip, Dimension::angle, left_open(0, degrees(90)),
                    "dip of the joint on which the wedge slides, out of the slope"),
-            number("friction_angle", &SlideHead::friction_angle, Dimension::angle,
-                   Interval{.lower = 0, .upper = degrees(90), .upper_open = true}, "friction of that joint"),
+            number("friction_angle", &SlideHead::friction_angle, Dimension::angle, right_open(0, degrees(90)),
+                   "friction of that joint"),
             number("cohesion", &SlideHead::cohesion, Dimension::stress, at_least(0), "cohesion of that joint"),
             section("water", &SlideHead::water,
                     "water standing in that joint; absent: it stands as the water of the columns does there")};

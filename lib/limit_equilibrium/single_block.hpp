@@ -57,8 +57,8 @@ struct BlockBase {
     T cohesion;
     static constexpr auto fields() {
         return std::tuple{
-            number("inclination", &BlockBase::inclination, Dimension::angle,
-                   Interval{.lower = 0, .upper = degrees(90), .upper_open = true}, "inclination of the base"),
+            number("inclination", &BlockBase::inclination, Dimension::angle, right_open(0, degrees(90)),
+                   "inclination of the base"),
             number("friction_angle", &BlockBase::friction_angle, Dimension::angle, within(0, degrees(89.9)),
                    "angle of friction of the base"),
             number("cohesion", &BlockBase::cohesion, Dimension::stress, at_least(0), "cohesion of the base")};

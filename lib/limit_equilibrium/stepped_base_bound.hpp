@@ -15,8 +15,7 @@ struct LinearProgrammingBound {
     double upper_part;
     std::optional<CrossJoints> cross_joints;
     static constexpr auto fields() {
-        return std::tuple{number("upper_part", &LinearProgrammingBound::upper_part, Dimension::ratio,
-                                 Interval{.lower = 1e-6, .upper = 1},
+        return std::tuple{number("upper_part", &LinearProgrammingBound::upper_part, Dimension::ratio, within(1e-6, 1),
                                  "share of each joint, from its top, over which columns touch; 1: the bound proper, "
                                  "towards 0: the recursion, which puts forces on the tops"),
                           section("cross_joints", &LinearProgrammingBound::cross_joints,

@@ -104,6 +104,14 @@ constexpr Interval within(double lower, double upper) {
 constexpr Interval between(double lower, double upper) {
     return {.lower = lower, .upper = upper, .lower_open = true, .upper_open = true};
 }
+// Without its lower end.
+constexpr Interval left_open(double lower, double upper) {
+    return {.lower = lower, .upper = upper, .lower_open = true};
+}
+// Without its upper end.
+constexpr Interval right_open(double lower, double upper) {
+    return {.lower = lower, .upper = upper, .upper_open = true};
+}
 
 struct FieldInfo {
     std::string_view key;  // empty for an inlined variant

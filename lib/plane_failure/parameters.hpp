@@ -38,8 +38,7 @@ struct SlopeSection {
     static constexpr auto fields() {
         return std::tuple{
             number("height", &SlopeSection::height, Dimension::length, more_than(0), "vertical height, toe to crest"),
-            number("face_dip", &SlopeSection::face_dip, Dimension::angle,
-                   Interval{.lower = 0, .upper = degrees(90), .lower_open = true}, "dip of the face"),
+            number("face_dip", &SlopeSection::face_dip, Dimension::angle, left_open(0, degrees(90)), "dip of the face"),
             number("upper_surface_dip", &SlopeSection::upper_surface_dip, Dimension::angle,
                    within(degrees(-60), degrees(89)),
                    "inclination of the ground behind the crest (behind the bench, if there is one), positive rising"),
