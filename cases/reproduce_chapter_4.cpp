@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace delabole {
 
@@ -15,16 +16,16 @@ namespace {
 
 Reproduction reproduce_fig_3_4(const ResultFolder& folder, Report& report) {
     Figure figure = tilt_figure("Single column: critical tilt", "a / b", "");
-    Line curve;
-    curve.legend = "tan θ = b / a";
-    curve.colour = Colour::blue;
-    curve.width = 4;
+    Line theory;
+    theory.legend = "tan θ = b / a";
+    theory.colour = Colour::blue;
+    theory.width = 4;
     Reproduction result;
     for (int step = 0; step <= 90; ++step) {
         const double slenderness = 1 + step / 10.0;
-        curve.points.emplace_back(slenderness, std::atan(1 / slenderness) / degrees(1));
+        theory.points.emplace_back(slenderness, std::atan(1 / slenderness) / degrees(1));
     }
-    figure.series.emplace_back(curve);
+    figure.series.emplace_back(theory);
     SingleBlock<> block{};
     block.block = {.height = 3, .width = 1, .unit_weight = 24e3};
     block.base = {.inclination = degrees(10), .friction_angle = degrees(35), .cohesion = 0};
@@ -104,6 +105,32 @@ Figure tilt_figure(const std::string& title, const std::string& x, const std::st
     figure.y.title = "critical tilt θ";
     figure.y.unit = "deg";
     return figure;
+}
+
+double tangent(double angle_in_degrees) {
+    return std::tan(degrees(angle_in_degrees));
+}
+
+double in_degrees(double tangent_of_angle) {
+    return std::atan(tangent_of_angle) / degrees(1);
+}
+
+double tilt_or_gap(double tangent_of_tilt) {
+    return tangent_of_tilt > 0 ? in_degrees(tangent_of_tilt) : std::numeric_limits<double>::quiet_NaN();
+}
+
+Line curve(double from, double to, const std::string& legend, Colour colour, Dash dash,
+           const std::function<double(double)>& value, int steps) {
+    Line line;
+    line.legend = legend;
+    line.colour = colour;
+    line.dash = dash;
+    line.width = 3.5;
+    for (int step = 0; step <= steps; ++step) {
+        const double x = from + (to - from) * step / steps;
+        line.points.emplace_back(x, value(x));
+    }
+    return line;
 }
 
 ReproductionChapter chapter_4() {

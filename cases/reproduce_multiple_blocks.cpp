@@ -8,20 +8,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 namespace delabole {
 
 namespace {
-
-double tangent(double angle_in_degrees) {
-    return std::tan(degrees(angle_in_degrees));
-}
-
-double in_degrees(double tangent_of_angle) {
-    return std::atan(tangent_of_angle) / degrees(1);
-}
 
 BlockRow<> equal_row(int count, double slenderness, double interface_friction, double base_friction) {
     BlockRow<> row{};
@@ -78,19 +68,10 @@ Figure mode_gallery(int count) {
 
 Line mode_line(double slenderness, const std::string& legend, Colour colour, Dash dash,
                double (*formula)(const double&, const double&, const double&, const double&)) {
-    constexpr int steps = 80;
-    const double least = in_degrees(1 / slenderness);
-    Line line;
-    line.legend = legend;
-    line.colour = colour;
-    line.dash = dash;
-    line.width = 3.5;
-    for (int step = 0; step <= steps; ++step) {
-        const double friction = least + (45 - least) * step / steps;
-        const double t = formula(slenderness, 1.0, tangent(friction), tangent(friction));
-        line.points.emplace_back(friction, t > 0 ? in_degrees(t) : std::numeric_limits<double>::quiet_NaN());
-    }
-    return line;
+    const auto tilt = [&](double friction) {
+        return tilt_or_gap(formula(slenderness, 1.0, tangent(friction), tangent(friction)));
+    };
+    return curve(in_degrees(1 / slenderness), 45, legend, colour, dash, tilt, 80);
 }
 
 }  // namespace

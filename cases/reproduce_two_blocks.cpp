@@ -19,42 +19,16 @@ constexpr std::array<double, 2> frictions = {20, 35};
 constexpr std::array<Colour, 2> colours = {Colour::blue, Colour::vermilion};
 constexpr std::array<double, 2> printed_boundaries = {32.6, 25.3};  // deg, a/b = 9, for `frictions`
 
-double tangent(double angle_in_degrees) {
-    return std::tan(degrees(angle_in_degrees));
-}
-
-double in_degrees(double tangent_of_angle) {
-    return std::atan(tangent_of_angle) / degrees(1);
-}
-
-// Degrees; a gap where the equation has no tilt below 90 deg.
 double forward(double slenderness, double w, double phi, double psi) {
-    const double t = closed_form::two_blocks_forward(slenderness, 1.0, w, 1 - w, tangent(phi), tangent(psi));
-    return t > 0 ? in_degrees(t) : gap;
+    return tilt_or_gap(closed_form::two_blocks_forward(slenderness, 1.0, w, 1 - w, tangent(phi), tangent(psi)));
 }
 
 double backward(double slenderness, double w, double phi, double psi) {
-    const double t = closed_form::two_blocks_backward(slenderness, 1.0, w, 1 - w, tangent(phi), tangent(psi));
-    return t > 0 ? in_degrees(t) : gap;
+    return tilt_or_gap(closed_form::two_blocks_backward(slenderness, 1.0, w, 1 - w, tangent(phi), tangent(psi)));
 }
 
 double boundary(double slenderness, double w, double phi) {
     return in_degrees(closed_form::boundary_base_friction(slenderness, 1.0, w, tangent(phi)));
-}
-
-template <class Function>
-Line curve(double from, double to, const std::string& legend, Colour colour, Dash dash, Function&& value) {
-    constexpr int steps = 100;
-    Line line;
-    line.legend = legend;
-    line.colour = colour;
-    line.dash = dash;
-    line.width = 3.5;
-    for (int step = 0; step <= steps; ++step) {
-        const double x = from + (to - from) * step / steps;
-        line.points.emplace_back(x, value(x));
-    }
-    return line;
 }
 
 Line single_block_line(double slenderness, double from, double to) {

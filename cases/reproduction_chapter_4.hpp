@@ -2,6 +2,10 @@
 #pragma once
 
 #include "cases/reproduction.hpp"
+#include "plots/figure.hpp"
+
+#include <functional>
+#include <string>
 
 namespace delabole {
 
@@ -20,5 +24,16 @@ PrintedRow angle_row(const std::string& what, double printed, double computed, c
 
 // A figure of a tilt over an angle or a ratio.
 Figure tilt_figure(const std::string& title, const std::string& x, const std::string& x_unit);
+
+double tangent(double angle_in_degrees);
+
+double in_degrees(double tangent_of_angle);
+
+// Degrees; NaN, a gap in a curve, where the tangent of an equation is no tilt between 0 and 90 deg.
+double tilt_or_gap(double tangent_of_tilt);
+
+// Of a function over so many equal steps.
+Line curve(double from, double to, const std::string& legend, Colour colour, Dash dash,
+           const std::function<double(double)>& value, int steps = 100);
 
 }  // namespace delabole

@@ -2,7 +2,7 @@
 // block_row_mode.hpp. A template over the scalar.
 #pragma once
 
-#include "limit_equilibrium/block_row_mode.hpp"
+#include "limit_equilibrium/block_row_closing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,16 +18,12 @@ namespace delabole {
 template <class T>
 class RowModeSolver {
   public:
-    explicit RowModeSolver(std::vector<RowMember<T>> members) : members_(std::move(members)) {}
+    explicit RowModeSolver(std::vector<RowMember<T>> members) : closing_(std::move(members)) {}
 
-    const std::vector<RowMember<T>>& members() const { return members_; }
+    const std::vector<RowMember<T>>& members() const { return closing_.members(); }
 
-    // Tilt alone: `check` is no_tilt, locked, over_determined or admissible, there are no forces. Roles in the order
-    // S* (F* P? B* with "=") (0* or R*), as many as there are blocks from `first` on, not all standing; R only with P.
-    RowMode<T> close(std::string_view roles, std::size_t first) {
-        divide(roles, first);
-        return units_.empty() ? close_sliding() : close_turning();
-    }
+    // Tilt alone.
+    RowMode<T> close(std::string_view roles, std::size_t first) { return closing_.close(roles, first); }
 
     // Tilt, forces and every check but that of the standing part.
     RowMode<T> solve(std::string_view roles, std::size_t first) {
@@ -43,218 +39,44 @@ class RowModeSolver {
         using std::sqrt;
         cosine_ = 1 / T(sqrt(T(1 + mode.tangent * mode.tangent)));
         sine_ = mode.tangent * cosine_;
-        mode.forces.assign(slides_ + turns_ + stands_ + retreats_, MemberForces<T>{});
+        mode.forces.assign(parts().slides + parts().turns + parts().stands + parts().retreats, MemberForces<T>{});
         turning_forces(mode);
         reactions_exist_ = true;
         sliding_forces(mode);
         standing_forces(mode);
         retreating_forces(mode);
         mode.check = statics(mode);
-        if (mode.check == RowModeCheck::admissible && stands_ > 0 && heel_pushes_back()) {
+        if (mode.check == RowModeCheck::admissible && parts().stands > 0 && parts().heel_pushes_back()) {
             mode.check = RowModeCheck::blocked_by_standing_block;
         }
     }
 
   private:
-    // sine sin(tilt) + cosine cos(tilt)
-    struct Swing {
-        T sine{};
-        T cosine{};
-    };
-
-    // Blocks that turn as one.
-    struct Unit {
-        std::size_t begin;  // members
-        std::size_t end;
-        char role;
-        T weight;
-        T width;
-        T height_moment;  // sum of W a / 2
-        T width_moment;   // sum of W times distance from the unit's toe
-        T base_friction;
-        T interface_friction;  // above
-        T contact;
-        Swing thrust;  // above
-    };
-
+    const RowParts<T>& parts() const { return closing_.parts(); }
+    // Counted within the mode.
+    const RowMember<T>& block(std::size_t index) const { return members()[parts().first + index]; }
     static T at_least_zero(const T& value) { return value > 0 ? value : T(0); }
-    T at(const Swing& swing) const { return T(swing.sine * sine_ + swing.cosine * cosine_); }
-
-    void divide(std::string_view roles, std::size_t first) {
-        first_ = first;
-        slides_ = 0;
-        units_.clear();
-        std::size_t index = 0;
-        for (; index < roles.size() && roles[index] == row_role::slides; ++index) {
-            ++slides_;
-        }
-        for (; index < roles.size() && roles[index] != row_role::stands && roles[index] != row_role::retreats;
-             ++index) {
-            const RowMember<T>& member = members_[first + index];
-            if (roles[index] != row_role::adheres) {
-                units_.push_back({first + index, first + index, roles[index], T(0), T(0), T(0), T(0),
-                                  member.base_friction, T(0), T(0), Swing{}});
-            }
-            Unit& unit = units_.back();
-            unit.height_moment += member.weight * member.height / 2;
-            unit.width_moment += member.weight * (unit.width + member.width / 2);
-            unit.weight += member.weight;
-            unit.width += member.width;
-            unit.interface_friction = member.interface_friction;
-            unit.contact = member.contact;
-            unit.end = first + index + 1;
-        }
-        turns_ = index - slides_;
-        const bool retreats = index < roles.size() && roles[index] == row_role::retreats;
-        retreats_ = retreats ? roles.size() - index : 0;
-        stands_ = retreats ? 0 : roles.size() - index;
-    }
-
-    RowMode<T> close_sliding() {
-        pushed_ = Swing{};
-        pushed_height_ = 0;
-        T weight{};
-        T resistance{};
-        for (std::size_t index = first_; index < first_ + slides_; ++index) {
-            weight += members_[index].weight;
-            resistance += members_[index].weight * members_[index].base_friction;
-        }
-        return {RowModeCheck::admissible, false, T(resistance / weight), T(0), {}};
-    }
-
-    static bool set_tangent(const T& numerator, const T& denominator, T& tangent) {
-        const bool exists = denominator > 0 && numerator >= 0;
-        tangent = exists ? T(numerator / denominator) : T(0);
-        return exists;
-    }
-
-    RowMode<T> close_turning() {
-        RowMode<T> mode;
-        std::size_t pivot = 0;  // the unit whose shear is free; in an over-determined mode the lowest B; or none
-        while (pivot < units_.size() && units_[pivot].role == row_role::forward) {
-            ++pivot;
-        }
-        const bool pressed = pivot == units_.size();
-        const bool over_determined = !pressed && units_[pivot].role != row_role::pivot;
-        mode.pressed = pressed || (retreats_ > 0 && !heel_pushes_back());
-        units_.back().thrust = thrust_of_retreat();
-        if (!thrusts_from_below(pivot)) {
-            mode.check = RowModeCheck::locked;
-            return mode;
-        }
-        if (!pressed) {
-            thrusts_from_above(pivot);
-        }
-        const bool exists = set_tangent(restoring(), overturning(), mode.tangent);
-        if (over_determined && pivot > 0) {
-            const Swing below = units_[pivot - 1].thrust;
-            thrusts_from_above(pivot - 1);
-            const Swing above = units_[pivot - 1].thrust;
-            set_tangent(T(below.cosine - above.cosine), T(above.sine - below.sine), mode.second_tangent);
-            mode.check = RowModeCheck::over_determined;
-        } else {
-            mode.check = exists ? RowModeCheck::admissible : RowModeCheck::no_tilt;
-        }
-        return mode;
-    }
-
-    // Of the blocks pushed back, on the uppermost turning block: T and c N of all of them, less the friction that the
-    // rising heel takes off the lowest one.
-    Swing thrust_of_retreat() const {
-        Swing thrust;
-        if (retreats_ > 0) {
-            const std::size_t begin = units_.back().end;
-            for (std::size_t index = begin; index < begin + retreats_; ++index) {
-                thrust.sine += members_[index].weight;
-                thrust.cosine += members_[index].weight * members_[index].base_friction;
-            }
-            const T mobility = 1 + members_[begin].base_friction * units_.back().interface_friction;
-            thrust = {T(thrust.sine / mobility), T(thrust.cosine / mobility)};
-        }
-        return thrust;
-    }
-
-    // False where a block is locked.
-    bool thrusts_from_below(std::size_t pivot) {
-        pushed_ = Swing{};
-        T friction_below{};
-        pushed_height_ = 0;
-        if (slides_ > 0) {
-            for (std::size_t index = first_; index < first_ + slides_; ++index) {
-                pushed_.cosine += members_[index].weight * members_[index].base_friction;
-                pushed_.sine -= members_[index].weight;
-            }
-            const RowMember<T>& last = members_[first_ + slides_ - 1];
-            const T mobility = 1 - last.base_friction * last.interface_friction;
-            if (!(mobility > 0)) {
-                return false;
-            }
-            pushed_ = {T(pushed_.sine / mobility), T(pushed_.cosine / mobility)};
-            pushed_height_ = last.contact;
-            friction_below = last.interface_friction;
-        }
-        Swing below = pushed_;
-        for (std::size_t index = 0; index < pivot; ++index) {
-            Unit& unit = units_[index];
-            const T mobility = 1 - unit.base_friction * unit.interface_friction;
-            if (!(mobility > 0)) {
-                return false;
-            }
-            const T passed = 1 - unit.base_friction * friction_below;
-            unit.thrust.sine = (below.sine * passed - unit.weight) / mobility;
-            unit.thrust.cosine = (below.cosine * passed + unit.base_friction * unit.weight) / mobility;
-            below = unit.thrust;
-            friction_below = unit.interface_friction;
-        }
-        return true;
-    }
-
-    void thrusts_from_above(std::size_t pivot) {
-        for (std::size_t index = units_.size() - 1; index > pivot; --index) {
-            const Unit& unit = units_[index];
-            Unit& below = units_[index - 1];
-            const T passed = 1 + unit.base_friction * unit.interface_friction;
-            const T mobility = 1 + unit.base_friction * below.interface_friction;
-            below.thrust.sine = (unit.thrust.sine * passed + unit.weight) / mobility;
-            below.thrust.cosine = (unit.thrust.cosine * passed + unit.base_friction * unit.weight) / mobility;
-        }
-    }
-
-    // sum X - h S' - sum b mu S = overturning sin - restoring cos
-    T overturning() const {
-        T sum = -pushed_height_ * pushed_.sine;
-        for (const Unit& unit : units_) {
-            sum += unit.height_moment - unit.width * unit.interface_friction * unit.thrust.sine;
-        }
-        return sum;
-    }
-    T restoring() const {
-        T sum = pushed_height_ * pushed_.cosine;
-        for (const Unit& unit : units_) {
-            sum += unit.width_moment + unit.width * unit.interface_friction * unit.thrust.cosine;
-        }
-        return sum;
-    }
+    T at(const TiltSwing<T>& swing) const { return T(swing.sine * sine_ + swing.cosine * cosine_); }
 
     void turning_forces(RowMode<T>& mode) const {
-        if (units_.empty()) {
+        if (parts().units.empty()) {
             return;
         }
-        const T pushed = at(pushed_);
+        const T pushed = at(parts().pushed);
         T thrust_below = pushed;
-        T shear_below = slides_ > 0 ? T(members_[first_ + slides_ - 1].interface_friction * pushed) : T(0);
-        T moment_below = pushed_height_ * pushed;
-        for (const Unit& unit : units_) {
-            const bool last = &unit == &units_.back();
+        T shear_below = parts().slides > 0 ? T(block(parts().slides - 1).interface_friction * pushed) : T(0);
+        T moment_below = parts().pushed_height * pushed;
+        for (const TurningUnit<T>& unit : parts().units) {
+            const bool last = &unit == &parts().units.back();
             const T thrust = at(unit.thrust);
             const T shear = unit.interface_friction * thrust;
             const T overturning_moment = unit.height_moment * sine_ - unit.width_moment * cosine_;
             // The uppermost moment is zero by the closing, but for rounding: no thrust, or thrust at the heel.
             const T moment = last ? T(0) : T(moment_below - overturning_moment + unit.width * shear);
-            MemberForces<T>& leader = mode.forces[unit.begin - first_];
+            MemberForces<T>& leader = mode.forces[unit.begin - parts().first];
             leader.normal_force = unit.weight * cosine_ + shear - shear_below;
             leader.base_shear = unit.weight * sine_ + thrust - thrust_below;
-            MemberForces<T>& top = mode.forces[unit.end - 1 - first_];
+            MemberForces<T>& top = mode.forces[unit.end - 1 - parts().first];
             top.thrust = thrust;
             top.thrust_moment = moment;
             top.shear = shear;
@@ -266,11 +88,11 @@ class RowModeSolver {
     }
 
     // Within a unit the upper blocks have left the plane and hang on the lower ones.
-    void hang(RowMode<T>& mode, const Unit& unit) const {
+    void hang(RowMode<T>& mode, const TurningUnit<T>& unit) const {
         for (std::size_t index = unit.end - 1; index > unit.begin; --index) {
-            const RowMember<T>& member = members_[index];
-            const MemberForces<T>& above = mode.forces[index - first_];
-            MemberForces<T>& below = mode.forces[index - 1 - first_];
+            const RowMember<T>& member = members()[index];
+            const MemberForces<T>& above = mode.forces[index - parts().first];
+            MemberForces<T>& below = mode.forces[index - 1 - parts().first];
             below.thrust = above.thrust + member.weight * sine_;
             below.shear = above.shear + member.weight * cosine_;
             below.thrust_moment = above.thrust_moment - member.width * above.shear + own_moment(member);
@@ -282,14 +104,14 @@ class RowModeSolver {
     }
 
     void sliding_forces(RowMode<T>& mode) {
-        const T pushed = units_.empty() ? T(0) : at(pushed_);
+        const T pushed = parts().units.empty() ? T(0) : at(parts().pushed);
         T thrust{};
-        for (std::size_t index = 0; index < slides_; ++index) {
-            const RowMember<T>& member = members_[first_ + index];
+        for (std::size_t index = 0; index < parts().slides; ++index) {
+            const RowMember<T>& member = block(index);
             MemberForces<T>& forces = mode.forces[index];
             const T thrust_below = thrust;
             forces.thrust = thrust_below + member.weight * (member.base_friction * cosine_ - sine_);
-            if (index + 1 == slides_) {
+            if (index + 1 == parts().slides) {
                 forces.thrust = pushed;
                 forces.shear = member.interface_friction * pushed;
             }
@@ -297,17 +119,17 @@ class RowModeSolver {
             forces.normal_force = member.weight * cosine_ + forces.shear;
             forces.base_shear = member.weight * sine_ + forces.thrust - thrust_below;
         }
-        place_reactions(mode, 0, slides_, T(pushed_height_ * pushed));
+        place_reactions(mode, 0, parts().slides, T(parts().pushed_height * pushed));
     }
 
     void retreating_forces(RowMode<T>& mode) {
-        if (retreats_ == 0) {
+        if (parts().retreats == 0) {
             return;
         }
-        const std::size_t begin = slides_ + turns_;
+        const std::size_t begin = parts().slides + parts().turns;
         T thrust{};
-        for (std::size_t index = begin + retreats_; index-- > begin;) {
-            const RowMember<T>& member = members_[first_ + index];
+        for (std::size_t index = begin + parts().retreats; index-- > begin;) {
+            const RowMember<T>& member = block(index);
             MemberForces<T>& forces = mode.forces[index];
             forces.thrust = thrust;
             forces.normal_force = member.weight * cosine_;
@@ -316,8 +138,8 @@ class RowModeSolver {
         }
         MemberForces<T>& lowest = mode.forces[begin];
         lowest.normal_force -= mode.forces[begin - 1].shear;
-        lowest.base_shear = -members_[first_ + begin].base_friction * lowest.normal_force;
-        place_reactions(mode, begin, begin + retreats_, T(0));
+        lowest.base_shear = -block(begin).base_friction * lowest.normal_force;
+        place_reactions(mode, begin, begin + parts().retreats, T(0));
     }
 
     // Blocks from `begin` to `end` that move along the plane together. The moments of the thrusts between them are
@@ -331,12 +153,12 @@ class RowModeSolver {
         highest_.assign(end - begin + 1, T(0));
         const T slack = tolerance(mode);
         const auto balance = [&](std::size_t index) {
-            const RowMember<T>& member = members_[first_ + index];
+            const RowMember<T>& member = block(index);
             return T(member.width * mode.forces[index].shear - own_moment(member));
         };
         // The reaction's moment about the toe lies between 0 and R b.
         for (std::size_t index = begin; index < end; ++index) {
-            const RowMember<T>& member = members_[first_ + index];
+            const RowMember<T>& member = block(index);
             const MemberForces<T>& forces = mode.forces[index];
             T& lowest = lowest_[index - begin + 1];
             T& highest = highest_[index - begin + 1];
@@ -352,7 +174,7 @@ class RowModeSolver {
         }
         T moment = handed_down;
         for (std::size_t index = end; index-- > begin;) {
-            const RowMember<T>& member = members_[first_ + index];
+            const RowMember<T>& member = block(index);
             MemberForces<T>& forces = mode.forces[index];
             forces.thrust_moment = moment;
             T below{};
@@ -360,7 +182,7 @@ class RowModeSolver {
                 const T least = std::max(T(moment - balance(index)), lowest_[index - begin]);
                 const T most =
                     std::min(T(moment - balance(index) + forces.normal_force * member.width), highest_[index - begin]);
-                const T middle = mode.forces[index - 1].thrust * members_[first_ + index - 1].contact / 2;
+                const T middle = mode.forces[index - 1].thrust * block(index - 1).contact / 2;
                 below = std::min(std::max(middle, least), most);
             }
             forces.base_moment = balance(index) - moment + below;
@@ -370,8 +192,9 @@ class RowModeSolver {
 
     // As if each stood alone: what passes between standing blocks is not determined.
     void standing_forces(RowMode<T>& mode) const {
-        for (std::size_t index = slides_ + turns_; index < slides_ + turns_ + stands_; ++index) {
-            const RowMember<T>& member = members_[first_ + index];
+        for (std::size_t index = parts().slides + parts().turns;
+             index < parts().slides + parts().turns + parts().stands; ++index) {
+            const RowMember<T>& member = block(index);
             MemberForces<T>& forces = mode.forces[index];
             forces.normal_force = member.weight * cosine_;
             forces.base_shear = member.weight * sine_;
@@ -402,13 +225,13 @@ class RowModeSolver {
         if (!reactions_exist_) {
             return RowModeCheck::sliding_block_overturns;
         }
-        for (const Unit& unit : units_) {
+        for (const TurningUnit<T>& unit : parts().units) {
             const RowModeCheck check = unit_statics(mode, unit, slack);
             if (check != RowModeCheck::admissible) {
                 return check;
             }
         }
-        if (mode.pressed && stands_ > 0 && !presses_in_equilibrium(mode, slack)) {
+        if (mode.pressed && parts().stands > 0 && !presses_in_equilibrium(mode, slack)) {
             return RowModeCheck::standing_blocks_fail;
         }
         return RowModeCheck::admissible;
@@ -417,12 +240,12 @@ class RowModeSolver {
     // Whether the standing blocks that press on the heel of turning ones can do so: neither do they slide up the plane,
     // nor, supported by that thrust, does any upper group of them turn.
     bool presses_in_equilibrium(const RowMode<T>& mode, const T& slack) const {
-        const std::size_t begin = slides_ + turns_;
-        const std::size_t end = begin + stands_;
+        const std::size_t begin = parts().slides + parts().turns;
+        const std::size_t end = begin + parts().stands;
         std::vector<T> thrust(end, T(0));
         for (std::size_t index = end - 1; index >= begin; --index) {
-            const RowMember<T>& member = members_[first_ + index];
-            const T below = members_[first_ + index - 1].interface_friction;
+            const RowMember<T>& member = block(index);
+            const T below = block(index - 1).interface_friction;
             thrust[index - 1] = (member.weight * (sine_ + member.base_friction * cosine_) +
                                  thrust[index] * (1 + member.base_friction * member.interface_friction)) /
                                 (1 + member.base_friction * below);
@@ -434,11 +257,11 @@ class RowModeSolver {
         T most = pressing;  // that the blocks below an interface bear before they slide forward
         bool locked = false;
         for (std::size_t index = begin; index + 1 < end; ++index) {
-            const RowMember<T>& member = members_[first_ + index];
+            const RowMember<T>& member = block(index);
             const T mobility = 1 - member.base_friction * member.interface_friction;
             locked = locked || !(mobility > 0);
             if (!locked) {
-                const T below = members_[first_ + index - 1].interface_friction;
+                const T below = block(index - 1).interface_friction;
                 most = (member.weight * (member.base_friction * cosine_ - sine_) +
                         most * (1 - member.base_friction * below)) /
                        mobility;
@@ -447,10 +270,10 @@ class RowModeSolver {
         }
         T excess{};
         for (std::size_t index = end; index-- > begin;) {
-            const RowMember<T>& member = members_[first_ + index];
+            const RowMember<T>& member = block(index);
             const T held = index + 1 < end ? T(member.width * member.interface_friction * thrust[index]) : T(0);
             excess += own_moment(member) - held;
-            const T support = index > begin ? T(members_[first_ + index - 1].contact * thrust[index - 1]) : T(0);
+            const T support = index > begin ? T(block(index - 1).contact * thrust[index - 1]) : T(0);
             if (excess > support + slack * (member.width + member.height)) {
                 return false;
             }
@@ -458,8 +281,8 @@ class RowModeSolver {
         return true;
     }
 
-    RowModeCheck unit_statics(const RowMode<T>& mode, const Unit& unit, const T& slack) const {
-        const MemberForces<T>& leader = mode.forces[unit.begin - first_];
+    RowModeCheck unit_statics(const RowMode<T>& mode, const TurningUnit<T>& unit, const T& slack) const {
+        const MemberForces<T>& leader = mode.forces[unit.begin - parts().first];
         if (unit.role == row_role::pivot) {
             const T friction = unit.base_friction * leader.normal_force;
             const T shear = leader.base_shear < 0 ? T(-leader.base_shear) : leader.base_shear;
@@ -468,8 +291,8 @@ class RowModeSolver {
             }
         }
         for (std::size_t index = unit.begin; index < unit.end; ++index) {
-            const RowMember<T>& member = members_[index];
-            const MemberForces<T>& forces = mode.forces[index - first_];
+            const RowMember<T>& member = members()[index];
+            const MemberForces<T>& forces = mode.forces[index - parts().first];
             if (index + 1 < unit.end &&
                 forces.shear > member.interface_friction * forces.thrust + slack * (1 + member.interface_friction)) {
                 return RowModeCheck::adhering_blocks_slip;
@@ -482,31 +305,7 @@ class RowModeSolver {
         return RowModeCheck::admissible;
     }
 
-    // The uppermost heel: its toe moves backward by the sum of (1 / cos w - 1) b over the units from the pivot up to
-    // the one below it, the heel itself comes forward by (1 - cos w) b. To second order in w the sums of b decide.
-    bool heel_pushes_back() const {
-        if (units_.empty()) {
-            return false;
-        }
-        T pushed_back{};
-        for (std::size_t index = units_.size() - 1; index-- > 0;) {
-            if (units_[index].role == row_role::forward) {
-                break;
-            }
-            pushed_back += units_[index].width;
-        }
-        return pushed_back > units_.back().width;
-    }
-
-    std::vector<RowMember<T>> members_;
-    std::size_t first_ = 0;
-    std::size_t slides_ = 0;
-    std::size_t turns_ = 0;
-    std::size_t stands_ = 0;
-    std::size_t retreats_ = 0;
-    std::vector<Unit> units_;
-    Swing pushed_;       // thrust on the highest sliding block
-    T pushed_height_{};  // where it acts
+    RowClosing<T> closing_;
     T sine_{};
     T cosine_{};
     bool reactions_exist_ = true;  // within the bases of the blocks that move along the plane

@@ -17,22 +17,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<std::string> legends(const Figure& figure) {
-    std::vector<std::string> result;
-    for (const Series& series : figure.series) {
-        std::visit(
-            [&](const auto& content) {
-                if constexpr (requires { content.legend; }) {
-                    if (!content.legend.empty()) {
-                        result.push_back(content.legend);
-                    }
-                }
-            },
-            series);
-    }
-    return result;
-}
-
 double arrow_length(const Arrows::Shaft& shaft) {
     return (shaft.to - shaft.from).norm();
 }

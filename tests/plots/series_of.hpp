@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace delabole {
@@ -30,6 +31,23 @@ Type with_legend(const Figure& figure, const std::string& legend) {
     }
     ADD_FAILURE() << "no series \"" << legend << "\"";
     return {};
+}
+
+// Of every kind, in drawing order; series without one are left out.
+inline std::vector<std::string> legends(const Figure& figure) {
+    std::vector<std::string> result;
+    for (const Series& series : figure.series) {
+        std::visit(
+            [&](const auto& content) {
+                if constexpr (requires { content.legend; }) {
+                    if (!content.legend.empty()) {
+                        result.push_back(content.legend);
+                    }
+                }
+            },
+            series);
+    }
+    return result;
 }
 
 }  // namespace delabole

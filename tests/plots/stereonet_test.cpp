@@ -1,43 +1,16 @@
 #include "plots/stereonet.hpp"
 #include "samples.hpp"
+#include "series_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace delabole {
 namespace {
-
-template <class Type>
-std::vector<Type> all(const Figure& figure) {
-    std::vector<Type> result;
-    for (const Series& series : figure.series) {
-        if (const auto* content = std::get_if<Type>(&series)) {
-            result.push_back(*content);
-        }
-    }
-    return result;
-}
-
-std::vector<std::string> legends(const Figure& figure) {
-    std::vector<std::string> result;
-    for (const Series& series : figure.series) {
-        std::visit(
-            [&](const auto& content) {
-                if constexpr (requires { content.legend; }) {
-                    if (!content.legend.empty()) {
-                        result.push_back(content.legend);
-                    }
-                }
-            },
-            series);
-    }
-    return result;
-}
 
 bool names(const Figure& figure, std::string_view text) {
     return std::ranges::any_of(legends(figure),
