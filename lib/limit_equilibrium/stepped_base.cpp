@@ -41,6 +41,7 @@ Bracket bracket_from_zero(const Function& function, double direction) {
 
 // Regula falsi with halved weights (Illinois), bisection where that does not shrink the bracket or where a value is
 // zero (margins may be zero over a range, the end of which is sought) or infinite. To the last bit.
+// Not bracketed_root of the fits, which stops at any zero and takes a value that is not finite for a gap.
 template <class Function>
 double edge_in(Function& function, Bracket bracket) {
     const auto positive_above = bracket.at_upper > 0;
