@@ -49,13 +49,13 @@ class Infeasibility {
 
   private:
     // Entries below this are rounding; coefficients are of the order of 1.
-    const T zero_ = 1024 * std::numeric_limits<T>::epsilon();
+    const T zero = 1024 * std::numeric_limits<T>::epsilon();
 
     T& at(std::size_t row, std::size_t column) { return table_[row * (columns_ + 1) + column]; }
 
     std::size_t entering(bool steepest) {
         std::size_t best = columns_;
-        T gain = zero_;
+        T gain = zero;
         for (std::size_t column = 0; column < columns_; ++column) {
             if (at(rows_, column) > gain) {
                 best = column;
@@ -72,7 +72,7 @@ class Infeasibility {
         std::size_t best = rows_;
         T least{};
         for (std::size_t row = 0; row < rows_; ++row) {
-            if (!(at(row, column) > zero_)) {
+            if (!(at(row, column) > zero)) {
                 continue;
             }
             const T ratio = at(row, columns_) / at(row, column);
