@@ -20,13 +20,13 @@
 // >= 90 deg) while its toe slides back. Measured on random rows with friction 10 to 44 deg and b/a 0.09 to 1: an answer
 // for every row of two blocks, 98 % of three, 94 % of four, 88 % of six; a limit in contact for 100, 94, 87 and 79 %.
 // Wherever there is one it is the bound by linear programming, to rounding, and free rows fail at or below that bound:
-// no exception in ten thousand rows of one to six blocks.
+// no exception in ten thousand rows of one to six blocks, nor in long ones.
 //
 // Longer rows get a bounded search, linear in N: the lowest block alone and pressed, the sliding part of least
 // resistance, the whole row sliding, and the turning group found by bisection on the tilt, above it blocks each of
-// which stands by itself. Its answer is a mode with every check made, but that the forces by which sixteen or more
-// blocks press are checked by sums only; with base friction that varies, or where standing blocks need one another, a
-// lower mode may escape it.
+// which stands by itself. Its answer is a mode with every check made; with base friction that varies, or where standing
+// blocks need one another, a lower one may escape it. Whether more than `pressing_limit` blocks that are not equal can
+// press is not examined, they count as unable to.
 #pragma once
 
 #include "limit_equilibrium/block_row_solver.hpp"
@@ -35,6 +35,7 @@
 
 namespace delabole {
 
+inline constexpr std::size_t exact_row_limit = 16;
 inline constexpr std::size_t adhering_row_limit = 4;
 
 // Calls visit(roles) for every mode of `count` blocks, at most exact_row_limit.

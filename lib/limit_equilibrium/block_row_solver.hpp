@@ -15,8 +15,9 @@
 
 namespace delabole {
 
-// Blocks; longer rows are searched, and what presses in them is checked, in linear time.
-inline constexpr std::size_t exact_row_limit = 16;
+// Blocks that press on others; of more the forces are looked for only where all are equal, since the search for them
+// takes a time of the third power of their number, 10 ms for so many.
+inline constexpr std::size_t pressing_limit = 48;
 
 // Evaluates modes of the blocks from `first` on; keeps its working space between calls.
 template <class T>
@@ -236,8 +237,8 @@ class RowModeSolver {
             }
         }
         const bool presses = mode.pressed && parts().stands > 0;
-        if (presses && !(parts().stands < exact_row_limit ? pressing_forces_exist(mode, slack)
-                                                          : pressing_sums_balance(mode, slack))) {
+        if (presses && !(parts().stands <= pressing_limit ? pressing_forces_exist(mode, slack)
+                                                          : equal_blocks_press(mode, slack))) {
             return RowModeCheck::standing_blocks_fail;
         }
         return RowModeCheck::admissible;
@@ -296,11 +297,21 @@ class RowModeSolver {
         return infeasibility_(coefficients_, right_sides_) <= slack / largest;
     }
 
-    // The same of more blocks, by sums, roughly: neither do the standing blocks slide up the plane, nor, supported by
-    // that thrust, does any upper group of them turn.
-    bool pressing_sums_balance(const RowMode<T>& mode, const T& slack) const {
+    // The same of many equal blocks, by sums: neither do they slide up the plane, nor, supported by that thrust, does
+    // any upper group of them turn. Rows of unequal blocks may satisfy the sums for which there are no forces.
+    bool equal_blocks_press(const RowMode<T>& mode, const T& slack) const {
         const std::size_t begin = parts().slides + parts().turns;
         const std::size_t end = begin + parts().stands;
+        for (std::size_t index = begin + 1; index < end; ++index) {
+            const RowMember<T>& lower = block(index - 1);
+            const RowMember<T>& upper = block(index);
+            const bool last = index + 1 == end;
+            if (lower.height != upper.height || lower.width != upper.width || lower.weight != upper.weight ||
+                lower.base_friction != upper.base_friction ||
+                (!last && lower.interface_friction != upper.interface_friction)) {
+                return false;
+            }
+        }
         std::vector<T> thrust(end, T(0));
         for (std::size_t index = end - 1; index >= begin; --index) {
             const RowMember<T>& member = block(index);

@@ -32,7 +32,9 @@ constexpr double accuracy = 1e-9;
 
 struct Kind {
     bool equal;
-    bool extreme;  // friction 0 to 89.9 deg, a/b 0.05 to 100, widths and so weights of any ratio
+    bool extreme;    // friction 0 to 89.9 deg, a/b 0.05 to 100, widths and so weights of any ratio
+    int fewest = 1;  // blocks
+    int most = 6;
 };
 
 BlockRow<> random_row(RandomProblem& random, const Kind& kind) {
@@ -40,7 +42,7 @@ BlockRow<> random_row(RandomProblem& random, const Kind& kind) {
     const auto friction = [&] { return degrees(kind.extreme ? random.uniform(0, 89.9) : random.uniform(10, 44)); };
     row.base = {degrees(1), friction()};
     row.interface = {friction()};
-    for (int count = 1 + random.pick(6); count > 0; --count) {
+    for (int count = kind.fewest + random.pick(kind.most - kind.fewest + 1); count > 0; --count) {
         if (kind.equal && !row.block.empty()) {
             row.block.push_back(row.block.front());
             continue;
@@ -240,6 +242,20 @@ TEST(BlockRowSweep, UnequalBlocksAtTheExtremes) {
     EXPECT_LT(exceptions.without_limit, 460);
     EXPECT_LT(exceptions.recursion_inadmissible, 1070);
     EXPECT_LT(exceptions.recursion_above_bound, 740);
+}
+
+// The bounded search of long rows: seldom an answer for unequal blocks, never one above the bound.
+TEST(BlockRowSweep, LongRows) {
+    RandomProblem random(504);
+    for (int count = 0; count < 400; ++count) {
+        const BlockRow<> row = random_row(random, {count % 2 == 0, count % 4 >= 2, 17, 30});
+        const BlockRowResult modes = analyse(row);
+        Exceptions exceptions;
+        compare_modes_and_bound(row, modes, bound_of(row), exceptions);
+        if (count % 2 == 0) {
+            EXPECT_EQ(modes.check, BlockRowCheck::valid) << described(row);
+        }
+    }
 }
 
 }  // namespace
