@@ -1,0 +1,58 @@
+#include "dynamic_relaxation/bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace delabole {
+
+Bodies make_bodies(const RelaxationScene& scene) {
+    Bodies bodies;
+    for (const RelaxationBlock& block : scene.block) {
+        const AreaProperties<> area = area_properties(block.outline);
+        const double mass = block.density * area.area;
+        const double inertia = block.density * area.polar_second_moment;
+        bodies.mass.push_back(mass);
+        bodies.inertia.push_back(inertia);
+        bodies.inverse_mass.push_back(block.fixed ? 0 : 1 / mass);
+        bodies.inverse_inertia.push_back(block.fixed ? 0 : 1 / inertia);
+        bodies.fixed.push_back(block.fixed ? 1 : 0);
+        bodies.centroid.push_back(area.centroid);
+        const std::size_t begin = bodies.corner.size();
+        const std::size_t count = block.outline.size();
+        bodies.range.push_back({begin, begin + count});
+        double radius = 0;
+        double shortest = std::numeric_limits<double>::infinity();
+        for (std::size_t vertex = 0; vertex < count; ++vertex) {
+            const PlanePoint<>& from = block.outline[vertex];
+            const PlanePoint<>& to = block.outline[vertex + 1 < count ? vertex + 1 : 0];
+            const PlanePoint<> edge = to - from;
+            bodies.block_of.push_back(bodies.mass.size() - 1);
+            bodies.corner.emplace_back(from - area.centroid);
+            bodies.length.push_back(edge.norm());
+            bodies.along.emplace_back(edge / edge.norm());
+            bodies.material.push_back(block.joint.empty() ? 0 : block.joint[vertex]);
+            radius = std::max(radius, bodies.corner.back().norm());
+            shortest = std::min(shortest, bodies.length.back());
+        }
+        bodies.radius.push_back(radius);
+        bodies.shortest_edge.push_back(shortest);
+    }
+    return bodies;
+}
+
+void Motion::set_angle(double value) {
+    angle = value;
+    const double square = value * value;
+    if (square < 1e-4) {
+        // The series end where the next term is below rounding.
+        sine = value * (1 - square / 6 * (1 - square / 20 * (1 - square / 42)));
+        versine = square / 2 * (1 - square / 12 * (1 - square / 30 * (1 - square / 56)));
+    } else {
+        sine = std::sin(value);
+        const double half = std::sin(value / 2);
+        versine = 2 * half * half;
+    }
+}
+
+}  // namespace delabole

@@ -1,0 +1,74 @@
+// The blocks of a scene as the main loop wants them: what does not change, and how each has moved.
+#pragma once
+
+#include "dynamic_relaxation/scene.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace delabole {
+
+struct CornerRange {
+    std::size_t begin;
+    std::size_t end;
+
+    std::size_t size() const { return end - begin; }
+    // Neighbours around the block.
+    std::size_t after(std::size_t corner) const { return corner + 1 < end ? corner + 1 : begin; }
+    std::size_t before(std::size_t corner) const { return corner > begin ? corner - 1 : end - 1; }
+};
+
+// Struct of arrays. Corners and edges of all blocks are numbered through; edge n leads from corner n to the next one.
+struct Bodies {
+    std::vector<double> mass = {};             // kg per metre run
+    std::vector<double> inertia = {};          // kg m2 per metre run, about the centroid
+    std::vector<double> inverse_mass = {};     // 0 for fixed blocks
+    std::vector<double> inverse_inertia = {};  // 0 for fixed blocks
+    std::vector<double> radius = {};           // farthest corner from the centroid
+    std::vector<double> shortest_edge = {};
+    std::vector<char> fixed = {};
+    std::vector<PlanePoint<>> centroid = {};  // in the drawing
+    std::vector<CornerRange> range = {};
+    std::vector<std::size_t> block_of = {};  // of a corner
+    std::vector<PlanePoint<>> corner = {};   // about the centroid, in the drawing
+    std::vector<PlanePoint<>> along = {};    // unit vector of an edge, in the drawing
+    std::vector<double> length = {};         // of an edge
+    std::vector<std::size_t> material = {};  // of an edge
+
+    std::size_t size() const { return mass.size(); }
+    PlanePoint<> normal(std::size_t edge) const { return {along[edge].y(), -along[edge].x()}; }  // outward
+};
+
+// The scene must be valid.
+Bodies make_bodies(const RelaxationScene& scene);
+
+// One block's motion since the drawing, and its velocity half a step ago. Displacements instead of positions: the
+// overlap of stiff joints would drown in the rounding of coordinates. One cache line, because contacts visit blocks at
+// random.
+struct alignas(64) Motion {
+    double x = 0;        // m, of the centroid
+    double y = 0;        // m
+    double angle = 0;    // rad, anticlockwise
+    double sine = 0;     // of the angle
+    double versine = 0;  // 1 - cosine, without cancellation
+    double vx = 0;
+    double vy = 0;
+    double spin = 0;  // rad/s
+
+    // Displacement of a point of the block by rotation alone.
+    PlanePoint<> turned_by(const PlanePoint<>& point) const {
+        return {-versine * point.x() - sine * point.y(), sine * point.x() - versine * point.y()};
+    }
+    PlanePoint<> turned(const PlanePoint<>& point) const { return point + turned_by(point); }
+    void set_angle(double value);
+};
+
+// Corner of a moved block.
+inline PlanePoint<> moved_corner(const Bodies& bodies, const std::vector<Motion>& motion, std::size_t corner) {
+    const std::size_t block = bodies.block_of[corner];
+    const Motion& moved = motion[block];
+    return bodies.centroid[block] + PlanePoint<>(moved.x, moved.y) + moved.turned(bodies.corner[corner]);
+}
+
+}  // namespace delabole

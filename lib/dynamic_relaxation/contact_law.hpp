@@ -1,0 +1,155 @@
+// The force between a corner and an edge.
+//
+//   normal   spring in compression, w k_n overlap; with tensile strength, in tension too until that is reached
+//   (Fig 5.4(a)) shear    spring over the displacement since first touch, w k_s shear, at most w (normal spring)
+//   tan(friction) + cohesion
+//            (Fig 5.4(b)); with a peak, the residual angle once it has slipped or opened (Fig 5.4(c))
+//   dashpots in parallel with both, none in shear while sliding (5.2.2), and none that would pull the corner back
+//
+// w is the weight near an edge's end (contacts.hpp). Springs and dashpots are kept apart: a dashpot's force never
+// enters the memory of the shear spring, as it did in the thesis's program.
+#pragma once
+
+#include "dynamic_relaxation/contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+struct ContactForce {
+    double x = 0;  // on the corner's block, N/m; the other gets the opposite
+    double y = 0;
+    double moment = 0;        // N, about the centroid of the corner's block
+    double other_moment = 0;  // N, of the opposite force about the other's centroid
+};
+
+// Where a corner is over an edge, and how it moves.
+struct ContactPosition {
+    double normal_x;
+    double normal_y;
+    double gap;
+    double position;  // along the edge from its start
+    double arm_x;     // from the block's centroid to the corner
+    double arm_y;
+    double other_arm_x;  // from the other's centroid to the corner
+    double other_arm_y;
+
+    double along_x() const { return -normal_y; }
+    double along_y() const { return normal_x; }
+};
+
+inline ContactPosition locate(const RelaxationContact& contact, const Motion& block, const Motion& other) {
+    const double turned_x = -block.versine * contact.arm.x() - block.sine * contact.arm.y();
+    const double turned_y = block.sine * contact.arm.x() - block.versine * contact.arm.y();
+    const double start_x = -other.versine * contact.edge_start.x() - other.sine * contact.edge_start.y();
+    const double start_y = other.sine * contact.edge_start.x() - other.versine * contact.edge_start.y();
+    const double change_x = (block.x - other.x) + (turned_x - start_x);
+    const double change_y = (block.y - other.y) + (turned_y - start_y);
+    const double way_x = contact.offset.x() + change_x;
+    const double way_y = contact.offset.y() + change_y;
+    const double normal_x = contact.along.y();
+    const double normal_y = -contact.along.x();
+    const double tilt_x = -other.versine * normal_x - other.sine * normal_y;
+    const double tilt_y = other.sine * normal_x - other.versine * normal_y;
+    ContactPosition at;
+    at.normal_x = normal_x + tilt_x;
+    at.normal_y = normal_y + tilt_y;
+    // Only changes are added up: the overlap keeps its digits however far away the origin is.
+    at.gap = contact.gap + (normal_x * change_x + normal_y * change_y) + (tilt_x * way_x + tilt_y * way_y);
+    at.position = at.along_x() * way_x + at.along_y() * way_y;
+    at.arm_x = contact.arm.x() + turned_x;
+    at.arm_y = contact.arm.y() + turned_y;
+    at.other_arm_x = contact.edge_start.x() + start_x + way_x;
+    at.other_arm_y = contact.edge_start.y() + start_y + way_y;
+    return at;
+}
+
+inline double contact_weight(const RelaxationContact& contact, double position) {
+    const double at_start = contact.start_weight + position * contact.inverse_blend;
+    const double at_end = contact.end_weight + (contact.edge_length - position) * contact.inverse_blend;
+    return std::clamp(std::min(at_start, at_end), 0.0, 1.0);
+}
+
+// Advances the memory by one step and gives the force at its end. Velocities are those that led here, half a step ago.
+inline ContactForce advance_contact(const RelaxationContact& contact, ContactMemory& memory, const ContactMemory* twin,
+                                    const Motion& block, const Motion& other, double step) {
+    const ContactPosition at = locate(contact, block, other);
+    const double overlap = -at.gap;
+    const bool bonded = contact.tension > 0 && !memory.broken;
+    if (overlap <= 0 && !(bonded && memory.touching)) {
+        if (memory.touching) {
+            memory.touching = false;
+            memory.broken = true;
+            memory.shear = 0;
+        }
+        memory.sliding = false;
+        return {};
+    }
+    const double weight = contact_weight(contact, at.position);
+    const double velocity_x = (block.vx - other.vx) - (block.spin * at.arm_y - other.spin * at.other_arm_y);
+    const double velocity_y = (block.vy - other.vy) + (block.spin * at.arm_x - other.spin * at.other_arm_x);
+    const double opening = at.normal_x * velocity_x + at.normal_y * velocity_y;
+    const double shearing = at.along_x() * velocity_x + at.along_y() * velocity_y;
+    if (!memory.touching) {
+        memory.touching = true;
+        memory.shear = twin != nullptr && twin->touching ? twin->shear : 0;
+    } else {
+        memory.shear += shearing * step;
+    }
+    double normal = contact.normal_stiffness * overlap;
+    if (normal < -contact.tension) {
+        memory.strength += weight * normal * overlap / 2;
+        memory.broken = true;
+        memory.touching = false;
+        memory.shear = 0;
+        return {};
+    }
+    double shear = -contact.shear_stiffness * memory.shear;
+    const double pressing = std::max(normal, 0.0);
+    const double residual = pressing * contact.residual_friction;
+    const double strength = memory.broken ? residual : pressing * contact.friction + contact.cohesion;
+    memory.sliding = std::abs(shear) > strength;
+    if (memory.sliding) {
+        const double held = std::copysign(residual, shear);
+        const double slipped = (held - shear) / contact.shear_stiffness;
+        // A first slip also sets free what the spring held beyond the residual strength.
+        const double mean_force = memory.broken ? residual : (strength + residual) / 2;
+        memory.friction += weight * mean_force * std::abs(slipped);
+        memory.broken = true;
+        memory.slip += slipped;
+        memory.shear -= slipped;
+        shear = held;
+    } else {
+        const double dashpot = -contact.shear_dashpot * shearing;
+        memory.damping += weight * contact.shear_dashpot * shearing * shearing * step;
+        shear += dashpot;
+    }
+    const double damped = normal - contact.normal_dashpot * opening;
+    if (damped > std::min(normal, 0.0)) {
+        memory.damping += weight * contact.normal_dashpot * opening * opening * step;
+        normal = damped;
+    } else {
+        memory.damping += weight * pressing * opening * step;
+        normal = std::min(normal, 0.0);
+    }
+    ContactForce force;
+    force.x = weight * (at.normal_x * normal + at.along_x() * shear);
+    force.y = weight * (at.normal_y * normal + at.along_y() * shear);
+    force.moment = at.arm_x * force.y - at.arm_y * force.x;
+    force.other_moment = at.other_arm_y * force.x - at.other_arm_x * force.y;
+    return force;
+}
+
+// J/m, in both springs.
+inline double elastic_energy(const RelaxationContact& contact, const ContactMemory& memory, const Motion& block,
+                             const Motion& other) {
+    if (!memory.touching) {
+        return 0;
+    }
+    const ContactPosition at = locate(contact, block, other);
+    return contact_weight(contact, at.position) *
+           (contact.normal_stiffness * at.gap * at.gap + contact.shear_stiffness * memory.shear * memory.shear) / 2;
+}
+
+}  // namespace delabole

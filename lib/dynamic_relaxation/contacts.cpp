@@ -1,0 +1,199 @@
+#include "dynamic_relaxation/contacts.hpp"
+
+#include "dynamic_relaxation/contact_law.hpp"
+#include "dynamic_relaxation/neighbours.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+// A face may lean on another by this much and still touch it with both ends (sine); a corner's own other face, at right
+// angles in a rectangle, must not count as touching.
+constexpr double lean = 0.35;
+// The weight of a contact changes over this way around an edge's end, in shortest edges. Far above any overlap, so that
+// a change of overlap hardly changes a weight, and far below what an eye or a lever arm would see.
+constexpr double blend_way = 1e-3;
+// Deeper corners belong to the block's other side.
+constexpr double deepest = 0.25;
+
+std::uint64_t key_of(std::size_t corner, std::size_t edge) {
+    return (static_cast<std::uint64_t>(corner) << 32U) | edge;
+}
+
+class Search {
+  public:
+    Search(const RelaxationScene& scene, const Bodies& bodies, const std::vector<Motion>& motion,
+           const SearchOptions& options)
+        : scene_(scene), bodies_(bodies), motion_(motion), options_(options) {}
+
+    // Corners of the first block on edges of the second.
+    void add_corners(std::uint32_t block, std::uint32_t other, ContactList& list) const {
+        const double shortest = std::min(bodies_.shortest_edge[block], bodies_.shortest_edge[other]);
+        for (std::size_t corner = bodies_.range[block].begin; corner < bodies_.range[block].end; ++corner) {
+            for (std::size_t edge = bodies_.range[other].begin; edge < bodies_.range[other].end; ++edge) {
+                add_corner(corner, edge, shortest, list);
+            }
+        }
+    }
+
+  private:
+    void add_corner(std::size_t corner, std::size_t edge, double shortest, ContactList& list) const {
+        const std::size_t block = bodies_.block_of[corner];
+        const std::size_t other = bodies_.block_of[edge];
+        const double blend = blend_way * shortest;
+        const PlanePoint<> way = moved_corner(bodies_, motion_, corner) - moved_corner(bodies_, motion_, edge);
+        const PlanePoint<> normal = motion_[other].turned(bodies_.normal(edge));
+        const double gap = normal.dot(way);
+        if (gap > options_.margin || gap < -deepest * shortest) {
+            return;
+        }
+        const PlanePoint<> along = motion_[other].turned(bodies_.along[edge]);
+        const double position = along.dot(way);
+        const double reach = options_.margin + 3 * blend;
+        if (position < -reach || position > bodies_.length[edge] + reach) {
+            return;
+        }
+        const std::size_t before = bodies_.range[block].before(corner);
+        const PlanePoint<> to_next = motion_[block].turned(bodies_.along[corner]);
+        const PlanePoint<> to_previous = -motion_[block].turned(bodies_.along[before]);
+        if (to_next.dot(normal) < -lean || to_previous.dot(normal) < -lean) {
+            return;
+        }
+        // The face of the corner's block that lies on the edge is the one nearer to its direction.
+        const std::size_t face = std::abs(to_next.dot(normal)) < std::abs(to_previous.dot(normal)) ? corner : before;
+        list.contact.push_back(make(corner, edge, face, blend, {to_next.dot(along), to_previous.dot(along)}));
+        if (gap < list.worst_gap && contact_weight(list.contact.back(), position) > 0) {
+            list.worst_gap = gap;
+            list.worst = list.contact.size() - 1;
+        }
+    }
+
+    struct Sides {
+        double next;  // of the corner's faces, along the edge
+        double previous;
+    };
+
+    RelaxationContact make(std::size_t corner, std::size_t edge, std::size_t face, double blend,
+                           const Sides& sides) const {
+        const std::size_t block = bodies_.block_of[corner];
+        const std::size_t other = bodies_.block_of[edge];
+        RelaxationContact contact{};
+        contact.block = static_cast<std::uint32_t>(block);
+        contact.other = static_cast<std::uint32_t>(other);
+        contact.corner = static_cast<std::uint32_t>(corner);
+        contact.edge = static_cast<std::uint32_t>(edge);
+        contact.arm = bodies_.corner[corner];
+        contact.edge_start = bodies_.corner[edge];
+        contact.along = bodies_.along[edge];
+        contact.offset =
+            (bodies_.centroid[block] - bodies_.centroid[other]) + (bodies_.corner[corner] - bodies_.corner[edge]);
+        contact.gap = bodies_.normal(edge).dot(contact.offset);
+        contact.edge_length = bodies_.length[edge];
+        // Over the end of an edge, a block that reaches back over it hands over to its twin; one that only touches the
+        // end with a corner does not bear there at all.
+        const double reaching = std::max(sides.next, sides.previous);
+        const double reaching_back = -std::min(sides.next, sides.previous);
+        contact.start_weight = reaching > lean ? 0.5 : -0.5;
+        contact.end_weight = reaching_back > lean ? 0.5 : -0.5;
+        contact.inverse_blend = 1 / (2 * blend);
+        const JointMaterial& of_face = scene_.material[bodies_.material[face]];
+        const JointMaterial& of_edge = scene_.material[bodies_.material[edge]];
+        const JointMaterial& joint = of_face.friction_angle < of_edge.friction_angle ? of_face : of_edge;
+        contact.normal_stiffness = joint.normal_stiffness;
+        contact.shear_stiffness = joint.shear_stiffness;
+        const double effective_mass = 1 / (bodies_.inverse_mass[block] + bodies_.inverse_mass[other]);
+        contact.normal_dashpot = 2 * options_.viscous_damping * std::sqrt(effective_mass * joint.normal_stiffness);
+        contact.shear_dashpot = 2 * options_.viscous_damping * std::sqrt(effective_mass * joint.shear_stiffness);
+        contact.friction = std::tan(joint.friction_angle);
+        contact.residual_friction = std::tan(joint.residual_friction_angle.value_or(joint.friction_angle));
+        const double half_shared = shared_length(face, edge) / 2;
+        contact.cohesion = joint.cohesion * half_shared;
+        contact.tension = joint.tensile_strength * half_shared;
+        contact.twin = no_twin;
+        return contact;
+    }
+
+    double shared_length(std::size_t face, std::size_t edge) const {
+        const std::size_t block = bodies_.block_of[face];
+        const PlanePoint<> start = moved_corner(bodies_, motion_, edge);
+        const PlanePoint<> along = motion_[bodies_.block_of[edge]].turned(bodies_.along[edge]);
+        const double one = along.dot(moved_corner(bodies_, motion_, face) - start);
+        const double two = along.dot(moved_corner(bodies_, motion_, bodies_.range[block].after(face)) - start);
+        return std::max(0.0, std::min(bodies_.length[edge], std::max(one, two)) - std::max(0.0, std::min(one, two)));
+    }
+
+    const RelaxationScene& scene_;
+    const Bodies& bodies_;
+    const std::vector<Motion>& motion_;
+    const SearchOptions& options_;
+};
+
+class ContactIndex {
+  public:
+    explicit ContactIndex(const std::vector<RelaxationContact>& contacts) {
+        entries_.reserve(contacts.size());
+        for (std::size_t index = 0; index < contacts.size(); ++index) {
+            entries_.emplace_back(key_of(contacts[index].corner, contacts[index].edge), index);
+        }
+        std::sort(entries_.begin(), entries_.end());
+    }
+
+    std::size_t find(std::size_t corner, std::size_t edge) const {
+        const std::uint64_t key = key_of(corner, edge);
+        const auto found = std::lower_bound(entries_.begin(), entries_.end(), std::pair(key, std::size_t{0}));
+        return found != entries_.end() && found->first == key ? found->second : no_twin;
+    }
+
+  private:
+    std::vector<std::pair<std::uint64_t, std::size_t>> entries_ = {};
+};
+
+// A corner's twin at the start of an edge is that end on the face that ends at the corner, because both outlines run
+// anticlockwise; at the edge's end it is the face that begins there.
+void pair_twins(const Bodies& bodies, const std::vector<Motion>& motion, ContactList& list) {
+    const ContactIndex index(list.contact);
+    for (RelaxationContact& contact : list.contact) {
+        const PlanePoint<> way =
+            moved_corner(bodies, motion, contact.corner) - moved_corner(bodies, motion, contact.edge);
+        const double position = motion[contact.other].turned(contact.along).dot(way);
+        const CornerRange& own = bodies.range[contact.block];
+        const CornerRange& others = bodies.range[contact.other];
+        contact.twin = position < contact.edge_length / 2 ? index.find(contact.edge, own.before(contact.corner))
+                                                          : index.find(others.after(contact.edge), contact.corner);
+    }
+}
+
+}  // namespace
+
+ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, const std::vector<Motion>& motion,
+                          const std::vector<char>& removed, const SearchOptions& options, const ContactList& previous) {
+    ContactList list;
+    list.margin = options.margin;
+    list.contact.reserve(previous.contact.size() + 64);
+    const Search search(scene, bodies, motion, options);
+    for (const auto& [first, second] : neighbouring_blocks(bodies, motion, removed, options.margin)) {
+        search.add_corners(first, second, list);
+        search.add_corners(second, first, list);
+    }
+    pair_twins(bodies, motion, list);
+    list.memory.resize(list.contact.size());
+    if (!previous.contact.empty()) {
+        const ContactIndex known(previous.contact);
+        for (std::size_t index = 0; index < list.contact.size(); ++index) {
+            const std::size_t before = known.find(list.contact[index].corner, list.contact[index].edge);
+            if (before != no_twin) {
+                const ContactMemory& memory = previous.memory[before];
+                list.memory[index].shear = memory.shear;
+                list.memory[index].touching = memory.touching;
+                list.memory[index].sliding = memory.sliding;
+                list.memory[index].broken = memory.broken;
+            }
+        }
+    }
+    return list;
+}
+
+}  // namespace delabole

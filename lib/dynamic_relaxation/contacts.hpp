@@ -1,0 +1,74 @@
+// Which corners can touch which edges before the next search, and what each such contact remembers.
+//
+// Contact memory belongs to a corner and an edge. Where a corner passes the end of an edge, the edge's end corner takes
+// over on an edge of the first block (its twin): both are contacts, their weights add up to one and change over a short
+// way around the end, and the shear spring is handed over. No overlap of one face is ever compared with that of
+// another, which is what made the thesis's program blow up (5.3.2, cycle 677).
+#pragma once
+
+#include "dynamic_relaxation/bodies.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace delabole {
+
+constexpr std::size_t no_twin = static_cast<std::size_t>(-1);
+
+struct RelaxationContact {
+    std::uint32_t block;  // of the corner
+    std::uint32_t other;  // of the edge
+    std::uint32_t corner;
+    std::uint32_t edge;
+    PlanePoint<> arm;         // of the corner, about its block's centroid, in the drawing
+    PlanePoint<> edge_start;  // about the other block's centroid, in the drawing
+    PlanePoint<> along;       // of the edge, in the drawing
+    PlanePoint<> offset;      // from the edge's start to the corner, in the drawing
+    double gap;               // in the drawing: offset against the edge's outward normal
+    double edge_length;
+    double start_weight;  // weight of the contact where the corner is at the edge's start
+    double end_weight;
+    double inverse_blend;  // 1 / length over which the weight changes
+    double normal_stiffness;
+    double shear_stiffness;
+    double normal_dashpot;
+    double shear_dashpot;
+    double friction;           // tangent of the peak angle
+    double residual_friction;  // likewise
+    double cohesion;           // N/m: over half the shared length
+    double tension;            // N/m
+    std::size_t twin;
+};
+
+struct ContactMemory {
+    double shear = 0;     // displacement of the shear spring, along the edge
+    double slip = 0;      // sum of plastic displacement along the edge, with its sign
+    double friction = 0;  // J/m, dissipated so far
+    double damping = 0;   // J/m
+    double strength = 0;  // J/m, elastic energy lost with broken bonds and springs cut by opening
+    bool touching = false;
+    bool sliding = false;
+    bool broken = false;  // peak strength, cohesion and tensile strength are gone
+};
+
+struct ContactList {
+    std::vector<RelaxationContact> contact = {};
+    std::vector<ContactMemory> memory = {};
+    double margin = 0;      // the list holds until blocks have moved by half of this
+    double worst_gap = 0;   // least gap found, negative for overlap
+    std::size_t worst = 0;  // contact of the worst gap; meaningful where any
+};
+
+struct SearchOptions {
+    double margin;
+    double viscous_damping;
+};
+
+// Contacts in an order that depends on positions alone. `previous` gives its memory to those that were contacts
+// already.
+ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, const std::vector<Motion>& motion,
+                          const std::vector<char>& removed, const SearchOptions& options, const ContactList& previous);
+
+}  // namespace delabole

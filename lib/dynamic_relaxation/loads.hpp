@@ -1,0 +1,30 @@
+// Loads and prescribed motions at a moment of a run.
+#pragma once
+
+#include "dynamic_relaxation/bodies.hpp"
+#include "dynamic_relaxation/scene.hpp"
+#include "dynamic_relaxation/settings.hpp"
+
+#include <vector>
+
+namespace delabole {
+
+double tilt_at(const Gravity& gravity, double time);           // rad
+PlanePoint<> gravity_at(const Gravity& gravity, double time);  // m/s2
+PlanePoint<> value_at(const std::vector<TimedVector>& record, double time);
+
+struct FaceForce {
+    PlanePoint<> arm;    // about the block's centroid, as it is turned now
+    PlanePoint<> force;  // N/m
+};
+
+// Resultant of a pressure that is linear along the face, at its centre of pressure.
+FaceForce force_of(const FacePressure& pressure, const Bodies& bodies, const Motion& motion);
+
+// Sets the velocity of a fixed block.
+void prescribe(const PrescribedMotion& prescribed, const Bodies& bodies, double time, Motion& motion);
+
+// After it, nothing changes any more of itself; no equilibrium is final before.
+double last_scheduled_time(const RelaxationScene& scene, const RelaxationSettings& settings);
+
+}  // namespace delabole

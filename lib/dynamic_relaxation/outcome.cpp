@@ -1,0 +1,94 @@
+#include "dynamic_relaxation/outcome.hpp"
+
+#include "dynamic_relaxation/contact_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+double rotation_of(const RelaxationState& state, std::size_t block) {
+    return state.motion[block].angle - state.origin[block].angle;
+}
+
+double displacement_of(const RelaxationState& state, std::size_t block) {
+    return std::hypot(state.motion[block].x - state.origin[block].x, state.motion[block].y - state.origin[block].y);
+}
+
+BlockMovement movement_of(const BlockOutcome& outcome, double radius, const RelaxationSettings& settings) {
+    const bool rotates = std::abs(outcome.rotation) > settings.onset_rotation;
+    const bool slides = std::abs(outcome.base_slip) > settings.onset_slide * radius;
+    if (rotates) {
+        return slides ? BlockMovement::slides_and_rotates : BlockMovement::rotates;
+    }
+    if (!slides) {
+        return BlockMovement::stays;
+    }
+    return outcome.base_slip < 0 ? BlockMovement::slides_forward : BlockMovement::slides_backward;
+}
+
+}  // namespace
+
+MotionExtremes farthest_motion(const Bodies& bodies, const RelaxationState& state) {
+    MotionExtremes farthest;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (bodies.fixed[block] == 0 && state.removed[block] == 0) {
+            farthest.rotation = std::max(farthest.rotation, std::abs(rotation_of(state, block)));
+            farthest.displacement =
+                std::max(farthest.displacement, displacement_of(state, block) / bodies.radius[block]);
+        }
+    }
+    return farthest;
+}
+
+void add_base_slip(const Bodies& bodies, const std::vector<Motion>& motion, const RelaxationContact& contact,
+                   const ContactMemory& memory, std::vector<double>& base_slip) {
+    const bool block_fixed = bodies.fixed[contact.block] != 0;
+    if (memory.slip == 0 || block_fixed == (bodies.fixed[contact.other] != 0)) {
+        return;
+    }
+    // Slip is counted along the edge, of the corner's block against the other.
+    const double forward = motion[contact.other].turned(contact.along).x();
+    const double slip = (block_fixed ? -1 : 1) * memory.slip * (forward < 0 ? -1 : 1);
+    // Both corners of a base slip alike; each contact stands for half of it.
+    base_slip[block_fixed ? contact.other : contact.block] += slip / 2;
+}
+
+std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const RelaxationState& state,
+                                         const RelaxationSettings& settings) {
+    std::vector<double> slip = state.base_slip;
+    for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
+        add_base_slip(bodies, state.motion, state.contacts.contact[index], state.contacts.memory[index], slip);
+    }
+    std::vector<BlockOutcome> outcomes(bodies.size());
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        BlockOutcome& outcome = outcomes[block];
+        outcome.rotation = rotation_of(state, block);
+        outcome.displacement = displacement_of(state, block);
+        outcome.base_slip = slip[block];
+        if (state.removed[block] != 0) {
+            outcome.movement = BlockMovement::removed;
+        } else if (bodies.fixed[block] != 0) {
+            outcome.movement = BlockMovement::fixed;
+        } else {
+            outcome.movement = movement_of(outcome, bodies.radius[block], settings);
+        }
+    }
+    return outcomes;
+}
+
+std::optional<ContactName> deepest_contact(const Bodies& bodies, const RelaxationState& state) {
+    std::optional<ContactName> deepest;
+    for (const RelaxationContact& contact : state.contacts.contact) {
+        const ContactPosition at = locate(contact, state.motion[contact.block], state.motion[contact.other]);
+        if (contact_weight(contact, at.position) > 0 && -at.gap > (deepest ? deepest->overlap : 0)) {
+            deepest = ContactName{contact.block, contact.corner - bodies.range[contact.block].begin, contact.other,
+                                  contact.edge - bodies.range[contact.other].begin, -at.gap};
+        }
+    }
+    return deepest;
+}
+
+}  // namespace delabole

@@ -1,0 +1,231 @@
+#include "dynamic_relaxation/preload.hpp"
+
+#include "dynamic_relaxation/contact_law.hpp"
+
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace delabole {
+
+namespace {
+
+constexpr Eigen::Index none = -1;
+
+// What a contact does in a given state, and how that changes with the motion of its two blocks.
+struct Response {
+    Eigen::Matrix<double, 6, 1> force = Eigen::Matrix<double, 6, 1>::Zero();
+    Eigen::Matrix<double, 6, 6> stiffness = Eigen::Matrix<double, 6, 6>::Zero();
+};
+
+using Direction = Eigen::Matrix<double, 6, 1>;
+
+Direction direction(double x, double y, const ContactPosition& at) {
+    Direction row;
+    row << x, y, at.arm_x * y - at.arm_y * x, -x, -y, -(at.other_arm_x * y - at.other_arm_y * x);
+    return row;
+}
+
+// The law of contact_law.hpp without velocities. A contact that has opened by a hair still counts in the tangent:
+// without it, blocks that touch without pressure would have nothing to stand on.
+Response respond(const RelaxationContact& contact, const ContactPosition& at, ContactMemory& memory, double hair) {
+    Response response;
+    const double overlap = -at.gap;
+    const bool bonded = contact.tension > 0 && !memory.broken && memory.touching;
+    memory.touching = overlap > 0 || bonded;
+    memory.sliding = false;
+    if (overlap < -hair && !bonded) {
+        memory.shear = 0;
+        return response;
+    }
+    const double weight = contact_weight(contact, at.position);
+    const Direction normal = direction(at.normal_x, at.normal_y, at);
+    const Direction along = direction(at.along_x(), at.along_y(), at);
+    const double pressing = contact.normal_stiffness * std::max(overlap, 0.0);
+    const double friction = memory.broken ? contact.residual_friction : contact.friction;
+    const double strength = pressing * friction + (memory.broken ? 0 : contact.cohesion);
+    response.stiffness = weight * contact.normal_stiffness * normal * normal.transpose();
+    const double trial = -contact.shear_stiffness * memory.shear;
+    const double shear = std::clamp(trial, -strength, strength);
+    memory.sliding = std::abs(trial) > strength;
+    memory.shear = -shear / contact.shear_stiffness;
+    if (memory.sliding) {
+        response.stiffness +=
+            weight * contact.normal_stiffness * std::copysign(friction, trial) * along * normal.transpose();
+    } else {
+        response.stiffness += weight * contact.shear_stiffness * along * along.transpose();
+    }
+    response.force = weight * ((bonded ? contact.normal_stiffness * overlap : pressing) * normal + shear * along);
+    return response;
+}
+
+class Preload {
+  public:
+    Preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
+            const PreloadSettings& settings)
+        : bodies_(bodies), loads_(loads), settings_(settings), unknown_(bodies.size(), none) {
+        for (std::size_t block = 0; block < bodies.size(); ++block) {
+            if (held[block] == 0) {
+                unknown_[block] = 3 * static_cast<Eigen::Index>(free_blocks_.size());
+                free_blocks_.push_back(block);
+            }
+        }
+    }
+
+    double solve(std::vector<Motion>& motion, ContactList& list) {
+        if (free_blocks_.empty()) {
+            return 0;
+        }
+        const std::vector<Motion> start = motion;
+        double stiffest = 0;
+        for (const RelaxationContact& contact : list.contact) {
+            stiffest = std::max(stiffest, contact.normal_stiffness);
+        }
+        // As stiff as the joints at first, so that no contact is left behind by a leap; then thinner as long as balance
+        // does not get much worse. Blocks may lose balance for a while before they jam.
+        constexpr double thinner = 1.6;
+        constexpr double thicker = 4;
+        constexpr double much_worse = 1.5;
+        double resistance = 1;
+        double ratio = assemble(motion, list);
+        std::vector<Motion> best_motion = motion;
+        std::vector<ContactMemory> best_memory = list.memory;
+        double best = ratio;
+        for (int round = 0; round < settings_.most_rounds && best > settings_.tolerance; ++round) {
+            const Eigen::VectorXd change = solve_linear(resistance * stiffest);
+            if (!change.allFinite()) {
+                break;
+            }
+            move(change, motion, list);
+            if (!(farthest(start, motion) < settings_.farthest)) {
+                break;
+            }
+            const double before = ratio;
+            ratio = assemble(motion, list);
+            if (ratio < best) {
+                best = ratio;
+                best_motion = motion;
+                best_memory = list.memory;
+            }
+            resistance = std::max(ratio < much_worse * before ? resistance / thinner : resistance * thicker, 1e-13);
+        }
+        motion = best_motion;
+        list.memory = best_memory;
+        return best;
+    }
+
+  private:
+    // Forces and tangents; the greatest unbalanced force over its block's load.
+    double assemble(const std::vector<Motion>& motion, ContactList& list) {
+        constexpr double hair = 1e-9;  // of the shortest edge
+        const Eigen::Index count = 3 * static_cast<Eigen::Index>(free_blocks_.size());
+        unbalanced_ = Eigen::VectorXd::Zero(count);
+        for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
+            unbalanced_.segment<3>(3 * static_cast<Eigen::Index>(index)) = loads_[free_blocks_[index]];
+        }
+        entries_.clear();
+        for (std::size_t index = 0; index < list.contact.size(); ++index) {
+            const RelaxationContact& contact = list.contact[index];
+            const double touching =
+                hair * std::min(bodies_.shortest_edge[contact.block], bodies_.shortest_edge[contact.other]);
+            const Response response = respond(contact, locate(contact, motion[contact.block], motion[contact.other]),
+                                              list.memory[index], list.memory[index].touching ? 0 : touching);
+            add(contact, response);
+        }
+        double ratio = 0;
+        for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
+            const std::size_t block = free_blocks_[index];
+            const Eigen::Vector3d net = unbalanced_.segment<3>(3 * static_cast<Eigen::Index>(index));
+            const double load = std::max(loads_[block].head<2>().norm(), std::numeric_limits<double>::min());
+            ratio = std::max(ratio, (net.head<2>().norm() + std::abs(net(2)) / bodies_.radius[block]) / load);
+        }
+        return ratio;
+    }
+
+    void add(const RelaxationContact& contact, const Response& response) {
+        const std::array<Eigen::Index, 2> at{unknown_[contact.block], unknown_[contact.other]};
+        for (Eigen::Index row = 0; row < 2; ++row) {
+            if (at[static_cast<std::size_t>(row)] == none) {
+                continue;
+            }
+            unbalanced_.segment<3>(at[static_cast<std::size_t>(row)]) += response.force.segment<3>(3 * row);
+            for (Eigen::Index column = 0; column < 2; ++column) {
+                if (at[static_cast<std::size_t>(column)] == none) {
+                    continue;
+                }
+                for (Eigen::Index i = 0; i < 3; ++i) {
+                    for (Eigen::Index j = 0; j < 3; ++j) {
+                        entries_.emplace_back(at[static_cast<std::size_t>(row)] + i,
+                                              at[static_cast<std::size_t>(column)] + j,
+                                              response.stiffness(3 * row + i, 3 * column + j));
+                    }
+                }
+            }
+        }
+    }
+
+    Eigen::VectorXd solve_linear(double resistance) {
+        for (Eigen::Index unknown = 0; unknown < unbalanced_.size(); ++unknown) {
+            const double arm =
+                unknown % 3 == 2 ? bodies_.radius[free_blocks_[static_cast<std::size_t>(unknown / 3)]] : 1;
+            entries_.emplace_back(unknown, unknown, resistance * arm * arm);
+        }
+        Eigen::SparseMatrix<double> matrix(unbalanced_.size(), unbalanced_.size());
+        matrix.setFromTriplets(entries_.begin(), entries_.end());
+        const Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(matrix);
+        if (solver.info() != Eigen::Success) {
+            return Eigen::VectorXd::Constant(unbalanced_.size(), std::numeric_limits<double>::infinity());
+        }
+        return solver.solve(unbalanced_);
+    }
+
+    void move(const Eigen::VectorXd& change, std::vector<Motion>& motion, ContactList& list) const {
+        for (std::size_t index = 0; index < list.contact.size(); ++index) {
+            const RelaxationContact& contact = list.contact[index];
+            const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
+            Direction moved = Direction::Zero();
+            if (unknown_[contact.block] != none) {
+                moved.head<3>() = change.segment<3>(unknown_[contact.block]);
+            }
+            if (unknown_[contact.other] != none) {
+                moved.tail<3>() = change.segment<3>(unknown_[contact.other]);
+            }
+            list.memory[index].shear += direction(at.along_x(), at.along_y(), at).dot(moved);
+        }
+        for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
+            Motion& moved = motion[free_blocks_[index]];
+            const Eigen::Index at = 3 * static_cast<Eigen::Index>(index);
+            moved.x += change(at);
+            moved.y += change(at + 1);
+            moved.set_angle(moved.angle + change(at + 2));
+        }
+    }
+
+    double farthest(const std::vector<Motion>& start, const std::vector<Motion>& motion) const {
+        double way = 0;
+        for (const std::size_t block : free_blocks_) {
+            way = std::max(way, std::hypot(motion[block].x - start[block].x, motion[block].y - start[block].y) +
+                                    std::abs(motion[block].angle - start[block].angle) * bodies_.radius[block]);
+        }
+        return way;
+    }
+
+    const Bodies& bodies_;
+    const std::vector<Eigen::Vector3d>& loads_;
+    const PreloadSettings& settings_;
+    std::vector<std::size_t> free_blocks_ = {};
+    std::vector<Eigen::Index> unknown_;  // first of a block's three; none where it is held
+    std::vector<Eigen::Triplet<double>> entries_ = {};
+    Eigen::VectorXd unbalanced_ = {};
+};
+
+}  // namespace
+
+double preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
+               const PreloadSettings& settings, std::vector<Motion>& motion, ContactList& list) {
+    return Preload(bodies, held, loads, settings).solve(motion, list);
+}
+
+}  // namespace delabole

@@ -1,0 +1,146 @@
+// What dynamic relaxation is given: rigid convex blocks, the joints between them, and what loads them.
+//
+// Section axes, per metre run: x into the slope, y up. A scene may be drawn in any frame, for instance with the x axis
+// along an inclined base: `gravity` then says where down is. SI units and radians.
+//
+// Blocks touch at corners: a corner of one on an edge of another (Cundall 1971). Faces that lie on each other touch at
+// the two ends of the length they share, each of which is a corner of one of them.
+#pragma once
+
+#include "geometry/polygon.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+// The springs stand for one corner on one edge, whatever the length of the face: 2e6 N/m for each inch of a column's
+// height in the thesis (5.3).
+struct JointMaterial {
+    double normal_stiffness;  // N/m per metre run, more than 0
+    double shear_stiffness;   // N/m per metre run, more than 0
+    double friction_angle;    // peak, 0 to below 90 deg
+    // After the first slip or opening, where there is a peak: Fig 5.4(c). Absent: the friction angle, as in Fig 5.4(b).
+    std::optional<double> residual_friction_angle = {};
+    double cohesion = 0;          // Pa over the shared length of the faces; lost with the first slip or opening
+    double tensile_strength = 0;  // Pa over the shared length; lost likewise
+};
+
+struct RelaxationBlock {
+    Polygon<> outline;                    // convex, anticlockwise, first vertex not repeated
+    double density;                       // kg/m3, more than 0
+    bool fixed = false;                   // moves only as prescribed
+    bool held_at_first = false;           // does not move while the others consolidate (5.3.2)
+    std::vector<std::size_t> joint = {};  // material of each edge, edge n from vertex n to n + 1; empty: material 0
+};
+
+// Two faces in contact have the properties of the one with less friction.
+
+// Gravity is acceleration (-sin tilt, -cos tilt): the scene is seen in the frame of a base that dips towards -x by
+// `tilt`.
+struct Gravity {
+    double acceleration = 9.80665;  // m/s2
+    double tilt = 0;                // at first
+    double final_tilt = 0;          // reached at `rate`, in increments; equal to `tilt`: constant
+    double rate = 0;                // rad/s, at least 0
+    double interval = 0;            // s between increments; 0: every step
+    double start = 0;               // s; time of the first increment
+};
+
+struct PointForce {
+    std::size_t block;
+    PlanePoint<> at;     // in the drawing; moves with the block
+    PlanePoint<> force;  // N/m, keeps its direction
+};
+
+// Water in a joint: presses on one face of one block, linear from the edge's first vertex to its second, normal to the
+// face wherever the block goes. The joint's other face is a pressure of its own.
+struct FacePressure {
+    std::size_t block;
+    std::size_t edge;
+    double at_first;   // Pa
+    double at_second;  // Pa
+};
+
+struct TimedVector {
+    double time;         // s, increasing
+    PlanePoint<> value;  // linear between, the last one kept, zero before the first
+};
+
+struct PrescribedMotion {
+    std::size_t block;                  // a fixed one
+    std::vector<TimedVector> velocity;  // m/s, of the centroid
+    double angular_velocity = 0;        // rad/s about `pivot`, from `start` for `duration`
+    PlanePoint<> pivot = {0, 0};
+    double start = 0;
+    double duration = 0;
+};
+
+struct Removal {
+    std::size_t block;
+    double time;
+};
+
+struct RelaxationScene {
+    std::vector<RelaxationBlock> block = {};
+    std::vector<JointMaterial> material = {};
+    Gravity gravity = {};
+    std::vector<PointForce> force = {};
+    std::vector<FacePressure> pressure = {};
+    std::vector<TimedVector> shaking = {};  // acceleration of the ground, m/s2; the scene is seen from the ground
+    std::vector<PrescribedMotion> motion = {};
+    std::vector<Removal> removal = {};
+};
+
+enum class SceneCheck {
+    valid,
+    no_free_block,
+    number_not_finite,
+    outline_not_convex,   // or clockwise, or with fewer than three vertices
+    edge_too_short,       // below 1e-6 of the block's size
+    sizes_too_different,  // edges of the scene differ by more than 1e5 : 1
+    density_not_positive,
+    stiffness_not_positive,
+    stiffness_too_soft,   // a block would sink into its joint by more than a tenth of its size
+    stiffness_too_stiff,  // overlaps would drown in rounding
+    friction_out_of_range,
+    strength_negative,
+    unknown_block,
+    unknown_material,
+    unknown_edge,
+    times_not_increasing,
+    motion_of_free_block,
+    overlap_at_start,  // more than 10 times that under the block's own weight: it would explode
+};
+
+constexpr std::array<std::string_view, 18> enum_names(SceneCheck) {
+    return {"valid",
+            "no_free_block",
+            "number_not_finite",
+            "outline_not_convex",
+            "edge_too_short",
+            "sizes_too_different",
+            "density_not_positive",
+            "stiffness_not_positive",
+            "stiffness_too_soft",
+            "stiffness_too_stiff",
+            "friction_out_of_range",
+            "strength_negative",
+            "unknown_block",
+            "unknown_material",
+            "unknown_edge",
+            "times_not_increasing",
+            "motion_of_free_block",
+            "overlap_at_start"};
+}
+
+struct SceneFault {
+    SceneCheck check = SceneCheck::valid;
+    std::size_t index = 0;                  // of the block, material, force, ... at fault
+    std::optional<std::size_t> other = {};  // the second block of an overlap
+};
+
+}  // namespace delabole

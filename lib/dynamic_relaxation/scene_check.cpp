@@ -1,0 +1,248 @@
+#include "dynamic_relaxation/scene_check.hpp"
+
+#include "dynamic_relaxation/contact_law.hpp"
+#include "parameters/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace delabole {
+
+namespace {
+
+constexpr double longest_to_shortest_edge = 1e5;
+constexpr double shortest_edge_in_radii = 1e-6;
+constexpr double softest = 10;     // stiffness over the weight of a block and its length
+constexpr double stiffest = 1e13;  // likewise; beyond it an overlap has less than three digits
+constexpr double greatest_friction = 89.95;
+
+bool finite(const PlanePoint<>& point) {
+    return std::isfinite(point.x()) && std::isfinite(point.y());
+}
+
+bool increasing(const std::vector<TimedVector>& record) {
+    for (std::size_t index = 1; index < record.size(); ++index) {
+        if (!(record[index].time > record[index - 1].time)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool finite(const std::vector<TimedVector>& record) {
+    return std::all_of(record.begin(), record.end(),
+                       [](const TimedVector& entry) { return std::isfinite(entry.time) && finite(entry.value); });
+}
+
+SceneCheck check_outline(const Polygon<>& outline) {
+    if (!std::all_of(outline.begin(), outline.end(), [](const PlanePoint<>& vertex) { return finite(vertex); })) {
+        return SceneCheck::number_not_finite;
+    }
+    const std::size_t count = outline.size();
+    if (count < 3 || !(area_properties(outline).area > 0)) {
+        return SceneCheck::outline_not_convex;
+    }
+    double turning = 0;
+    double longest = 0;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t vertex = 0; vertex < count; ++vertex) {
+        const PlanePoint<> edge = outline[(vertex + 1) % count] - outline[vertex];
+        const PlanePoint<> next = outline[(vertex + 2) % count] - outline[(vertex + 1) % count];
+        const double cross = edge.x() * next.y() - edge.y() * next.x();
+        if (cross < 0) {
+            return SceneCheck::outline_not_convex;
+        }
+        turning += std::atan2(cross, edge.dot(next));
+        longest = std::max(longest, edge.norm());
+        shortest = std::min(shortest, edge.norm());
+    }
+    // An outline that winds round twice turns by more than a circle.
+    if (turning > 7) {
+        return SceneCheck::outline_not_convex;
+    }
+    return shortest > shortest_edge_in_radii * longest ? SceneCheck::valid : SceneCheck::edge_too_short;
+}
+
+SceneCheck check_material(const JointMaterial& joint) {
+    const double residual = joint.residual_friction_angle.value_or(joint.friction_angle);
+    for (const double number : {joint.normal_stiffness, joint.shear_stiffness, joint.friction_angle, residual,
+                                joint.cohesion, joint.tensile_strength}) {
+        if (!std::isfinite(number)) {
+            return SceneCheck::number_not_finite;
+        }
+    }
+    if (!(joint.normal_stiffness > 0) || !(joint.shear_stiffness > 0)) {
+        return SceneCheck::stiffness_not_positive;
+    }
+    if (joint.friction_angle < 0 || joint.friction_angle > degrees(greatest_friction) || residual < 0 ||
+        residual > joint.friction_angle) {
+        return SceneCheck::friction_out_of_range;
+    }
+    return joint.cohesion < 0 || joint.tensile_strength < 0 ? SceneCheck::strength_negative : SceneCheck::valid;
+}
+
+SceneFault check_blocks(const RelaxationScene& scene) {
+    double longest = 0;
+    double shortest = std::numeric_limits<double>::infinity();
+    bool any_free = false;
+    for (std::size_t index = 0; index < scene.block.size(); ++index) {
+        const RelaxationBlock& block = scene.block[index];
+        const SceneCheck outline = check_outline(block.outline);
+        if (outline != SceneCheck::valid) {
+            return {outline, index};
+        }
+        if (!std::isfinite(block.density)) {
+            return {SceneCheck::number_not_finite, index};
+        }
+        if (!(block.density > 0)) {
+            return {SceneCheck::density_not_positive, index};
+        }
+        if (!block.joint.empty() && block.joint.size() != block.outline.size()) {
+            return {SceneCheck::unknown_edge, index};
+        }
+        for (const std::size_t material : block.joint) {
+            if (material >= scene.material.size()) {
+                return {SceneCheck::unknown_material, index};
+            }
+        }
+        any_free |= !block.fixed;
+        double perimeter = 0;
+        for (std::size_t vertex = 0; vertex < block.outline.size(); ++vertex) {
+            const double edge = (block.outline[(vertex + 1) % block.outline.size()] - block.outline[vertex]).norm();
+            shortest = std::min(shortest, edge);
+            perimeter += edge;
+        }
+        longest = block.fixed ? longest : std::max(longest, perimeter / 2);
+        if (!(longest < longest_to_shortest_edge * shortest)) {
+            return {SceneCheck::sizes_too_different, index};
+        }
+    }
+    return any_free ? SceneFault{} : SceneFault{SceneCheck::no_free_block, 0};
+}
+
+// A joint has to carry the blocks that it separates: neither soft as a cushion nor stiffer than numbers resolve.
+SceneFault check_stiffness(const RelaxationScene& scene) {
+    for (std::size_t index = 0; index < scene.block.size(); ++index) {
+        const RelaxationBlock& block = scene.block[index];
+        if (block.fixed) {
+            continue;
+        }
+        const double area = area_properties(block.outline).area;
+        const double weight = block.density * area * (scene.gravity.acceleration > 0 ? scene.gravity.acceleration : 1);
+        const double size = std::sqrt(area);
+        for (std::size_t edge = 0; edge < block.outline.size(); ++edge) {
+            const JointMaterial& joint = scene.material[block.joint.empty() ? 0 : block.joint[edge]];
+            const double ratio = joint.normal_stiffness * size / weight;
+            if (ratio < softest) {
+                return {SceneCheck::stiffness_too_soft, index};
+            }
+            if (ratio > stiffest) {
+                return {SceneCheck::stiffness_too_stiff, index};
+            }
+        }
+    }
+    return {};
+}
+
+SceneFault check_loads(const RelaxationScene& scene) {
+    const std::size_t count = scene.block.size();
+    for (std::size_t index = 0; index < scene.force.size(); ++index) {
+        const PointForce& force = scene.force[index];
+        if (force.block >= count) {
+            return {SceneCheck::unknown_block, index};
+        }
+        if (!finite(force.at) || !finite(force.force)) {
+            return {SceneCheck::number_not_finite, index};
+        }
+    }
+    for (std::size_t index = 0; index < scene.pressure.size(); ++index) {
+        const FacePressure& pressure = scene.pressure[index];
+        if (pressure.block >= count) {
+            return {SceneCheck::unknown_block, index};
+        }
+        if (pressure.edge >= scene.block[pressure.block].outline.size()) {
+            return {SceneCheck::unknown_edge, index};
+        }
+        if (!std::isfinite(pressure.at_first) || !std::isfinite(pressure.at_second)) {
+            return {SceneCheck::number_not_finite, index};
+        }
+    }
+    for (std::size_t index = 0; index < scene.motion.size(); ++index) {
+        const PrescribedMotion& motion = scene.motion[index];
+        if (motion.block >= count) {
+            return {SceneCheck::unknown_block, index};
+        }
+        if (!scene.block[motion.block].fixed) {
+            return {SceneCheck::motion_of_free_block, index};
+        }
+        if (!finite(motion.velocity) || !finite(motion.pivot) || !std::isfinite(motion.angular_velocity) ||
+            !std::isfinite(motion.start) || !std::isfinite(motion.duration)) {
+            return {SceneCheck::number_not_finite, index};
+        }
+        if (!increasing(motion.velocity)) {
+            return {SceneCheck::times_not_increasing, index};
+        }
+    }
+    for (std::size_t index = 0; index < scene.removal.size(); ++index) {
+        if (scene.removal[index].block >= count) {
+            return {SceneCheck::unknown_block, index};
+        }
+        if (!std::isfinite(scene.removal[index].time)) {
+            return {SceneCheck::number_not_finite, index};
+        }
+    }
+    if (!finite(scene.shaking)) {
+        return {SceneCheck::number_not_finite, 0};
+    }
+    return increasing(scene.shaking) ? SceneFault{} : SceneFault{SceneCheck::times_not_increasing, 0};
+}
+
+}  // namespace
+
+SceneFault check_scene(const RelaxationScene& scene) {
+    const Gravity& gravity = scene.gravity;
+    for (const double number :
+         {gravity.acceleration, gravity.tilt, gravity.final_tilt, gravity.rate, gravity.interval, gravity.start}) {
+        if (!std::isfinite(number)) {
+            return {SceneCheck::number_not_finite, 0};
+        }
+    }
+    if (scene.material.empty()) {
+        return {SceneCheck::unknown_material, 0};
+    }
+    for (std::size_t index = 0; index < scene.material.size(); ++index) {
+        const SceneCheck check = check_material(scene.material[index]);
+        if (check != SceneCheck::valid) {
+            return {check, index};
+        }
+    }
+    for (const auto check : {check_blocks, check_stiffness, check_loads}) {
+        const SceneFault fault = check(scene);
+        if (fault.check != SceneCheck::valid) {
+            return fault;
+        }
+    }
+    return {};
+}
+
+SceneFault check_start(const RelaxationScene& scene) {
+    constexpr double deepest_in_settlements = 10;
+    const Bodies bodies = make_bodies(scene);
+    const std::vector<Motion> unmoved(bodies.size());
+    const double margin = 1e-9 * *std::min_element(bodies.shortest_edge.begin(), bodies.shortest_edge.end());
+    const ContactList list =
+        find_contacts(scene, bodies, unmoved, std::vector<char>(bodies.size(), 0), {margin, 0}, {});
+    const double gravity = scene.gravity.acceleration > 0 ? scene.gravity.acceleration : 1;
+    for (const RelaxationContact& contact : list.contact) {
+        const ContactPosition at = locate(contact, unmoved[contact.block], unmoved[contact.other]);
+        const double lighter = 1 / std::max(bodies.inverse_mass[contact.block], bodies.inverse_mass[contact.other]);
+        const double settlement = lighter * gravity / contact.normal_stiffness;
+        if (contact_weight(contact, at.position) > 0 && -at.gap > deepest_in_settlements * settlement + margin) {
+            return {SceneCheck::overlap_at_start, contact.block, contact.other};
+        }
+    }
+    return {};
+}
+
+}  // namespace delabole

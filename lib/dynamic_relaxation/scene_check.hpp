@@ -1,0 +1,14 @@
+// What dynamic relaxation refuses to run.
+#pragma once
+
+#include "dynamic_relaxation/scene.hpp"
+
+namespace delabole {
+
+// Numbers, outlines, stiffnesses and references. All but the overlap.
+SceneFault check_scene(const RelaxationScene& scene);
+
+// Overlaps of the drawing; the scene must have passed check_scene.
+SceneFault check_start(const RelaxationScene& scene);
+
+}  // namespace delabole

@@ -1,0 +1,52 @@
+// The numerical knobs of dynamic relaxation. None of them is a property of the rock; `delabole trade` measures what
+// each costs and gains.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace delabole {
+
+enum class RelaxationStart {
+    preloaded,  // springs compressed as equilibrium under the first loads wants it
+    dropped,    // springs free, full gravity at once
+    ramped,     // springs free, gravity grows from zero over `ramp_time`
+};
+
+constexpr std::array<std::string_view, 3> enum_names(RelaxationStart) {
+    return {"preloaded", "dropped", "ramped"};
+}
+
+struct RelaxationSettings {
+    // Share of the greatest stable step of the undamped system. Above 0.6 the dashpots, which lag by half a step, can
+    // destabilise it.
+    double step_fraction = 0.4;         // 0.01 to 1
+    std::optional<double> time_step{};  // s; instead of the share. Divided where more than the share of the stable step
+
+    double viscous_damping = 0.2;  // contact dashpots, share of critical; 0 to 2
+    double local_damping = 0.2;    // share of the unbalanced force that opposes the velocity; 0 to below 1
+    bool kinetic_damping = false;  // all velocities to zero at each peak of the kinetic energy
+
+    RelaxationStart start = RelaxationStart::preloaded;
+    double ramp_time = 0;           // s; of a ramped start
+    double consolidation_time = 0;  // s at first in which the blocks of `held` do not move
+
+    // Equilibrium: the greatest unbalanced force on a block, as a share of its weight, is below this, and the kinetic
+    // energy does not grow.
+    double equilibrium_ratio = 1e-6;
+    double onset_rotation = 0.01;      // rad; more, with no equilibrium found since: onset of failure
+    double onset_slide = 0.01;         // of the block's size, likewise
+    double collapse_rotation = 0.5;    // rad
+    double collapse_displacement = 1;  // of the block's size
+    bool stop_at_onset = false;
+    bool stop_at_equilibrium = true;
+    double duration = 60;  // s of model time, at most
+    std::size_t most_steps = 100'000'000;
+
+    double overlap_limit = 0.05;  // of the smaller block's shortest edge; beyond, the run is stopped
+    std::size_t threads = 1;
+};
+
+}  // namespace delabole

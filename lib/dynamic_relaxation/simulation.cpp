@@ -1,0 +1,365 @@
+#include "dynamic_relaxation/simulation.hpp"
+
+#include "dynamic_relaxation/contact_law.hpp"
+#include "dynamic_relaxation/loads.hpp"
+#include "dynamic_relaxation/preload.hpp"
+#include "dynamic_relaxation/scene_check.hpp"
+#include "dynamic_relaxation/time_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+// Steps between two looks at the balance of forces.
+constexpr std::uint64_t steps_between_looks = 50;
+
+// The list of contacts holds until blocks have moved by half of this, in shortest edges of the scene.
+constexpr double margin_in_edges = 0.01;
+
+double shortest_edge(const Bodies& bodies) {
+    return *std::min_element(bodies.shortest_edge.begin(), bodies.shortest_edge.end());
+}
+
+}  // namespace
+
+double EnergyLedger::turnover() const {
+    return std::abs(applied) + std::abs(prescribed) + kinetic + std::abs(elastic) + friction + dashpots +
+           local_damping + kinetic_damping;
+}
+
+Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
+    : scene_(std::move(scene)), settings_(settings), bodies_(make_bodies(scene_)) {
+    state_.motion.resize(bodies_.size());
+    state_.removed.resize(bodies_.size(), 0);
+    state_.base_slip.resize(bodies_.size(), 0);
+    state_.travelled = std::numeric_limits<double>::infinity();
+    begin();
+}
+
+Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, RelaxationState state)
+    : scene_(std::move(scene)), settings_(settings), bodies_(make_bodies(scene_)), state_(std::move(state)) {
+    margin_ = margin_in_edges * shortest_edge(bodies_);
+    hold_blocks();
+    contact_force_.resize(bodies_.size());
+    load_.resize(bodies_.size());
+}
+
+void Simulation::begin() {
+    margin_ = margin_in_edges * shortest_edge(bodies_);
+    hold_blocks();
+    contact_force_.resize(bodies_.size());
+    load_.resize(bodies_.size());
+    if (settings_.start == RelaxationStart::preloaded) {
+        // Blocks that only jam once they have leaned a little move farther here than between two searches of the run.
+        const double reach = 10 * margin_;
+        state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
+                                        {reach, settings_.viscous_damping}, state_.contacts);
+        apply_loads();
+        std::vector<Eigen::Vector3d> loads;
+        for (const Force& load : load_) {
+            loads.emplace_back(load.x, load.y, load.moment);
+        }
+        const PreloadSettings limits{settings_.equilibrium_ratio / 10, reach / 2};
+        preload(bodies_, held_, loads, limits, state_.motion, state_.contacts);
+    }
+    state_.origin = state_.motion;
+    find_contacts_where_due();
+    for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
+        const RelaxationContact& contact = state_.contacts.contact[index];
+        state_.elastic_at_start += elastic_energy(contact, state_.contacts.memory[index], state_.motion[contact.block],
+                                                  state_.motion[contact.other]);
+    }
+}
+
+void Simulation::step() {
+    follow_schedules();
+    find_contacts_where_due();
+    apply_contact_forces();
+    apply_loads();
+    integrate();
+    look();
+}
+
+void Simulation::hold_blocks() {
+    held_ = bodies_.fixed;
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        if (state_.removed[block] != 0 ||
+            (scene_.block[block].held_at_first && state_.time < settings_.consolidation_time)) {
+            held_[block] = 1;
+        }
+    }
+}
+
+double Simulation::tilt() const {
+    return tilt_at(scene_.gravity, state_.time);
+}
+
+void Simulation::follow_schedules() {
+    for (const Removal& removal : scene_.removal) {
+        if (state_.removed[removal.block] == 0 && state_.time >= removal.time) {
+            state_.removed[removal.block] = 1;
+            state_.motion[removal.block].vx = state_.motion[removal.block].vy = state_.motion[removal.block].spin = 0;
+            state_.travelled = std::numeric_limits<double>::infinity();
+        }
+    }
+    hold_blocks();
+    for (const PrescribedMotion& motion : scene_.motion) {
+        prescribe(motion, bodies_, state_.time, state_.motion[motion.block]);
+    }
+}
+
+void Simulation::find_contacts_where_due() {
+    if (state_.travelled <= margin_ / 2) {
+        return;
+    }
+    for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
+        const RelaxationContact& contact = state_.contacts.contact[index];
+        const ContactMemory& memory = state_.contacts.memory[index];
+        state_.ledger.friction += memory.friction + memory.strength;
+        state_.ledger.dashpots += memory.damping;
+        add_base_slip(bodies_, state_.motion, contact, memory, state_.base_slip);
+    }
+    state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
+                                    {margin_, settings_.viscous_damping}, state_.contacts);
+    state_.travelled = 0;
+    ++state_.searches;
+    const double stable = stable_step(bodies_, state_.motion, state_.contacts);
+    // Blocks in free flight still have to follow gravity and their neighbours-to-be.
+    const double slowest = std::sqrt(shortest_edge(bodies_) / std::max(scene_.gravity.acceleration, 1e-3)) / 20;
+    const double largest = std::min(settings_.step_fraction * stable, slowest);
+    state_.step = largest;
+    if (settings_.time_step) {
+        state_.step = *settings_.time_step / std::max(1.0, std::ceil(*settings_.time_step / largest));
+    }
+    if (-state_.contacts.worst_gap > settings_.overlap_limit * shortest_edge(bodies_)) {
+        state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::overlap_too_large);
+    }
+}
+
+void Simulation::apply_contact_forces() {
+    std::fill(contact_force_.begin(), contact_force_.end(), Force{});
+    const std::vector<RelaxationContact>& contacts = state_.contacts.contact;
+    std::vector<ContactMemory>& memories = state_.contacts.memory;
+    for (std::size_t index = 0; index < contacts.size(); ++index) {
+        const RelaxationContact& contact = contacts[index];
+        const ContactForce force =
+            advance_contact(contact, memories[index], contact.twin == no_twin ? nullptr : &memories[contact.twin],
+                            state_.motion[contact.block], state_.motion[contact.other], state_.last_step);
+        Force& own = contact_force_[contact.block];
+        own.x += force.x;
+        own.y += force.y;
+        own.moment += force.moment;
+        Force& other = contact_force_[contact.other];
+        other.x -= force.x;
+        other.y -= force.y;
+        other.moment += force.other_moment;
+    }
+    state_.contacts_evaluated += contacts.size();
+}
+
+void Simulation::apply_loads() {
+    const double ramp = settings_.start == RelaxationStart::ramped && state_.time < settings_.ramp_time
+                            ? state_.time / settings_.ramp_time
+                            : 1;
+    const PlanePoint<> acceleration =
+        ramp * gravity_at(scene_.gravity, state_.time) - value_at(scene_.shaking, state_.time);
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        load_[block] = {bodies_.mass[block] * acceleration.x(), bodies_.mass[block] * acceleration.y(), 0};
+    }
+    const auto add = [&](std::size_t block, const PlanePoint<>& arm, const PlanePoint<>& force) {
+        load_[block].x += force.x();
+        load_[block].y += force.y();
+        load_[block].moment += arm.x() * force.y() - arm.y() * force.x();
+    };
+    for (const PointForce& force : scene_.force) {
+        add(force.block, state_.motion[force.block].turned(force.at - bodies_.centroid[force.block]), force.force);
+    }
+    for (const FacePressure& pressure : scene_.pressure) {
+        const FaceForce force = force_of(pressure, bodies_, state_.motion[pressure.block]);
+        add(pressure.block, force.arm, force.force);
+    }
+}
+
+void Simulation::integrate() {
+    const double kick = (state_.last_step + state_.step) / 2;
+    const double gravity = scene_.gravity.acceleration > 0 ? scene_.gravity.acceleration : 1;
+    double fastest = 0;
+    double unbalanced = 0;
+    double applied = 0;
+    double damped = 0;
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        Motion& motion = state_.motion[block];
+        if (held_[block] != 0) {
+            const Force& force = contact_force_[block];
+            // What the others do to a moved block, it does to them.
+            state_.ledger.prescribed -=
+                (force.x * motion.vx + force.y * motion.vy + force.moment * motion.spin) * state_.step;
+        } else {
+            const Force& load = load_[block];
+            Force net = contact_force_[block];
+            net.x += load.x;
+            net.y += load.y;
+            net.moment += load.moment;
+            const double force = std::sqrt(net.x * net.x + net.y * net.y);
+            unbalanced = std::max(unbalanced,
+                                  (force + std::abs(net.moment) / bodies_.radius[block]) * bodies_.inverse_mass[block]);
+            Force brake;
+            if (settings_.local_damping > 0) {
+                const double speed = std::sqrt(motion.vx * motion.vx + motion.vy * motion.vy);
+                const double share = speed > 0 ? settings_.local_damping * force / speed : 0;
+                brake = {-share * motion.vx, -share * motion.vy,
+                         -std::copysign(settings_.local_damping * std::abs(net.moment), motion.spin)};
+                if (motion.spin == 0) {
+                    brake.moment = 0;
+                }
+            }
+            const double vx = motion.vx + (net.x + brake.x) * bodies_.inverse_mass[block] * kick;
+            const double vy = motion.vy + (net.y + brake.y) * bodies_.inverse_mass[block] * kick;
+            const double spin = motion.spin + (net.moment + brake.moment) * bodies_.inverse_inertia[block] * kick;
+            const double way_x = (motion.vx + vx) / 2 * kick;
+            const double way_y = (motion.vy + vy) / 2 * kick;
+            const double turn = (motion.spin + spin) / 2 * kick;
+            applied += load.x * way_x + load.y * way_y + load.moment * turn;
+            damped -= brake.x * way_x + brake.y * way_y + brake.moment * turn;
+            motion.vx = vx;
+            motion.vy = vy;
+            motion.spin = spin;
+        }
+        motion.x += motion.vx * state_.step;
+        motion.y += motion.vy * state_.step;
+        if (motion.spin != 0) {
+            motion.set_angle(motion.angle + motion.spin * state_.step);
+        }
+        fastest = std::max(fastest,
+                           std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * bodies_.radius[block]);
+    }
+    state_.ledger.applied += applied;
+    state_.ledger.local_damping += damped;
+    state_.unbalanced = std::max(state_.unbalanced, unbalanced / gravity);
+    state_.travelled += fastest * state_.step;
+    state_.time += state_.step;
+    state_.last_step = state_.step;
+    ++state_.steps;
+    if (settings_.kinetic_damping) {
+        take_velocities_away_at_peaks();
+    }
+}
+
+void Simulation::take_velocities_away_at_peaks() {
+    const double now = kinetic_energy();
+    if (state_.kinetic_rising && now < state_.kinetic_before) {
+        state_.ledger.kinetic_damping += now;
+        for (std::size_t block = 0; block < bodies_.size(); ++block) {
+            if (held_[block] == 0) {
+                state_.motion[block].vx = state_.motion[block].vy = state_.motion[block].spin = 0;
+            }
+        }
+        state_.last_step = 0;
+        state_.kinetic_rising = false;
+        state_.kinetic_before = 0;
+        return;
+    }
+    state_.kinetic_rising = now > state_.kinetic_before;
+    state_.kinetic_before = now;
+}
+
+double Simulation::kinetic_energy() const {
+    double sum = 0;
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        if (held_[block] == 0) {
+            const Motion& motion = state_.motion[block];
+            sum += bodies_.mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy) +
+                   bodies_.inertia[block] * motion.spin * motion.spin;
+        }
+    }
+    return sum / 2;
+}
+
+EnergyLedger Simulation::ledger() const {
+    EnergyLedger ledger = state_.ledger;
+    ledger.kinetic = kinetic_energy();
+    ledger.elastic = -state_.elastic_at_start;
+    for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
+        const RelaxationContact& contact = state_.contacts.contact[index];
+        const ContactMemory& memory = state_.contacts.memory[index];
+        ledger.friction += memory.friction + memory.strength;
+        ledger.dashpots += memory.damping;
+        ledger.elastic += elastic_energy(contact, memory, state_.motion[contact.block], state_.motion[contact.other]);
+    }
+    return ledger;
+}
+
+void Simulation::look() {
+    if (state_.steps % steps_between_looks != 0 || outcome() != RelaxationOutcome::undecided) {
+        return;
+    }
+    const double kinetic = kinetic_energy();
+    const bool growing = kinetic > state_.kinetic_then;
+    state_.kinetic_then = kinetic;
+    const double unbalanced = std::exchange(state_.unbalanced, 0.0);
+    const MotionExtremes farthest = farthest_motion(bodies_, state_);
+    const auto decide = [&](RelaxationOutcome outcome) { state_.outcome = static_cast<std::uint64_t>(outcome); };
+    if (!std::isfinite(kinetic)) {
+        decide(RelaxationOutcome::motion_not_finite);
+        return;
+    }
+    if (state_.onset_time < 0 &&
+        (farthest.rotation > settings_.onset_rotation || farthest.displacement > settings_.onset_slide)) {
+        state_.onset_time = state_.time;
+    }
+    if (state_.onset_time >= 0 && settings_.stop_at_onset) {
+        decide(RelaxationOutcome::onset);
+    } else if (farthest.rotation > settings_.collapse_rotation ||
+               farthest.displacement > settings_.collapse_displacement) {
+        decide(RelaxationOutcome::collapse);
+    } else if (settings_.stop_at_equilibrium && !growing && unbalanced < settings_.equilibrium_ratio &&
+               state_.time >= last_scheduled_time(scene_, settings_)) {
+        decide(RelaxationOutcome::equilibrium);
+    }
+}
+
+RelaxationResult Simulation::result() const {
+    RelaxationResult result;
+    result.outcome = outcome();
+    result.time = state_.time;
+    result.tilt = tilt();
+    if (state_.onset_time >= 0) {
+        result.onset_time = state_.onset_time;
+    }
+    result.unbalanced_ratio = state_.unbalanced;
+    result.ledger = ledger();
+    result.deepest = deepest_contact(bodies_, state_);
+    result.cost = {state_.steps, state_.searches, state_.contacts_evaluated, state_.step};
+    result.block = block_outcomes(bodies_, state_, settings_);
+    return result;
+}
+
+RelaxationResult relax(const RelaxationScene& scene, const RelaxationSettings& settings,
+                       const std::function<bool(const Simulation&)>& watch) {
+    RelaxationResult refused;
+    refused.fault = check_scene(scene);
+    if (refused.fault.check != SceneCheck::valid) {
+        return refused;
+    }
+    refused.fault = check_start(scene);
+    if (refused.fault.check != SceneCheck::valid) {
+        return refused;
+    }
+    Simulation simulation(scene, settings);
+    while (simulation.running()) {
+        if (watch && !watch(simulation)) {
+            RelaxationResult result = simulation.result();
+            result.outcome = RelaxationOutcome::interrupted;
+            return result;
+        }
+        simulation.step();
+    }
+    return simulation.result();
+}
+
+}  // namespace delabole

@@ -1,0 +1,72 @@
+// Dynamic relaxation of rigid blocks (Cundall 1971; chapter 5 of the thesis): Newton's equations of motion with
+// springs, friction and dashpots at the corners, integrated explicitly until the blocks rest or fail.
+//
+// Time stepping is the leap-frog of (I) with velocities half a step behind positions, the first kick half as long, so
+// that free motion is exact to second order. What a step does stands in Simulation::step.
+//
+// Limits: rigid blocks, plane, no breaking of blocks. Overlaps are the price of explicit contact: they shift the
+// critical tilt of a single block to tan(tilt) = b/a - (W/(k b)) sqrt(1 + (b/a)^2), and accordingly in systems.
+#pragma once
+
+#include "dynamic_relaxation/outcome.hpp"
+#include "dynamic_relaxation/settings.hpp"
+#include "dynamic_relaxation/state.hpp"
+
+#include <functional>
+
+namespace delabole {
+
+class Simulation {
+  public:
+    // The scene must be valid.
+    Simulation(RelaxationScene scene, RelaxationSettings settings);
+    // Goes on from a state of the same scene and settings, to the last bit.
+    Simulation(RelaxationScene scene, RelaxationSettings settings, RelaxationState state);
+
+    void step();
+    bool running() const { return outcome() == RelaxationOutcome::undecided && !out_of_time(); }
+
+    RelaxationOutcome outcome() const { return static_cast<RelaxationOutcome>(state_.outcome); }
+    const RelaxationScene& scene() const { return scene_; }
+    const RelaxationSettings& settings() const { return settings_; }
+    const RelaxationState& state() const { return state_; }
+    const Bodies& bodies() const { return bodies_; }
+
+    double tilt() const;  // of gravity, now
+    EnergyLedger ledger() const;
+    double kinetic_energy() const;
+    RelaxationResult result() const;
+
+  private:
+    struct Force {
+        double x = 0;
+        double y = 0;
+        double moment = 0;
+    };
+
+    bool out_of_time() const { return state_.time >= settings_.duration || state_.steps >= settings_.most_steps; }
+    void begin();
+    void hold_blocks();
+    void follow_schedules();
+    void find_contacts_where_due();
+    void apply_contact_forces();
+    void apply_loads();
+    void integrate();
+    void look();
+    void take_velocities_away_at_peaks();
+
+    RelaxationScene scene_;
+    RelaxationSettings settings_;
+    Bodies bodies_;
+    RelaxationState state_ = {};
+    double margin_ = 0;
+    std::vector<Force> contact_force_ = {};  // of the step
+    std::vector<Force> load_ = {};           // of the step
+    std::vector<char> held_ = {};            // fixed now: fixed blocks, and those held for consolidation
+};
+
+// Runs to the end. `watch` is called before each step and may end the run by returning false.
+RelaxationResult relax(const RelaxationScene& scene, const RelaxationSettings& settings,
+                       const std::function<bool(const Simulation&)>& watch = {});
+
+}  // namespace delabole

@@ -1,0 +1,55 @@
+// All that a run needs to go on: nothing else changes from step to step.
+#pragma once
+
+#include "dynamic_relaxation/bodies.hpp"
+#include "dynamic_relaxation/contacts.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace delabole {
+
+// J per metre run. Applied work = kinetic + elastic + friction + dashpots + local damping + kinetic damping + residual.
+struct EnergyLedger {
+    double applied = 0;          // work of gravity, forces, water and shaking
+    double prescribed = 0;       // work of moved fixed blocks on the others
+    double kinetic = 0;          // at this time
+    double elastic = 0;          // at this time, above that of the start
+    double friction = 0;         // dissipated by slip and broken bonds
+    double dashpots = 0;         // dissipated
+    double local_damping = 0;    // dissipated
+    double kinetic_damping = 0;  // taken out at peaks
+
+    double residual() const {
+        return applied + prescribed - kinetic - elastic - friction - dashpots - local_damping - kinetic_damping;
+    }
+    // What the residual is compared with.
+    double turnover() const;
+};
+
+struct RelaxationState {
+    double time = 0;       // s
+    double step = 0;       // s, chosen at the last search
+    double last_step = 0;  // s, that led here; 0 at the start and after velocities were taken away
+    std::uint64_t steps = 0;
+    std::uint64_t searches = 0;
+    std::uint64_t contacts_evaluated = 0;
+    double travelled = 0;  // m, bound on any point's way since the last search
+    std::vector<Motion> motion = {};
+    std::vector<Motion> origin = {};  // at the start, after preloading
+    std::vector<char> removed = {};
+    std::vector<double> base_slip = {};  // m, of each block over fixed ones; negative towards -x
+    ContactList contacts = {};
+    EnergyLedger ledger = {};  // sums; what is of the moment is filled in when asked for
+    double elastic_at_start = 0;
+
+    // For the decision.
+    double unbalanced = 0;      // greatest since the last look
+    double kinetic_then = 0;    // J/m, at the last look
+    double kinetic_before = 0;  // J/m, a step ago; for kinetic damping
+    bool kinetic_rising = false;
+    double onset_time = -1;     // s; negative: none
+    std::uint64_t outcome = 0;  // RelaxationOutcome
+};
+
+}  // namespace delabole
