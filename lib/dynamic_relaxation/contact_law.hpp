@@ -17,18 +17,12 @@
 
 namespace delabole {
 
-struct ContactForce {
-    double x = 0;  // on the corner's block, N/m; the other gets the opposite
-    double y = 0;
-    double moment = 0;        // N, about the centroid of the corner's block
-    double other_moment = 0;  // N, of the opposite force about the other's centroid
-};
-
 // Where a corner is over an edge, and how it moves.
 struct ContactPosition {
     double normal_x;
     double normal_y;
     double gap;
+    double slide;     // along the edge, since the drawing
     double position;  // along the edge from its start
     double arm_x;     // from the block's centroid to the corner
     double arm_y;
@@ -57,6 +51,7 @@ inline ContactPosition locate(const RelaxationContact& contact, const Motion& bl
     at.normal_y = normal_y + tilt_y;
     // Only changes are added up: the overlap keeps its digits however far away the origin is.
     at.gap = contact.gap + (normal_x * change_x + normal_y * change_y) + (tilt_x * way_x + tilt_y * way_y);
+    at.slide = (contact.along.x() * change_x + contact.along.y() * change_y) + (tilt_x * way_y - tilt_y * way_x);
     at.position = at.along_x() * way_x + at.along_y() * way_y;
     at.arm_x = contact.arm.x() + turned_x;
     at.arm_y = contact.arm.y() + turned_y;
@@ -95,11 +90,12 @@ inline ContactForce advance_contact(const RelaxationContact& contact, ContactMem
         memory.touching = true;
         memory.shear = twin != nullptr && twin->touching ? twin->shear : 0;
     } else {
-        memory.shear += shearing * step;
+        memory.shear += at.slide - memory.place;
     }
+    memory.place = at.slide;
     double normal = contact.normal_stiffness * overlap;
     if (normal < -contact.tension) {
-        memory.strength += weight * normal * overlap / 2;
+        memory.friction += weight * normal * overlap / 2;
         memory.broken = true;
         memory.touching = false;
         memory.shear = 0;

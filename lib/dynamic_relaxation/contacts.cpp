@@ -180,6 +180,7 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
     }
     pair_twins(bodies, motion, list);
     list.memory.resize(list.contact.size());
+    list.force.resize(list.contact.size());
     if (!previous.contact.empty()) {
         const ContactIndex known(previous.contact);
         for (std::size_t index = 0; index < list.contact.size(); ++index) {
