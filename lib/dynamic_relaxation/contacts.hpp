@@ -43,11 +43,13 @@ struct RelaxationContact {
 };
 
 struct ContactMemory {
-    double shear = 0;     // displacement of the shear spring, along the edge
-    double place = 0;     // of the corner along the edge when last evaluated, since the drawing
-    double slip = 0;      // sum of plastic displacement along the edge, with its sign
-    double friction = 0;  // J/m, dissipated so far, with broken bonds
-    double damping = 0;   // J/m
+    double shear = 0;        // displacement of the shear spring, along the edge
+    double place = 0;        // of the corner along the edge when last evaluated, since the drawing
+    double slip = 0;         // sum of plastic displacement along the edge, with its sign
+    double friction = 0;     // J/m, dissipated so far, with broken bonds
+    double damping = 0;      // J/m
+    double normal_drag = 0;  // N/m, of the dashpots when last evaluated, along the normal
+    double shear_drag = 0;   // N/m, along the edge
     bool touching = false;
     bool sliding = false;
     bool broken = false;  // peak strength, cohesion and tensile strength are gone
