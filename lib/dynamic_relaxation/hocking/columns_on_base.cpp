@@ -26,7 +26,7 @@ std::vector<HockingBlock> make_blocks(const HockingColumns& columns) {
     std::vector<HockingBlock> blocks;
     const auto within = [&](int column) { return column >= 0 && column < count ? column : no_block; };
     for (int column = 0; column < count; ++column) {
-        HockingBlock block = block_at(column * columns.width, column * columns.step, columns.width,
+        HockingBlock block = block_at(column * (columns.width + columns.gap), column * columns.step, columns.width,
                                       columns.heights[static_cast<std::size_t>(column)], columns.dip);
         block.neighbours.downhill = within(column - 1);
         block.neighbours.uphill = within(column + 1);
@@ -60,6 +60,11 @@ std::vector<HockingBlock> make_blocks(const HockingColumns& columns) {
             stand_on(column - 1, &HockingNeighbours::below_uphill);
         }
         blocks.push_back(block);
+    }
+    if (columns.coordinate_unit > 0) {
+        for (HockingBlock& block : blocks) {
+            block.centroid = (block.centroid / columns.coordinate_unit).array().round() * columns.coordinate_unit;
+        }
     }
     return blocks;
 }

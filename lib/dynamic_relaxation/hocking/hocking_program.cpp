@@ -122,9 +122,10 @@ class Program {
             tilt();
             if (printing_) {
                 print();
-                if (!result_.blow_out_cycle && rotated_too_far()) {
+                const double rotation = largest_rotation();
+                if (!result_.blow_out_cycle && rotation > settings_.failure_rotation) {
                     result_.outcome = HockingOutcome::failed;
-                    last_cycle = cycle_;
+                    last_cycle = rotation > settings_.stop_rotation ? cycle_ : last_cycle;
                 }
             }
             if (result_.blow_out_cycle == cycle_) {
@@ -291,6 +292,11 @@ class Program {
                  const std::array<double, 2>& outward, const std::array<double, 2>& tangent, Slot& slot) {
         Body& own = bodies_[static_cast<std::size_t>(touch.block)];
         Body& neighbour = bodies_[static_cast<std::size_t>(touch.neighbour)];
+        const HockingFace old_face = slot.face;
+        const double stored = slot.normal;
+        if (settings_.slot_memory == HockingSlotMemory::per_face && face != old_face) {
+            slot = Slot{};
+        }
         const double old_normal = slot.normal == 0 ? normal : slot.normal;
         const double old_shear = slot.shear == 0 ? shear : slot.shear;
         const double spring_force = settings_.stiffness * (half_width - normal);
@@ -310,7 +316,7 @@ class Program {
             shear_spring = friction.residual * spring_force * magnitude / shear_spring;
             shear_force = shear_spring;
         }
-        record(touch, face, normal, spring_force, dashpot_force, slot);
+        record(touch, {stored, old_face}, {normal, face}, spring_force, dashpot_force);
         slot = {normal, shear, shear_force, face};
         const double horizontal = normal_force * outward[0] - shear_force * tangent[0];
         const double vertical = normal_force * outward[1] - shear_force * tangent[1];
@@ -335,27 +341,32 @@ class Program {
         recorded = recorded == BaseSliding::none || recorded == sense ? sense : BaseSliding::both;
     }
 
-    void record(const Touch& touch, HockingFace face, double normal, double spring_force, double dashpot_force,
-                const Slot& slot) {
+    struct Position {
+        double normal;
+        HockingFace face;
+    };
+
+    void record(const Touch& touch, const Position& old, const Position& now, double spring_force,
+                double dashpot_force) {
         const double force = std::abs(spring_force + dashpot_force);
         largest_force_ = std::max(largest_force_, force);
-        const bool changed = slot.normal != 0 && slot.face != face;
         const bool blows_out = !result_.blow_out_cycle && force > settings_.blow_out_force * free_weight_;
         if (blows_out) {
             result_.blow_out_cycle = cycle_;
         }
-        if (changed) {
-            const HockingFaceChange change{cycle_,          touch.block, static_cast<int>(touch.corner),
-                                           touch.neighbour, slot.face,   face,
-                                           slot.normal,     normal,      spring_force,
-                                           dashpot_force};
-            ++result_.face_change_count;
-            if (result_.face_changes.size() < most_face_changes) {
-                result_.face_changes.push_back(change);
-            }
-            if (blows_out) {
-                result_.blow_out = change;
-            }
+        if (old.normal == 0 || old.face == now.face) {
+            return;
+        }
+        const HockingFaceChange change{cycle_,          touch.block, static_cast<int>(touch.corner),
+                                       touch.neighbour, old.face,    now.face,
+                                       old.normal,      now.normal,  spring_force,
+                                       dashpot_force};
+        ++result_.face_change_count;
+        if (result_.face_changes.size() < most_face_changes) {
+            result_.face_changes.push_back(change);
+        }
+        if (blows_out) {
+            result_.blow_out = change;
         }
     }
 
@@ -418,10 +429,14 @@ class Program {
         result_.prints.push_back(std::move(edit));
     }
 
-    bool rotated_too_far() const {
-        return std::ranges::any_of(bodies_, [&](const Body& body) {
-            return !body.fixed && std::abs(body.angle - body.start_angle) > settings_.failure_rotation;
-        });
+    double largest_rotation() const {
+        // Blocks at rest turn with their base.
+        const double turned = settings_.tilting && settings_.tilting->part == TiltedPart::base ? tilt_ : 0;
+        double largest = 0;
+        for (const Body& body : bodies_) {
+            largest = std::max(largest, body.fixed ? 0 : std::abs(body.angle - body.start_angle - turned));
+        }
+        return largest;
     }
 
     bool at_rest() const {
@@ -450,6 +465,15 @@ class Program {
 
 HockingResult run_hocking(const std::vector<HockingBlock>& blocks, const HockingSettings& settings) {
     return possible(blocks, settings) ? Program(blocks, settings).run() : HockingResult{};
+}
+
+std::vector<HockingBlock> blocks_at(const std::vector<HockingBlock>& blocks, const HockingPrint& print) {
+    std::vector<HockingBlock> moved = blocks;
+    for (std::size_t index = 0; index < moved.size() && index < print.blocks.size(); ++index) {
+        moved[index].centroid = print.blocks[index].centroid;
+        moved[index].dip += print.blocks[index].angle;
+    }
+    return moved;
 }
 
 std::array<Point, 4> corners_of(const HockingBlock& block, const HockingBlockState& state) {

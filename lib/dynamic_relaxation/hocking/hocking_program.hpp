@@ -75,6 +75,14 @@ struct HockingTilting {
     double total = 0;      // rad, where it ends
 };
 
+// `per_face` is no part of the listing: a slot forgets what it holds when its corner passes to another face. It shows
+// what the listing's memory causes.
+enum class HockingSlotMemory { per_neighbour, per_face };
+
+constexpr std::array<std::string_view, 2> enum_names(HockingSlotMemory) {
+    return {"per_neighbour", "per_face"};
+}
+
 struct HockingSettings {
     double time_step = 0;         // s, > 0 (DT)
     double damping = 0;           // fraction of critical, >= 0 (FAC)
@@ -84,11 +92,13 @@ struct HockingSettings {
     HockingFriction joints = {};  // between free blocks
     HockingFriction bases = {};   // between a free and a fixed block
     std::optional<HockingTilting> tilting = {};
+    HockingSlotMemory slot_memory = HockingSlotMemory::per_neighbour;
     int cycles = 0;            // to run (NCYLE)
     int print_interval = 100;  // cycles, >= 1 (IPRINT): histories, sliding, decision
     // What counts as what; the listing decides nothing.
-    double failure_rotation = 0;    // rad; a free block turned by this has failed and the run ends
-    double settled_speed = 0;       // m/s; settled where no corner of a free block is faster at the last prints
+    double failure_rotation = 0;    // rad; a free block turned by this, relative to its base, has failed
+    double stop_rotation = 0;       // rad; and this ends the run
+    double settled_speed = 0;       // m/s; settled where no corner of a free block is faster at the end
     double blow_out_force = 0;      // of the free blocks' total weight: a contact force above it is a blow-out
     int cycles_after_blow_out = 0;  // to show where the blocks fly
 };
@@ -159,7 +169,11 @@ constexpr std::size_t most_face_changes = 1000;
 
 HockingResult run_hocking(const std::vector<HockingBlock>& blocks, const HockingSettings& settings);
 
-// Corners in the listing's order, of a block turned by `angle` since the start.
+// The blocks where a print shows them, at rest: to go on with other fixed blocks or another friction. Slots start
+// empty.
+std::vector<HockingBlock> blocks_at(const std::vector<HockingBlock>& blocks, const HockingPrint& print);
+
+// Corners in the listing's order for a column, of a block turned by `angle` since the start.
 std::array<Point, 4> corners_of(const HockingBlock& block, const HockingBlockState& state);
 
 }  // namespace delabole
