@@ -137,10 +137,13 @@ std::vector<Chapter5Run> single_tilting_runs(TiltedPart part) {
     return runs;
 }
 
-Chapter5Run horizontal_start_run(TiltedPart part) {
-    Chapter5Run made = equal_run(1, 3, 0, double_friction, long_run);
-    made.name = "from the horizontal";
-    made.settings.tilting = HockingTilting{part, 500, 1, degrees(1.0 / 500), degrees(25)};
+Chapter5Run horizontal_start_run(TiltedPart part, int cycles_per_degree) {
+    constexpr int consolidation = 500;
+    constexpr int most_tilt = 25;  // deg
+    Chapter5Run made = equal_run(1, 3, 0, double_friction, consolidation + cycles_per_degree * (most_tilt + 5));
+    made.name = std::to_string(cycles_per_degree) + " cycles for a degree";
+    made.settings.tilting =
+        HockingTilting{part, consolidation, 1, degrees(1.0 / cycles_per_degree), degrees(most_tilt)};
     made.settings.stop_rotation = degrees(longest_drawn);
     made.printed = PrintedOutcome::fails;
     return made;
@@ -299,7 +302,7 @@ std::vector<Chapter5Run> stepped_base_runs() {
         made.columns.coordinate_unit = typed_digit;
         made.settings = settings_of(stiffness_per_width, friction, friction, long_run);
         // Columns that stand turn by less than half a degree; those that fail wedge again after some degrees.
-        made.settings.failure_rotation = degrees(1.5);
+        made.settings.failure_rotation = degrees(1);
         made.settings.stop_rotation = degrees(longest_drawn);
         made.printed = friction < 43 ? PrintedOutcome::fails : PrintedOutcome::stands;
         made.printed_behaviour = {"slides", "topples", "topples", "topples", "topples", "stays", "stays", "stays"};

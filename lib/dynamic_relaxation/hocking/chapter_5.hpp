@@ -55,8 +55,8 @@ struct Chapter5Run {
 std::vector<Chapter5Run> fixed_inclination_runs();
 // 5.3.1 B: tilted from 18 and 18.15 deg. printed_cycle: after which the rotation gained momentum.
 std::vector<Chapter5Run> single_tilting_runs(TiltedPart part);
-// Fig 5.5: from the horizontal, tilted at every cycle. The rate is not printed: here 1 deg in 500 cycles, 20 deg/s.
-Chapter5Run horizontal_start_run(TiltedPart part);
+// Fig 5.5: from the horizontal, tilted at every cycle. The rate is not printed.
+Chapter5Run horizontal_start_run(TiltedPart part, int cycles_per_degree);
 // 5.3.2 A: two blocks, a/b = 3, friction 20 deg.
 std::vector<Chapter5Run> double_fixed_runs();
 // 5.3.2 B. How long they were consolidated is not printed: 2500 cycles, as for single blocks.
