@@ -2,6 +2,8 @@
 
 #include "plots/block_figures.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -62,8 +64,11 @@ ColumnBehaviour behaviour(const Chapter5Run& run, const HockingResult& result, c
     if (std::abs(rotation_in(run, print, column)) > turned) {
         return ColumnBehaviour::topples;
     }
-    const Point shift = print.blocks[column].centroid - result.prints.front().blocks[column].centroid;
-    return shift.norm() > moved * run.columns.width ? ColumnBehaviour::slides : ColumnBehaviour::stays;
+    // Where the block would be had it only turned with its base, about the origin.
+    const double turn = print.blocks[column].angle - rotation_in(run, print, column);
+    const Point carried = Eigen::Rotation2Dd(turn) * result.prints.front().blocks[column].centroid;
+    return (print.blocks[column].centroid - carried).norm() > moved * run.columns.width ? ColumnBehaviour::slides
+                                                                                        : ColumnBehaviour::stays;
 }
 
 const HockingPrint& print_at(const HockingResult& result, int cycle) {
@@ -107,7 +112,7 @@ Figure frames_figure(const std::string& title, const Chapter5Run& run, const Hoc
         offset += x.highest - x.lowest + gap;
     }
     Figure figure = block_figure(drawing);
-    figure.x.title = "";
+    figure.x.title = "distance";
     figure.x.unit = "in";
     figure.y.title = "height";
     figure.y.unit = "in";

@@ -81,7 +81,10 @@ std::string behaviour_in_words(const Chapter5Run& run, const HockingResult& resu
         while (last + 1 < columns && behaviour(run, result, result.prints.back(), last + 1) == kind) {
             ++last;
         }
-        const std::string word(enum_names(kind)[static_cast<std::size_t>(kind)]);
+        std::string word(enum_names(kind)[static_cast<std::size_t>(kind)]);
+        if (last > first) {
+            word.pop_back();  // "topple"
+        }
         parts.push_back(
             (first == last ? std::to_string(first + 1) : std::to_string(first + 1) + "-" + std::to_string(last + 1)) +
             " " + word);

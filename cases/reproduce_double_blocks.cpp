@@ -19,13 +19,11 @@ std::string printed_outcome(const Chapter5Run& run) {
 }
 
 // Distance of the upper column's downhill top corner from the lower column's uphill side, in.
-double opening(const Chapter5Run& run, const HockingPrint& print) {
-    const std::vector<HockingBlock> blocks = make_blocks(run.columns);
+double opening(const std::vector<HockingBlock>& blocks, const HockingPrint& print) {
     const auto lower = corners_of(blocks[0], print.blocks[0]);
     const auto upper = corners_of(blocks[1], print.blocks[1]);
     const Point side = (lower[1] - lower[2]).normalized();
-    const Point outward(side.y(), -side.x());
-    return (upper[0] - lower[1]).dot(outward) / inch;
+    return (upper[0] - lower[1]).dot(Point(side.y(), -side.x())) / inch;
 }
 
 // The thesis's way to close the crack: consolidate, hold the lower block, let the upper one slide down to it on a base
@@ -46,7 +44,7 @@ ClosedGap close_gap() {
     stage.settings.cycles = 2500;
     const std::vector<HockingBlock> start = make_blocks(stage.columns);
     const HockingResult consolidated = run_hocking(start, stage.settings);
-    closed.opening_before = opening(stage, consolidated.prints.back());
+    closed.opening_before = opening(start, consolidated.prints.back());
     std::vector<HockingBlock> blocks = blocks_at(start, consolidated.prints.back());
     blocks[0].fixed = true;
     HockingSettings slippery = stage.settings;
@@ -57,12 +55,7 @@ ClosedGap close_gap() {
     blocks[0].fixed = false;
     closed.run = double_tilting_runs(TiltedPart::base).back();
     closed.result = run_hocking(blocks, closed.run.settings);
-    const HockingPrint& again = closed.result.prints.front();
-    const std::vector<HockingBlock>& placed = blocks;
-    const auto lower = corners_of(placed[0], again.blocks[0]);
-    const auto upper = corners_of(placed[1], again.blocks[1]);
-    const Point side = (lower[1] - lower[2]).normalized();
-    closed.opening_after = (upper[0] - lower[1]).dot(Point(side.y(), -side.x())) / inch;
+    closed.opening_after = opening(blocks, closed.result.prints.front());
     return closed;
 }
 
