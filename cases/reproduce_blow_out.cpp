@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace delabole {
 
@@ -18,45 +19,93 @@ std::string in_inches(double metres, int digits) {
     return human_number(metres / inch, digits) + " in";
 }
 
+// What may be mended.
+struct Variant {
+    std::string name;
+    HockingSlotMemory memory;
+    double guard;  // m
+};
+
+const std::vector<Variant>& variants() {
+    static const std::vector<Variant> all = {{"as listed", HockingSlotMemory::per_neighbour, 1e-5},
+                                             {"without the guard", HockingSlotMemory::per_neighbour, 0},
+                                             {"slots per face", HockingSlotMemory::per_face, 1e-5}};
+    return all;
+}
+
+Chapter5Run varied(Chapter5Run run, const Variant& variant) {
+    run.settings.slot_memory = variant.memory;
+    run.settings.crossing_guard = variant.guard;
+    return run;
+}
+
 struct BlowOuts {
     int count = 0;
     int first = 0;
     int last = 0;
+
+    void include(const HockingResult& result) {
+        if (result.blow_out_cycle) {
+            first = count == 0 ? *result.blow_out_cycle : std::min(first, *result.blow_out_cycle);
+            last = std::max(last, *result.blow_out_cycle);
+            ++count;
+        }
+    }
 };
 
-BlowOuts blow_outs(const Chapter5Run& run, double unit, int starts) {
-    BlowOuts found;
+constexpr unsigned starts = 50;
+
+BlowOuts of_shifted_starts(const Chapter5Run& run, double unit) {
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);
-    for (int seed = 1; seed <= starts; ++seed) {
-        const HockingResult result = run_hocking(perturbed(blocks, unit, static_cast<unsigned>(seed)), run.settings);
-        if (result.blow_out_cycle) {
-            found.first = found.count == 0 ? *result.blow_out_cycle : std::min(found.first, *result.blow_out_cycle);
-            found.last = std::max(found.last, *result.blow_out_cycle);
-            ++found.count;
-        }
+    BlowOuts found;
+    for (unsigned seed = 1; seed <= starts; ++seed) {
+        found.include(run_hocking(perturbed(blocks, unit, seed), run.settings));
     }
     return found;
 }
 
-Table mechanism(const Chapter5Run& run, const HockingFaceChange& change) {
+// From half a degree below atan(b/a) to half a degree above.
+constexpr int inclinations = 51;
+
+BlowOuts over_inclinations(const Chapter5Run& run, double slenderness, double coordinate_unit) {
+    BlowOuts found;
+    for (int step = 0; step < inclinations; ++step) {
+        Chapter5Run other = run;
+        other.columns.heights.assign(2, slenderness * inch);
+        other.columns.base_height = slenderness * inch;
+        other.columns.coordinate_unit = coordinate_unit;
+        other.columns.dip = std::atan(1 / slenderness) + degrees(0.02) * (step - inclinations / 2);
+        other.settings.stiffness = run.settings.stiffness * run.columns.width / run.columns.heights[0] * slenderness;
+        found.include(delabole::run(other));
+    }
+    return found;
+}
+
+// `before`: the cycle before.
+Table mechanism(const Chapter5Run& run, const HockingFaceChange& change, const HockingPrint& before) {
+    const std::vector<HockingBlock> blocks = make_blocks(run.columns);
+    const Point& centroid = before.blocks[1].centroid;
+    const Point foot = corners_of(blocks[0], before.blocks[0])[2];
+    const Point toe = corners_of(blocks[1], before.blocks[1])[3];
     const double half_width = run.columns.width / 2;
     const double half_height = run.columns.heights[0] / 2;
-    const double dashpot = change.dashpot_force / (change.stored_position - change.new_position);
     const double weight = 2 * run.columns.width * run.columns.heights[0] * run.settings.density * run.settings.gravity;
+    const auto small = [](double metres) { return human_number(metres * 1e6, 3) + " µm"; };
     const auto force = [](double value) { return human_number(value / 1000, 4) + " kN/m"; };
-    return {"The slot at cycle " + std::to_string(change.cycle),
+    return {"The slot of block 1's uphill foot against block 2 at cycle " + std::to_string(change.cycle),
             {{"quantity"}, {"value", true}},
             {
-                {"corner", "foot of block 1's uphill side"},
-                {"neighbour", "block 2"},
-                {"face before: downhill side, stored distance from its axis", in_inches(change.stored_position, 8)},
-                {"true overlap with that face", in_inches(half_width - change.stored_position, 3)},
-                {"face now: base, distance from its axis", in_inches(change.new_position, 8)},
-                {"true overlap with this face", in_inches(half_height - change.new_position, 3)},
-                {"difference taken for a movement of one cycle",
-                 in_inches(change.stored_position - change.new_position, 6)},
-                {"half of height less width", in_inches(half_height - half_width, 6)},
-                {"dashpot, N/m per metre in one cycle", human_number(dashpot, 4)},
+                {"inclination of block 2's base, deg",
+                 human_number((run.columns.dip + before.blocks[1].angle) / degrees(1), 6)},
+                {"atan(1/7), deg", human_number(std::atan(1.0 / 7) / degrees(1), 6)},
+                {"foot from the vertical below block 2's centroid", small(foot.x() - centroid.x())},
+                {"toe of block 2 from that vertical", small(toe.x() - centroid.x())},
+                {"overlap of the foot with block 2's side", small(half_width - change.stored_position)},
+                {"height of the foot above block 2's base", small(half_height - change.new_position)},
+                {"stored distance, from the axis along the side", in_inches(change.stored_position, 6)},
+                {"new distance, from the axis along the base", in_inches(change.new_position, 6)},
+                {"difference taken for the movement of one cycle",
+                 in_inches(change.stored_position - change.new_position, 5)},
                 {"spring force", force(change.spring_force)},
                 {"dashpot force", force(change.dashpot_force)},
                 {"weight of both blocks", force(weight)},
@@ -71,87 +120,92 @@ Reproduction reproduce_fig_5_13(const ResultFolder& folder, Report& report) {
     const HockingResult computed = delabole::run(run);
     const int cycle = computed.blow_out_cycle.value_or(0);
     report.blocks.emplace_back(Heading{"Fig 5.13: two blocks of a/b = 7 blow out"});
-    result.rows.push_back({"a/b = 7: cycle at which the blocks blow out", "677",
+    result.rows.push_back({"a/b = 7: cycle at which the blocks blow out", std::to_string(run.printed_cycle.value_or(0)),
                            cycle > 0 ? std::to_string(cycle) : "never",
                            cycle > 0 ? std::to_string(cycle - run.printed_cycle.value_or(0)) : "",
                            "at 8 deg; the inclination is not printed"});
     result.json["cycle"] = cycle;
     if (computed.blow_out) {
         const HockingFaceChange& change = *computed.blow_out;
+        Chapter5Run fine = run;
+        fine.settings.print_interval = 1;
+        fine.settings.cycles = cycle + run.settings.cycles_after_blow_out;
+        fine.settings.stop_rotation = std::numeric_limits<double>::infinity();
+        const HockingResult every_cycle = delabole::run(fine);
         report.blocks.emplace_back(Paragraph{
-            "The blocks are dropped on their springs, rock forward together and come down again. When the raised foot "
-            "of block 1 lands beside the toe of block 2, the corner is inside block 2 by some ten-thousandths of a "
-            "millimetre both through its side and through its base, and the face found changes from " +
-            face_in_words(change.from) + " to " + face_in_words(change.to) +
-            ". The listing keeps one slot for this corner and this neighbour. It subtracts the distance from one axis, "
-            "stored for the side, from the distance from the other axis, now that of the base, and hands the "
-            "difference to the dashpot as a movement of one cycle."});
-        report.blocks.emplace_back(mechanism(run, change));
+            "The thesis wonders \"whether a particular statement in the program triggers off such a violent response "
+            "when very specific conditions are met\". There is one. The blocks, dropped on their springs, rock forward "
+            "together, and the raised uphill foot of block 1 rests against the side of block 2 close to its toe. When "
+            "they pass 8.13 deg, the inclination at which a block of a/b = 7 is on the point of toppling, that place "
+            "passes below the centroid of block 2. The program looks for the face that the foot has entered by the "
+            "bearing of a crossing point from that centroid, and IF(GM.LE.1E-5) XF=1.E-5 moves a crossing point less "
+            "than 1e-5 m left of the vertical to 1e-5 m right of it: past the toe. So the side is not found, and the "
+            "base is (" +
+            face_in_words(change.from) + " before, " + face_in_words(change.to) + " now)."});
+        report.blocks.emplace_back(
+            Paragraph{"What follows is the fault of the contact's memory. One slot serves this corner and this "
+                      "neighbour. The distance from one axis, stored for the side, less the distance from the other "
+                      "axis, now that of the base, goes to the dashpot as the movement of one cycle."});
+        report.blocks.emplace_back(mechanism(fine, change, print_at(every_cycle, cycle - 1)));
         result.json["jump_in"] = (change.stored_position - change.new_position) / inch;
         result.json["dashpot_force_N_per_m"] = change.dashpot_force;
         result.json["from"] = std::string(enum_names(change.from)[static_cast<std::size_t>(change.from)]);
         result.json["to"] = std::string(enum_names(change.to)[static_cast<std::size_t>(change.to)]);
-        Chapter5Run before = run;
-        before.settings.print_interval = 1;
-        before.settings.cycles = cycle + run.settings.cycles_after_blow_out;
-        before.settings.stop_rotation = INFINITY;
-        const HockingResult fine = delabole::run(before);
-        report.blocks.emplace_back(folder.draw(
-            frames_figure("Fig 5.13: blow-out of the 7 inch blocks", before, fine, {cycle - 1, cycle + 2, cycle + 6}),
-            "fig_5_13", "Just before, and two and six cycles after the face changes."));
+        report.blocks.emplace_back(folder.draw(frames_figure("Fig 5.13: blow-out of the 7 inch blocks", fine,
+                                                             every_cycle, {cycle - 1, cycle + 2, cycle + 6}),
+                                               "fig_5_13", "Just before, and two and six cycles after."));
     }
-    Chapter5Run mended = run;
-    mended.settings.slot_memory = HockingSlotMemory::per_face;
-    const HockingResult without = delabole::run(mended);
-    result.rows.push_back({"the same, slots that forget when the face changes", "",
-                           without.blow_out_cycle ? outcome_in_words(without) : "no blow-out", "",
-                           std::to_string(without.face_change_count) + " changes of face"});
-    result.json["blows_out_with_slots_per_face"] = without.blow_out_cycle.has_value();
-
-    Table spread{"Coordinates shifted at random, 100 starts each",
-                 {{"shift"},
-                  {"blow out", true},
-                  {"first at cycle", true},
-                  {"last at cycle", true},
-                  {"blow out, slots per face", true}},
-                 {}};
+    for (const Variant& variant : variants()) {
+        const HockingResult other = delabole::run(varied(run, variant));
+        result.json["blows_out"][variant.name] = other.blow_out_cycle.has_value();
+        result.rows.push_back({"the same, " + variant.name, "",
+                               other.blow_out_cycle ? outcome_in_words(other) : "no blow-out", "",
+                               std::to_string(other.face_change_count) + " changes of face"});
+    }
+    std::vector<TableColumn> columns = {{"shift"}};
+    for (const Variant& variant : variants()) {
+        columns.push_back({variant.name, true});
+    }
+    columns.push_back({"first cycle, as listed", true});
+    columns.push_back({"last", true});
+    Table shifted{"Blow-outs of " + std::to_string(starts) + " starts, coordinates shifted at random", columns, {}};
     for (const double unit : {1e-12, 1e-9, 1e-8, 1e-7, 1e-6}) {
-        const BlowOuts listing = blow_outs(run, unit, 100);
-        const BlowOuts per_face = blow_outs(mended, unit, 100);
-        spread.rows.push_back({human_number(unit, 2) + " m", std::to_string(listing.count),
-                               std::to_string(listing.first), std::to_string(listing.last),
-                               std::to_string(per_face.count)});
-        result.json["starts"].push_back({{"shift_m", unit},
-                                         {"blow_out", listing.count},
-                                         {"first", listing.first},
-                                         {"last", listing.last},
-                                         {"blow_out_with_slots_per_face", per_face.count}});
+        std::vector<std::string> row = {human_number(unit, 2) + " m"};
+        BlowOuts listed;
+        for (const Variant& variant : variants()) {
+            const BlowOuts found = of_shifted_starts(varied(run, variant), unit);
+            listed = row.size() == 1 ? found : listed;  // the first variant
+            row.push_back(std::to_string(found.count));
+            result.json["shifted_starts"][row.front()][variant.name] = found.count;
+        }
+        row.push_back(std::to_string(listed.first));
+        row.push_back(std::to_string(listed.last));
+        shifted.rows.push_back(row);
     }
-    report.blocks.emplace_back(spread);
-    Table others{"Inclinations from half a degree below atan(b/a) to half a degree above, in steps of 0.01 deg",
-                 {{"a/b", true}, {"runs", true}, {"blow out", true}, {"blow out, slots per face", true}},
+    report.blocks.emplace_back(shifted);
+    columns = {{"a/b", true}, {"coordinates"}};
+    for (const Variant& variant : variants()) {
+        columns.push_back({variant.name, true});
+    }
+    Table others{"Blow-outs of " + std::to_string(inclinations) +
+                     " inclinations, from half a degree below atan(b/a) to half a degree above",
+                 columns,
                  {}};
     for (const double slenderness : {3.0, 5.0, 7.0, 10.0}) {
-        int listing = 0;
-        int per_face = 0;
-        const int lowest = static_cast<int>(std::lround(100 * (std::atan(1 / slenderness) / degrees(1) - 0.5)));
-        constexpr int steps = 100;
-        for (int step = 0; step <= steps; ++step) {
-            Chapter5Run other = run;
-            other.columns.heights.assign(2, slenderness * inch);
-            other.columns.base_height = slenderness * inch;
-            other.columns.dip = degrees((lowest + step) / 100.0);
-            other.settings.stiffness = run.settings.stiffness * slenderness / 7;
-            other.settings.cycles = 2500;
-            listing += delabole::run(other).blow_out_cycle ? 1 : 0;
-            other.settings.slot_memory = HockingSlotMemory::per_face;
-            per_face += delabole::run(other).blow_out_cycle ? 1 : 0;
+        for (const double unit : {typed_digit / 10, 0.0}) {
+            std::vector<std::string> row = {human_number(slenderness, 2), unit > 0 ? "typed to 1e-7 m" : "exact"};
+            for (const Variant& variant : variants()) {
+                const int count = over_inclinations(varied(run, variant), slenderness, unit).count;
+                row.push_back(std::to_string(count));
+                result.json["over_inclinations"][variant.name].push_back(count);
+            }
+            others.rows.push_back(row);
         }
-        others.rows.push_back({human_number(slenderness, 2), std::to_string(steps + 1), std::to_string(listing),
-                               std::to_string(per_face)});
-        result.json["by_slenderness"].push_back(
-            {{"a_over_b", slenderness}, {"blow_out", listing}, {"blow_out_with_slots_per_face", per_face}});
     }
+    report.blocks.emplace_back(Paragraph{
+        "Blow-outs are no freak of a/b = 7: rows of every slenderness do it where rocking takes them past their "
+        "critical inclination. Without the guard only blocks whose corners meet exactly are left to blow out, for want "
+        "of a face that is right. With a memory for each face none do."});
     report.blocks.emplace_back(others);
     report.blocks.emplace_back(printed_table("Blow-out", result.rows));
     return result;

@@ -178,6 +178,7 @@ Reproduction reproduce_observations(const ResultFolder& folder, Report& report) 
                            std::to_string(half) + " / " + std::to_string(stiff), "", statement(half > 2 * stiff)});
     const std::vector<Chapter5Run> damped = damping_observation();
     std::vector<int> cycles;
+    cycles.reserve(damped.size());
     for (const Chapter5Run& one : damped) {
         cycles.push_back(cycle_of(one));
     }
@@ -210,6 +211,7 @@ Reproduction reproduce_observations(const ResultFolder& folder, Report& report) 
     report.blocks.emplace_back(spread);
     const auto rotation = [](const HockingPrint& print) { return print.blocks[0].angle / degrees(1); };
     std::vector<HockingResult> histories;
+    histories.reserve(all.size());
     for (const Chapter5Run& one : all) {
         histories.push_back(run(one));
     }

@@ -187,7 +187,7 @@ std::vector<Chapter5Run> slenderness_runs() {
 }
 
 Chapter5Run blow_out_run() {
-    Chapter5Run made = equal_run(2, 7, 8, double_friction, 4000);
+    Chapter5Run made = equal_run(2, 7, 8, double_friction, 1500);
     made.columns.coordinate_unit = typed_digit / 10;
     made.settings.cycles_after_blow_out = 12;
     made.printed = PrintedOutcome::blows_up;

@@ -63,8 +63,8 @@ std::vector<Chapter5Run> double_fixed_runs();
 std::vector<Chapter5Run> double_tilting_runs(TiltedPart part);
 // Fig 5.12: a/b = 3, 5, 10. Inclinations are not printed: here half a degree above that of a single block.
 std::vector<Chapter5Run> slenderness_runs();
-// Fig 5.13: a/b = 7. printed_cycle: 677. The inclination is not printed: 8 deg, just below atan(1/7) = 8.13 deg, is the
-// one at which the re-created program blows out near that cycle.
+// Fig 5.13: a/b = 7. printed_cycle: 677. The inclination is not printed: 8 deg, from which the first rocking carries
+// the blocks past atan(1/7) = 8.13 deg, is the one at which the re-created program blows out near that cycle.
 Chapter5Run blow_out_run();
 // 5.3.2, observations 1 to 4. printed_cycle: of the same displacement. The inclination of the first is not printed:
 // 18.3 deg.

@@ -66,7 +66,8 @@ bool possible(const std::vector<HockingBlock>& blocks, const HockingSettings& se
     const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
     if (!positive(settings.time_step) || !positive(settings.stiffness) || !positive(settings.density) ||
         !(settings.damping >= 0) || !std::isfinite(settings.damping) || !std::isfinite(settings.gravity) ||
-        settings.print_interval < 1 || settings.cycles < 0 || (settings.tilting && settings.tilting->every < 1)) {
+        settings.print_interval < 1 || !(settings.crossing_guard >= 0) || settings.cycles < 0 ||
+        (settings.tilting && settings.tilting->every < 1)) {
         return false;
     }
     const auto count = static_cast<int>(blocks.size());
@@ -224,7 +225,7 @@ class Program {
 
     // The search KF = 1 to 4: where the line through the own centroid and the corner cuts the line of a face, within
     // the angles of its two corners seen from the neighbour's centroid.
-    static std::optional<HockingFace> crossed_face(const Touch& touch, const Body& neighbour) {
+    std::optional<HockingFace> crossed_face(const Touch& touch, const Body& neighbour) const {
         const double slope = touch.yo / touch.xo;
         const double intercept = touch.yd - touch.xd * slope;
         double heading = neighbour.angle;
@@ -266,8 +267,8 @@ class Program {
                 x = (intercept - face_intercept) / (face_slope - slope);
                 y = face_intercept + x * face_slope;
             }
-            if (std::abs(x) <= smallest_length) {
-                x = smallest_length;
+            if (std::abs(x) <= settings_.crossing_guard) {
+                x = settings_.crossing_guard;
             }
             double bearing = std::atan2(y, x);
             bearing += bearing < 0 ? turn : 0;

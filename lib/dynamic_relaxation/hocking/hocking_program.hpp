@@ -5,10 +5,14 @@
 // - Corner-to-face contacts between a block and its listed neighbours. One slot of memory for each pair of corner and
 //   neighbour, whatever face the corner is in: normal and shear position of the last cycle, and shear force.
 // - The face a corner has entered is the one that the line from the corner's own centroid through the corner crosses,
-//   of two such faces the one nearer to that centroid. Lengths below 1e-5 m are set to 1e-5 m on the way.
+//   of two such faces the one nearer to that centroid. Which faces are crossed is told from the bearings of the
+//   crossing points as seen from the neighbour's centroid. A crossing point less than 1e-5 m to either side of the
+//   vertical through that centroid is moved to 1e-5 m right of it, as a guard against a division that is not there.
 // - Normal dashpot: difference of the stored positions over one cycle, although they may belong to different faces.
-//   When a contact passes from a side to an end, the slot jumps by half the difference of height and width, and the
-//   dashpot turns that into a force that throws the blocks away ("blow-out").
+//   When a slot passes from a side to an end it jumps by half the difference of height and width, and the dashpot turns
+//   that into a force of some ten thousand times the weight: the blocks blow out. Corners that meet exactly make it
+//   pass; so does the guard, where a side is crossed just left of the vertical below the neighbour's centroid, as close
+//   to the toe of a column on the point of toppling: moved past the toe, the crossing is taken to be beyond the side.
 // - The stored shear force contains the dashpot's, so that damping piles up as stiffness. A sliding contact has the
 //   residual friction force alone. The limit is the spring's normal force times the coefficient of friction; the normal
 //   dashpot may pull.
@@ -93,8 +97,9 @@ struct HockingSettings {
     HockingFriction bases = {};   // between a free and a fixed block
     std::optional<HockingTilting> tilting = {};
     HockingSlotMemory slot_memory = HockingSlotMemory::per_neighbour;
-    int cycles = 0;            // to run (NCYLE)
-    int print_interval = 100;  // cycles, >= 1 (IPRINT): histories, sliding, decision
+    double crossing_guard = 1e-5;  // m, >= 0; the listing's 1.E-5
+    int cycles = 0;                // to run (NCYLE)
+    int print_interval = 100;      // cycles, >= 1 (IPRINT): histories, sliding, decision
     // What counts as what; the listing decides nothing.
     double failure_rotation = 0;    // rad; a free block turned by this, relative to its base, has failed
     double stop_rotation = 0;       // rad; and this ends the run
