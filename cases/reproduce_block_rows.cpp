@@ -266,9 +266,9 @@ Reproduction reproduce_fig_5_17(const ResultFolder& folder, Report& report) {
     const std::vector<Chapter5Run> runs = stepped_base_runs();
     report.blocks.emplace_back(Heading{"Fig 5.17: eight columns on a stepped base"});
     report.blocks.emplace_back(Paragraph{
-        "Columns that fail turn by some degrees and wedge again; so failure is here a rotation above 1 degree. The "
-        "printed 44 deg stands although equilibrium asks for 41.14 deg only, and 42 deg fails although it should not: "
-        "the blocks are dropped on their springs and overshoot."});
+        "Columns that fail turn by some degrees and wedge again; so failure is here a rotation above 1 degree. "
+        "Equilibrium asks for 41.14 deg of friction. That 42 deg fails nevertheless, as printed, is the program's own: "
+        "it drops the blocks on soft springs."});
     add_outcomes("stepped base, friction", runs, result);
     report.blocks.emplace_back(
         table_of({"Friction angle", "friction", runs, [](const Chapter5Run& run) { return in_words(run.printed); },

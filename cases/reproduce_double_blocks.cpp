@@ -93,10 +93,9 @@ Reproduction reproduce_double_blocks(const ResultFolder& folder, Report& report)
     }
     const Chapter5Run shown = double_tilting_runs(TiltedPart::base).front();
     const HockingResult tilted = run(shown);
-    report.blocks.emplace_back(
-        folder.draw(frames_figure("Fig 5.10: tilted from 18.3 to 18.5 deg", shown, tilted,
-                                  {2500, 4500, tilted.prints.back().cycle}),
-                    "fig_5_10", "Base turned. Blocks that turn by the same angle hardly press on each other."));
+    report.blocks.emplace_back(folder.draw(frames_figure("Fig 5.10: tilted from 18.3 to 18.5 deg", shown, tilted,
+                                                         {2500, 4500, tilted.prints.back().cycle}),
+                                           "fig_5_10", "Base turned. Both blocks turn by the same angle."));
     const ClosedGap closed = close_gap();
     result.json["closed_gap"] = {{"opening_before_in", closed.opening_before},
                                  {"opening_after_in", closed.opening_after},
@@ -119,7 +118,11 @@ Reproduction reproduce_double_blocks(const ResultFolder& folder, Report& report)
 Reproduction reproduce_fig_5_12(const ResultFolder& folder, Report& report) {
     Reproduction result;
     Table table{"First backward sliding of block 2",
-                {{"blocks"}, {"cycle", true}, {"rotation, deg", true}, {"rotation / atan(b/a)", true}},
+                {{"blocks"},
+                 {"printed: about cycle", true},
+                 {"cycle", true},
+                 {"rotation, deg", true},
+                 {"rotation / atan(b/a)", true}},
                 {}};
     report.blocks.emplace_back(Heading{"Fig 5.12: backward sliding and a/b"});
     double last = INFINITY;
@@ -129,7 +132,7 @@ Reproduction reproduce_fig_5_12(const ResultFolder& folder, Report& report) {
         const auto cycle = first_sliding(computed, 1, BaseSliding::backward);
         if (!cycle) {
             earlier = false;
-            table.rows.push_back({run.name, "never"});
+            table.rows.push_back({run.name, "4500", "never"});
             continue;
         }
         const double rotation = print_at(computed, *cycle).blocks[1].angle;
@@ -137,7 +140,7 @@ Reproduction reproduce_fig_5_12(const ResultFolder& folder, Report& report) {
         earlier = earlier && share < last;
         last = share;
         table.rows.push_back(
-            {run.name, std::to_string(*cycle), human_number(rotation / degrees(1), 3), human_number(share, 3)});
+            {run.name, "4500", std::to_string(*cycle), human_number(rotation / degrees(1), 3), human_number(share, 3)});
         result.json["rotation_over_slenderness_angle"].push_back(share);
         const std::string name = "fig_5_12_" + std::to_string(std::lround(run.columns.heights[0] / inch));
         report.blocks.emplace_back(folder.draw(frames_figure("a/b: " + run.name, run, computed, {*cycle}), name,

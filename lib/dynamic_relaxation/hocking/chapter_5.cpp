@@ -102,7 +102,7 @@ std::vector<Chapter5Run> fixed_inclination_runs() {
     };
     std::vector<Chapter5Run> runs;
     for (const Printed& one : printed) {
-        Chapter5Run made = equal_run(1, 3, one.inclination, double_friction, long_run);
+        Chapter5Run made = equal_run(1, 3, one.inclination, double_friction, 10000);
         made.name += one.damping == 0.5 ? "" : ", damping 1";
         made.settings.damping = one.damping;
         made.printed = one.settled ? PrintedOutcome::stands : PrintedOutcome::fails;
