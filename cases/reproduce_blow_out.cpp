@@ -66,6 +66,7 @@ BlowOuts of_shifted_starts(const Chapter5Run& run, double unit) {
 
 // From half a degree below atan(b/a) to half a degree above.
 constexpr int inclinations = 51;
+constexpr int middle = inclinations / 2;
 
 BlowOuts over_inclinations(const Chapter5Run& run, double slenderness, double coordinate_unit) {
     BlowOuts found;
@@ -74,7 +75,7 @@ BlowOuts over_inclinations(const Chapter5Run& run, double slenderness, double co
         other.columns.heights.assign(2, slenderness * inch);
         other.columns.base_height = slenderness * inch;
         other.columns.coordinate_unit = coordinate_unit;
-        other.columns.dip = std::atan(1 / slenderness) + degrees(0.02) * (step - inclinations / 2);
+        other.columns.dip = std::atan(1 / slenderness) + degrees(0.02) * (step - middle);
         other.settings.stiffness = run.settings.stiffness * run.columns.width / run.columns.heights[0] * slenderness;
         found.include(delabole::run(other));
     }

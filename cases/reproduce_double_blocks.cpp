@@ -143,7 +143,7 @@ Reproduction reproduce_fig_5_12(const ResultFolder& folder, Report& report) {
             {run.name, "4500", std::to_string(*cycle), human_number(rotation / degrees(1), 3), human_number(share, 3)});
         result.json["rotation_over_slenderness_angle"].push_back(share);
         const std::string name = "fig_5_12_" + std::to_string(std::lround(run.columns.heights[0] / inch));
-        report.blocks.emplace_back(folder.draw(frames_figure("a/b: " + run.name, run, computed, {*cycle}), name,
+        report.blocks.emplace_back(folder.draw(frames_figure("Fig 5.12: " + run.name, run, computed, {*cycle}), name,
                                                "Where block 2 begins to slide backwards."));
     }
     result.rows.push_back({"backward sliding begins at earlier stages as a/b grows", "earlier",

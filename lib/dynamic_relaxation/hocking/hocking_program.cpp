@@ -156,6 +156,7 @@ class Program {
         std::size_t corner;
         double xo, yo;  // from the corner's own centroid
         double xd, yd;  // from the neighbour's
+        double xc, yc;  // from the neighbour's centroid to the corner's own
     };
 
     void contacts() {
@@ -187,7 +188,9 @@ class Program {
                                   dx[corner],
                                   dy[corner],
                                   own.x + dx[corner] - neighbour.x,
-                                  own.y + dy[corner] - neighbour.y};
+                                  own.y + dy[corner] - neighbour.y,
+                                  own.x - neighbour.x,
+                                  own.y - neighbour.y};
                 if (!interact(touch, slot)) {
                     slot = Slot{};
                 }
@@ -277,8 +280,7 @@ class Program {
             if (!(bearing <= face.to && bearing >= face.from)) {
                 continue;
             }
-            // From the corner's own centroid, which lies (xd - xo, yd - yo) from the neighbour's.
-            const double distance = std::hypot(x - (touch.xd - touch.xo), y - (touch.yd - touch.yo));
+            const double distance = std::hypot(x - touch.xc, y - touch.yc);
             if (!found) {
                 found = static_cast<HockingFace>(number);
                 found_distance = distance;
