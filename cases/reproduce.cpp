@@ -14,7 +14,7 @@ namespace delabole {
 namespace {
 
 const std::vector<ReproductionChapter>& chapters() {
-    static const std::vector<ReproductionChapter> all = {chapter_2(), chapter_4(), appendix_a_chapter()};
+    static const std::vector<ReproductionChapter> all = {chapter_2(), chapter_4(), chapter_5(), appendix_a_chapter()};
     return all;
 }
 
