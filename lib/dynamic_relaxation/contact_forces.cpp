@@ -31,6 +31,7 @@ void ContactForces::renew(const ContactList& list) {
         of_block_[next[list.contact[index].other]++] = index;
     }
     evaluated_.assign(list.contact.size(), round_);
+    sum_all(list);
 }
 
 void ContactForces::notice(const std::vector<Motion>& motion, std::vector<SeenPose>& seen) {
