@@ -360,7 +360,7 @@ void Simulation::look() {
 
 void Simulation::let_calm_blocks_rest() {
     if (state_.time < last_scheduled_time(scene_, settings_)) {
-        std::fill(state_.calm.begin(), state_.calm.end(), char{0});
+        std::fill(state_.calm.begin(), state_.calm.end(), std::uint32_t{0});
         return;
     }
     for (std::size_t block = 0; block < bodies_.size(); ++block) {

@@ -41,8 +41,8 @@ class Simulation {
     // A block that has been calm for some looks is at rest until the forces on it are out of balance by this share of
     // its weight, far below the ratio that counts as equilibrium: it is not moved, and costs next to nothing.
     double rest_ratio() const { return 1e-3 * settings_.equilibrium_ratio; }
-    static bool rests(char calm) { return calm >= looks_before_rest; }
-    static constexpr char looks_before_rest = 4;
+    static bool rests(std::uint32_t calm) { return calm >= looks_before_rest; }
+    static constexpr std::uint32_t looks_before_rest = 4;
 
     bool out_of_time() const { return state_.time >= settings_.duration || state_.steps >= settings_.most_steps; }
     void prepare();

@@ -39,7 +39,7 @@ struct RelaxationState {
     std::vector<Motion> motion = {};
     std::vector<Motion> origin = {};      // at the start, after preloading
     std::vector<SeenPose> seen = {};      // where contacts were last evaluated for
-    std::vector<char> calm = {};  // looks in a row without anything to move a block; see Simulation::rests
+    std::vector<std::uint32_t> calm = {};  // looks in a row without anything to move a block; see Simulation::rests
     std::vector<char> removed = {};
     std::vector<double> base_slip = {};  // m, of each block over fixed ones; negative towards -x
     ContactList contacts = {};
