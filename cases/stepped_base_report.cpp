@@ -12,7 +12,8 @@ namespace delabole {
 
 namespace {
 
-void append_required(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseStudy<>& study) {
+// No where a cable names a place that does not exist.
+bool append_required(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseStudy<>& study) {
     for (const RequiredValue<>& request : study.required) {
         append_required_value(analysis, request.parameter, request.factor_of_safety,
                               required_value(problem, request.parameter, request.factor_of_safety));
@@ -20,6 +21,9 @@ void append_required(Analysis& analysis, const SteppedBase<>& problem, const Ste
     for (std::size_t index = 0; index < study.required_cable.size(); ++index) {
         const RequiredCable<>& request = study.required_cable[index];
         const CableForce cable = required_cable(problem, request);
+        if (cable.state == CableState::no_such_place) {
+            return false;
+        }
         const std::string name = "required_cable[" + std::to_string(index + 1) + "].force";
         const std::string meaning = "tension in column " + number_in_words(request.block) +
                                     " for a factor of safety of " + number_in_words(request.factor_of_safety);
@@ -27,12 +31,9 @@ void append_required(Analysis& analysis, const SteppedBase<>& problem, const Ste
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, cable.force});
         } else {
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, std::string(word_of(cable.state))});
-            if (cable.state == CableState::no_such_place) {
-                analysis.warnings.push_back(name + ": there is no such column, or its top is lower than " +
-                                            value_in_words(request.height, Dimension::length));
-            }
         }
     }
+    return true;
 }
 
 void warn(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseResult& result, bool at_boundary) {
@@ -96,7 +97,10 @@ Analysis analyse_case(const SteppedBaseStudy<>& study) {
         return analysis;
     }
     append_outputs(analysis, result);
-    append_required(analysis, resolved.problem, study);
+    if (!append_required(analysis, resolved.problem, study)) {
+        analysis.failure = word_of(ColumnCheck::load_outside_columns);
+        return analysis;
+    }
     append_column_outputs(analysis,
                           column_results(make_columns(resolved.problem.scene), strength_of(resolved.problem)));
     warn(analysis, resolved.problem, result, resolved.critical_at_boundary);

@@ -193,17 +193,15 @@ double toe_force(const ColumnSlope<>& slope, const ColumnStrength<>& strength, d
 }
 
 CableForce required_cable(const SteppedBase<>& problem, const RequiredCable<>& cable) {
-    ColumnSlope<> slope = make_columns(problem.scene);
-    const double count = static_cast<double>(slope.columns.size());
-    if (slope.check != ColumnCheck::valid || !(cable.block >= 1 && cable.block <= count) ||
-        cable.block != std::floor(cable.block)) {
+    // Its head has to find the same place as that of a bolt.
+    ColumnScene<> bolted = problem.scene;
+    bolted.bolt.push_back({cable.block, 0, cable.plunge, cable.height});
+    ColumnSlope<> slope = make_columns(bolted);
+    if (slope.check != ColumnCheck::valid) {
         return {CableState::no_such_place, 0};
     }
     const auto index = static_cast<std::size_t>(cable.block) - 1;
     const Column<> column = slope.columns[index];
-    if (!(cable.height >= 0 && cable.height <= std::max({column.height, column.upper_contact, column.lower_contact}))) {
-        return {CableState::no_such_place, 0};
-    }
     const ColumnStrength<> strength = strength_of(problem);
     const double factor = cable.factor_of_safety;
     if (index == 0) {
