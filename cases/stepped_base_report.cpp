@@ -12,6 +12,14 @@ namespace delabole {
 
 namespace {
 
+// From here on a push from below no longer holds a column that slides, or hardly.
+constexpr double nearly_locked = 0.9;
+
+double friction_product_at_limit(const SteppedBase<>& problem, double factor) {
+    const ColumnStrength<> strength = strength_of(problem).reduced_by(factor);
+    return strength.joint_friction * strength.base_friction;
+}
+
 // No where a cable names a place that does not exist.
 bool append_required(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseStudy<>& study) {
     for (const RequiredValue<>& request : study.required) {
@@ -42,7 +50,20 @@ void warn(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseRes
             "the least factor of safety lies at the edge of the searched range: a limit, not a balance");
     }
     if (result.limit == LimitState::fails_at_any_strength) {
-        analysis.warnings.emplace_back("no friction, however large, keeps the lowest column from moving");
+        std::string warning = "no factor on the strength as given, however large, keeps the lowest column from moving";
+        if (result.friction_limit == LimitState::found) {
+            warning += "; one friction angle of " + value_in_words(result.limiting_friction_angle, Dimension::angle) +
+                       " on joints and bases would";
+        }
+        analysis.warnings.push_back(warning);
+    } else if (result.limit == LimitState::abrupt) {
+        analysis.warnings.push_back(
+            "no limiting equilibrium: the slope stands with its strength divided by " +
+            number_in_words(result.factor_of_safety) + " and fails past that, but " +
+            (friction_product_at_limit(problem, result.factor_of_safety) >= nearly_locked
+                 ? "the friction angles of joints and bases there add to nearly 90 deg or more, so that a column which "
+                   "begins to slide is held by no push from below: the answer depends on the least change of the inputs"
+                 : "a column that moves there has none below it to lean on"));
     } else if (result.limit == LimitState::holds_at_any_strength) {
         analysis.warnings.emplace_back("nothing moves even without strength: the factor of safety is infinite");
     }
