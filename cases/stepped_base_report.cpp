@@ -44,7 +44,29 @@ bool append_required(Analysis& analysis, const SteppedBase<>& problem, const Ste
     return true;
 }
 
+std::string_view what_lifts(const SlideHeadWedge<>& wedge) {
+    const double into_joint = wedge.force_x * std::sin(wedge.joint_dip) - wedge.force_y * std::cos(wedge.joint_dip);
+    if (!(into_joint > 0)) {
+        return "its loads lift";  // an earthquake more than any
+    }
+    return into_joint < wedge.water_force ? "water lifts" : "the friction of the columns that it pushes lifts";
+}
+
+// A wedge that is not there has no numbers, nor has a friction angle that none is.
+void leave_out_what_is_not(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseResult& result) {
+    if (!problem.scene.slide_head) {
+        std::erase_if(analysis.outputs,
+                      [](const NamedOutput& output) { return output.name.starts_with("slide_head"); });
+    }
+    for (NamedOutput& output : analysis.outputs) {
+        if (output.name == "limiting_friction_angle" && result.friction_limit == LimitState::fails_at_any_strength) {
+            output.value = "none";
+        }
+    }
+}
+
 void warn(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseResult& result, bool at_boundary) {
+    const ColumnSlope<> slope = make_columns(problem.scene);
     if (at_boundary) {
         analysis.warnings.emplace_back(
             "the least factor of safety lies at the edge of the searched range: a limit, not a balance");
@@ -71,9 +93,9 @@ void warn(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseRes
         analysis.warnings.emplace_back(
             "the wedge above jams between its joint and the columns: its thrust is not counted");
     } else if (result.slide_head == SlideHeadState::lifts_off) {
-        analysis.warnings.emplace_back("water lifts the wedge above off its joint: its thrust is not counted");
+        analysis.warnings.push_back(std::string(what_lifts(*slope.slide_head)) +
+                                    " the wedge above off its joint: its thrust is not counted");
     }
-    const ColumnSlope<> slope = make_columns(problem.scene);
     const double factor = result.limit == LimitState::found ? result.factor_of_safety : 1;
     int outside = 0;
     int lifted_or_slipping = 0;
@@ -118,6 +140,7 @@ Analysis analyse_case(const SteppedBaseStudy<>& study) {
         return analysis;
     }
     append_outputs(analysis, result);
+    leave_out_what_is_not(analysis, resolved.problem, result);
     if (!append_required(analysis, resolved.problem, study)) {
         analysis.failure = word_of(ColumnCheck::load_outside_columns);
         return analysis;

@@ -1,5 +1,6 @@
 #include "cases/stepped_base_sweeps.hpp"
 
+#include "cases/interrupt.hpp"
 #include "cases/result_folder.hpp"
 #include "cases/sensitivity_step.hpp"
 #include "fitting/words.hpp"
@@ -67,6 +68,7 @@ Line curve(SteppedBase<> problem, const std::string& input, Dimension x, const I
     }
     int answers = 0;
     for (int index = 0; index < curve_points; ++index) {
+        stop_if_interrupted();
         *value = range.lower + (range.upper - range.lower) * index / (curve_points - 1);
         const std::optional<double> y = answer(problem);
         answers += y ? 1 : 0;

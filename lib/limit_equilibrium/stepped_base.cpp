@@ -344,10 +344,10 @@ SteppedBaseResult analyse(const SteppedBase<>& problem) {
         result.toppling_count += columns[index].mode == ColumnMode::topples ? 1 : 0;
         result.sliding_count += columns[index].mode == ColumnMode::slides ? 1 : 0;
         result.inadmissible_count += columns[index].base_friction_holds && columns[index].reaction_inside_base ? 0 : 1;
-        result.moving_count =
-            columns[index].mode != ColumnMode::stays ? static_cast<double>(index + 1) : result.moving_count;
+        result.uppermost_moving =
+            columns[index].mode != ColumnMode::stays ? static_cast<double>(index + 1) : result.uppermost_moving;
     }
-    const Point crack = corner_above(slope, static_cast<std::size_t>(std::max(1.0, result.moving_count)) - 1);
+    const Point crack = corner_above(slope, static_cast<std::size_t>(std::max(1.0, result.uppermost_moving)) - 1);
     result.crack_base_distance = crack.x();
     result.crack_base_height = crack.y();
     const Point end = corner_above(slope, slope.columns.size() - 1);

@@ -26,7 +26,7 @@ class Chapter4 : public ::testing::Test {
         Options options;
         options.out = path_.string();
         options.quiet = true;
-        const ResultFolder folder(options, name);
+        const ResultFolder folder(options, name, OnInterrupt::stop);
         Report report;
         return item->reproduce(folder, report);
     }

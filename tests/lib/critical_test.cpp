@@ -236,6 +236,12 @@ TEST(ScalarSearch, KinkJumpAndGap) {
     const auto hole = find_root([&](double x) { return x > 0.4 && x < 0.6 ? none : x - 0.5; }, {0, 1});
     EXPECT_FALSE(hole.position.has_value());
     EXPECT_EQ(hole.sign_changes, 0);
+    // A jump over zero is no root, a steep passage is one.
+    EXPECT_FALSE(find_root([](double x) { return x < 0.43 ? -1.0 : 2.0; }, {0, 1}).position.has_value());
+    EXPECT_FALSE(find_root([](double x) { return x < 0.43 ? -1e3 : x; }, {0, 1}).position.has_value());
+    const auto steep = find_root([](double x) { return std::tanh(1e8 * (x - 0.43)); }, {0, 1});
+    ASSERT_TRUE(steep.position.has_value());
+    EXPECT_NEAR(*steep.position, 0.43, 1e-15);
 }
 
 // --- Required values ---
