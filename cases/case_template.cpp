@@ -18,7 +18,7 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 26> examples{{
+constexpr std::array<ExampleNumber, 37> examples{{
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -45,7 +45,21 @@ constexpr std::array<ExampleNumber, 26> examples{{
     {"concentration", 80.0},
     {"sample_count", 4000.0},
     {"seed", 1967.0},
+    {"joint_dip", degrees(70)},
+    {"spacing", 5.0},
+    {"stagger", 1.5},
+    {"base_inclination", degrees(35)},
+    {"base_end_height", 25.0},
+    {"step_above", 1.0},
+    {"block", 1.0},
+    {"lower_inclination", degrees(20)},
+    {"upper_inclination", degrees(50)},
+    {"lower_end_height", 5.0},
+    {"upper_end_height", 30.0},
 }};
+
+// Of the name of an input, which template_of replaces where the model has none of that name.
+constexpr std::string_view example_input = "strength.friction_angle";
 
 double example_number(const FieldInfo& info) {
     const auto* const found = std::ranges::find(examples, info.key, &ExampleNumber::key);
@@ -66,7 +80,7 @@ void fill_with_examples(const FieldInfo& info, Member& member) {
     } else if constexpr (is_variant<Member>) {
         std::visit([&](auto& alternative) { fill_with_examples(info, alternative); }, member);
     } else if constexpr (std::same_as<Member, std::string>) {
-        member = "strength.friction_angle";
+        member = example_input;
     } else if constexpr (Described<Member>) {
         visit_fields(member,
                      [](const FieldInfo& inner, auto& inner_member) { fill_with_examples(inner, inner_member); });
@@ -214,16 +228,32 @@ std::string annotated_sections(const Object& object, const std::string& path) {
     return text;
 }
 
+std::string with_input_of(const CaseModel& model, std::string text) {
+    const std::vector<Quantity> inputs = named_inputs(model);
+    if (std::ranges::find(inputs, example_input, &Quantity::name) != inputs.end()) {
+        return text;
+    }
+    const auto own = std::find_if(inputs.rbegin(), inputs.rend(),
+                                  [](const Quantity& input) { return input.name.ends_with(".friction_angle"); });
+    for (std::size_t at = text.find(example_input); own != inputs.rend() && at != std::string::npos;
+         at = text.find(example_input, at + own->name.size())) {
+        text.replace(at, example_input.size(), own->name);
+    }
+    return text;
+}
+
 template <Described Model>
 std::string template_of(const ModelExample<Model>& example) {
-    return "schema = 1\n"
-           "title = " +
-           in_quotes(example.title) +
-           "\n"
-           "# description = \"what the case is about\"\n"
-           "model = " +
-           in_quotes(Model::kind) + "\n" + annotated_values(example.model) + annotated_sections(example.model, "") +
-           "\n" + commented(example.further_parts.substr(1));
+    const std::string text =
+        "schema = 1\n"
+        "title = " +
+        in_quotes(example.title) +
+        "\n"
+        "# description = \"what the case is about\"\n"
+        "model = " +
+        in_quotes(Model::kind) + "\n" + annotated_values(example.model) + annotated_sections(example.model, "") + "\n" +
+        commented(example.further_parts.substr(1));
+    return with_input_of(example.model, text);
 }
 
 template <std::size_t... index>

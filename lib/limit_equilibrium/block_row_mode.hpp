@@ -64,7 +64,7 @@ enum class RowModeCheck {
     sliding_block_overturns,   // no reaction within the base of a block that slides
     adhering_blocks_slip,
     blocked_by_standing_block,  // the heel of the uppermost turning block runs into its neighbour
-    standing_blocks_fail,       // the part that is to stand fails first
+    standing_blocks_fail,       // the part that is to stand fails first, or is too long to tell
 };
 
 constexpr std::array<std::string_view, 12> enum_names(RowModeCheck) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "limit_equilibrium/block_row_closing.hpp"
+#include "numerics/infeasibility.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,10 @@
 #include <vector>
 
 namespace delabole {
+
+// Blocks that press on others; of more the forces are looked for only where all are equal, since the search for them
+// takes a time of the third power of their number, 10 ms for so many.
+inline constexpr std::size_t pressing_limit = 48;
 
 // Evaluates modes of the blocks from `first` on; keeps its working space between calls.
 template <class T>
@@ -212,7 +217,7 @@ class RowModeSolver {
         return T(largest * static_cast<double>(16 * (16 + mode.forces.size())) * std::numeric_limits<T>::epsilon());
     }
 
-    RowModeCheck statics(const RowMode<T>& mode) const {
+    RowModeCheck statics(const RowMode<T>& mode) {
         const T slack = tolerance(mode);
         for (std::size_t index = 0; index < mode.forces.size(); ++index) {
             if (mode.forces[index].thrust < -slack) {
@@ -231,17 +236,82 @@ class RowModeSolver {
                 return check;
             }
         }
-        if (mode.pressed && parts().stands > 0 && !presses_in_equilibrium(mode, slack)) {
+        const bool presses = mode.pressed && parts().stands > 0;
+        if (presses && !(parts().stands <= pressing_limit ? pressing_forces_exist(mode, slack)
+                                                          : equal_blocks_press(mode, slack))) {
             return RowModeCheck::standing_blocks_fail;
         }
         return RowModeCheck::admissible;
     }
 
-    // Whether the standing blocks that press on the heel of turning ones can do so: neither do they slide up the plane,
-    // nor, supported by that thrust, does any upper group of them turn.
-    bool presses_in_equilibrium(const RowMode<T>& mode, const T& slack) const {
+    // Whether there are forces, anywhere within faces and friction, by which the standing blocks can press on the heel
+    // of the turning ones: three equations for each, with the two edges of Coulomb's cone at both ends of every face as
+    // unknowns, that of the base first.
+    bool pressing_forces_exist(const RowMode<T>& mode, const T& slack) {
+        const std::size_t begin = parts().slides + parts().turns;
+        const std::size_t columns = 8 * parts().stands - 4;
+        coefficients_.assign(3 * parts().stands * columns, T(0));
+        right_sides_.assign(3 * parts().stands, T(0));
+        const MemberForces<T>& heel = mode.forces[begin - 1];
+        T largest = heel.thrust;
+        for (std::size_t index = 0; index < parts().stands; ++index) {
+            largest = std::max(largest, block(begin + index).weight);
+        }
+        for (std::size_t index = 0; index < parts().stands; ++index) {
+            const RowMember<T>& member = block(begin + index);
+            const std::size_t row = 3 * index;
+            const T size = member.width + member.height;
+            // Moments are about the toe of `receiver`, over its size, positive against overturning.
+            const auto add = [&](std::size_t receiver, std::size_t column, const T& up_dip, const T& outward,
+                                 const T& restoring) {
+                coefficients_[receiver * columns + column] = up_dip;
+                coefficients_[(receiver + 1) * columns + column] = outward;
+                coefficients_[(receiver + 2) * columns + column] = restoring;
+            };
+            std::size_t column = 8 * index;
+            const T base = 1 / T(1 + member.base_friction);
+            for (const T& arm : {T(0), T(member.width / size)}) {
+                for (const T& shear : {T(member.base_friction), T(-member.base_friction)}) {
+                    add(row, column++, base * shear, base, -base * arm);
+                }
+            }
+            if (index + 1 < parts().stands) {
+                // From the block above: down the slope, and shear down on this one.
+                const RowMember<T>& above = block(begin + index + 1);
+                const T above_size = above.width + above.height;
+                const T face = 1 / T(1 + member.interface_friction);
+                for (const T& height : {T(0), member.contact}) {
+                    for (const T& shear : {T(member.interface_friction), T(-member.interface_friction)}) {
+                        add(row, column, -face, -face * shear, face * (shear * member.width - height) / size);
+                        add(row + 3, column++, face, face * shear, face * height / above_size);
+                    }
+                }
+            }
+            right_sides_[row] = member.weight * sine_ / largest;
+            right_sides_[row + 1] = member.weight * cosine_ / largest;
+            right_sides_[row + 2] = own_moment(member) / (size * largest);
+        }
+        // What the turning block bears is taken off its lowest neighbour.
+        right_sides_[0] -= heel.thrust / largest;
+        right_sides_[1] -= heel.shear / largest;
+        return infeasibility_(coefficients_, right_sides_) <= slack / largest;
+    }
+
+    // The same of many equal blocks, by sums: neither do they slide up the plane, nor, supported by that thrust, does
+    // any upper group of them turn. Rows of unequal blocks may satisfy the sums for which there are no forces.
+    bool equal_blocks_press(const RowMode<T>& mode, const T& slack) const {
         const std::size_t begin = parts().slides + parts().turns;
         const std::size_t end = begin + parts().stands;
+        for (std::size_t index = begin + 1; index < end; ++index) {
+            const RowMember<T>& lower = block(index - 1);
+            const RowMember<T>& upper = block(index);
+            const bool last = index + 1 == end;
+            if (lower.height != upper.height || lower.width != upper.width || lower.weight != upper.weight ||
+                lower.base_friction != upper.base_friction ||
+                (!last && lower.interface_friction != upper.interface_friction)) {
+                return false;
+            }
+        }
         std::vector<T> thrust(end, T(0));
         for (std::size_t index = end - 1; index >= begin; --index) {
             const RowMember<T>& member = block(index);
@@ -311,6 +381,9 @@ class RowModeSolver {
     bool reactions_exist_ = true;  // within the bases of the blocks that move along the plane
     std::vector<T> lowest_;
     std::vector<T> highest_;
+    Infeasibility<T> infeasibility_;
+    std::vector<T> coefficients_;
+    std::vector<T> right_sides_;
 };
 
 }  // namespace delabole

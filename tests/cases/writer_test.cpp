@@ -180,8 +180,25 @@ TEST(Template, OptionalSectionsAreValid) {
     expect_valid_sections("plane_failure",
                           {"# [slope.bench]", "# [tension_cutoff]", "# [pond]", "# [seismic]", "# [[surcharge]]",
                            "# [[line_load]]", "# [[bolt]]", "# [critical]", "# [[required]]"});
-    expect_valid_sections("stepped_base", {"# [linear_programming_bound]"});
+    expect_valid_sections("stepped_base", {"# [slope.bench]", "# [seismic]", "# [[surcharge]]", "# [[line_load]]",
+                                           "# [[point_load]]", "# [[bolt]]", "# [slide_head.water]", "# [critical]",
+                                           "# [[required]]", "# [[required_cable]]", "# [linear_programming_bound]"});
     expect_valid_sections("kinematics", {"# [slope.upper_surface]", "# [sampling]"});
+}
+
+// Cross joints cut columns that carry their own weight alone, which the sections above give loads.
+TEST(Template, CrossJointsAreValidInDryColumnsWithoutALoad) {
+    const std::string text = commented_template("stepped_base");
+    const auto without = [](std::string remaining, const std::string& section) {
+        const std::size_t start = remaining.find("\n" + section);
+        return remaining.erase(start, remaining.find("\n\n", start) - start);
+    };
+    const std::string bare = without(without(text, "[water]"), "[slide_head]") + "\n[water]\nkind = \"dry\"\n";
+    const std::size_t start = text.find("# [linear_programming_bound]");
+    const std::string once = uncommented(text.substr(start, text.find("\n\n", start) - start), "#");
+    const std::string twice = uncommented(once, "#\n");
+    ASSERT_NE(twice.find("\nstagger = "), std::string::npos) << twice;
+    EXPECT_NO_THROW(parse_case(bare + twice, "template")) << twice;
 }
 
 TEST(Template, NamesEveryKind) {
