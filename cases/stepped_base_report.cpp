@@ -2,6 +2,8 @@
 #include "cases/model_reports.hpp"
 #include "cases/stepped_base_bound.hpp"
 #include "cases/stepped_base_columns.hpp"
+#include "cases/stepped_base_drawing.hpp"
+#include "cases/stepped_base_sweeps.hpp"
 #include "fitting/words.hpp"
 #include "limit_equilibrium/stepped_base_study.hpp"
 
@@ -117,6 +119,18 @@ void warn(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseRes
             "column(s) whose base would be in tension, or would slip while they topple, "
             "which the recursion does not see: " +
             std::to_string(lifted_or_slipping));
+    }
+    if (slope.columns.size() > most_drawn_columns) {
+        analysis.warnings.push_back(
+            "figures are left out: " + std::to_string(slope.columns.size()) +
+            " columns are too many to be told apart; columns.csv has their forces" +
+            (can_sweep(problem) ? "" : ", and the dependence on geometry and inputs would take too long"));
+    }
+    const bool cut = !std::holds_alternative<BlockColumns<>>(problem.scene.columns);
+    if (cut && !(problem.scene.bolt.empty() && problem.scene.point_load.empty())) {
+        analysis.warnings.emplace_back(
+            "bolts and point loads keep the number of their column: where a change of geometry adds or takes away a "
+            "column at the toe they move, and every result jumps");
     }
     if (const auto* classical = std::get_if<ClassicalColumns<>>(&problem.scene.columns)) {
         const ClassicalJump jump = classical_jump(*problem.scene.slope, *classical);
