@@ -16,12 +16,11 @@ namespace delabole {
 
 namespace {
 
-constexpr double text_height = 19;             // px
-constexpr double letter_width = 0.66;          // of the height of the text
-constexpr double smallest_label = 12;          // px
-constexpr double least_share_of_label = 0.75;  // of its height that must find room in a block
-constexpr double plot_width = 620;             // px
-constexpr double greatest_plot_height = 680;   // px
+constexpr double text_height = 19;            // px
+constexpr double letter_width = 0.66;         // of the height of the text
+constexpr double smallest_label = 12;         // px
+constexpr double plot_width = 620;            // px
+constexpr double greatest_plot_height = 680;  // px
 // Of the greatest force, px.
 constexpr double longest_arrow = 85;
 constexpr double shortest_arrow = 40;
@@ -417,7 +416,7 @@ class BlockPicture {
         const bool most_fit = sizes[sizes.size() / 2] >= smallest_label;
         std::vector<Numeral> numerals;
         for (const DrawnBlock& block : drawing_.blocks) {
-            const bool fits = !most_fit || fitting_size(block) >= least_share_of_label * smallest_label;
+            const bool fits = !most_fit || fitting_size(block) >= smallest_label;
             if (!block.label.empty() && fits) {
                 const double size = std::clamp(fitting_size(block), smallest_label, common);
                 numerals.push_back({&block, centroid(block.outline), size});

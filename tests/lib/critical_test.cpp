@@ -286,7 +286,7 @@ TEST(RequiredValue, WaterDepth) {
     EXPECT_EQ(found.dimension, Dimension::length);
     // Down to 0.9 the crack does not hold enough water.
     const Required never = required_value(problem, "water.water_depth", 0.9);
-    EXPECT_EQ(never.status, RequiredStatus::never_reached);
+    EXPECT_EQ(never.status, RequiredStatus::always_exceeded);
     PlaneFailure<> full = problem;
     full.water = CrackAndBaseWater<>{9.81e3, FilledRatio<>{1}};
     EXPECT_NEAR(never.lowest_factor_of_safety, factor_of_safety(full).value, 1e-9);  // the edge is bisected
