@@ -8,6 +8,7 @@
 #include "cases/interrupt.hpp"
 #include "cases/model_reports.hpp"
 #include "cases/result_folder.hpp"
+#include "cases/stepped_base_bound.hpp"
 #include "cases/units.hpp"
 #include "plots/text.hpp"
 
@@ -59,13 +60,22 @@ void print(const CaseFile& file, const Analysis& analysis, const ResultFolder& f
     std::cout << "results in " << folder.path().string() << "\n\n";
 }
 
+void announce(const CaseFile& file, const Options& options) {
+    const auto* columns = std::get_if<SteppedBaseStudy<>>(&file.model);
+    const std::string text = columns != nullptr && !options.quiet ? announcement(*columns) : "";
+    if (!text.empty()) {
+        std::cerr << stem_of(file) << ": " << text << '\n';
+    }
+}
+
 ExitCode run_one(const CaseFile& file, const Options& options) {
     const Stopwatch watch;
+    announce(file, options);
     const Analysis analysis = analyse_model(file.model);
     if (!analysis.failure.empty()) {
         throw CaseError({impossible(file, analysis.failure)});
     }
-    const ResultFolder folder(options, stem_of(file));
+    const ResultFolder folder(options, stem_of(file), OnInterrupt::stop);
     const Json source = provenance(file, "run", options, watch.seconds());
 
     Json json;
@@ -113,11 +123,13 @@ ExitCode run_command(const Paths& cases, const Options& options) {
     }
     std::size_t analysed = 0;
     for (const CaseFile& file : files) {
-        if (interrupt_flag()) {
+        try {
+            stop_if_interrupted();
+            run_one(file, options);
+        } catch (const Interrupted&) {
             std::cerr << "delabole: interrupted, " << analysed << " of " << files.size() << " cases were analysed\n";
             return ExitCode::not_converged;
         }
-        run_one(file, options);
         ++analysed;
     }
     return ExitCode::ok;

@@ -171,7 +171,7 @@ std::uint64_t hash_of(const RelaxationScene& scene, const RelaxationSettings& se
 bool fits(const RelaxationState& state, const RelaxationScene& scene) {
     const std::size_t blocks = scene.block.size();
     if (state.motion.size() != blocks || state.origin.size() != blocks || state.removed.size() != blocks ||
-        state.base_slip.size() != blocks) {
+        state.base_slip.size() != blocks || state.seen.size() != blocks || state.calm.size() != blocks) {
         return false;
     }
     std::vector<std::size_t> corners_before{0};
@@ -183,7 +183,8 @@ bool fits(const RelaxationState& state, const RelaxationScene& scene) {
     };
     const ContactList& list = state.contacts;
     const std::size_t contacts = list.contact.size();
-    return list.memory.size() == contacts && list.worst < std::max<std::size_t>(contacts, 1) &&
+    return list.memory.size() == contacts && list.force.size() == contacts &&
+           list.worst < std::max<std::size_t>(contacts, 1) &&
            std::all_of(list.contact.begin(), list.contact.end(),
                        [&](const RelaxationContact& contact) {
                            return is_of(contact.corner, contact.block) && is_of(contact.edge, contact.other) &&

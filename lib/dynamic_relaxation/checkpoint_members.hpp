@@ -29,13 +29,16 @@ DELABOLE_MEMBERS(Motion, x, y, angle, sine, versine, vx, vy, spin)
 DELABOLE_MEMBERS(RelaxationContact, block, other, corner, edge, arm, edge_start, along, offset, gap, edge_length,
                  start_weight, end_weight, inverse_blend, normal_stiffness, shear_stiffness, normal_dashpot,
                  shear_dashpot, friction, residual_friction, cohesion, tension, twin)
-DELABOLE_MEMBERS(ContactMemory, shear, slip, friction, damping, strength, touching, sliding, broken)
-DELABOLE_MEMBERS(ContactList, contact, memory, margin, worst_gap, worst)
+DELABOLE_MEMBERS(ContactMemory, shear, place, slip, friction, damping, normal_drag, shear_drag, touching, sliding,
+                 broken)
+DELABOLE_MEMBERS(ContactForce, x, y, moment, other_moment)
+DELABOLE_MEMBERS(ContactList, contact, memory, force, margin, worst_gap, worst)
+DELABOLE_MEMBERS(SeenPose, x, y, angle)
 DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, dashpots, local_damping,
                  kinetic_damping)
 DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, searches, contacts_evaluated, travelled, motion, origin,
-                 removed, base_slip, contacts, ledger, elastic_at_start, unbalanced, kinetic_then, kinetic_before,
-                 kinetic_rising, onset_time, outcome)
+                 seen, calm, removed, base_slip, contacts, ledger, elastic_at_start, unbalanced, kinetic_then,
+                 kinetic_before, kinetic_rising, onset_time, outcome)
 
 DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,
                  tensile_strength)
