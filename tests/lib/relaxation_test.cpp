@@ -344,6 +344,28 @@ TEST(Books, BalanceInRandomisedDoubleBlocks) {
     RecordProperty("worst_energy_error", std::to_string(worst));
 }
 
+// Dashpots lag by half a step: a step chosen from the springs alone would let strong ones chatter for ever.
+TEST(Damping, LetsBlocksRestHoweverStrong) {
+    for (const double viscous : {0.0, 0.2, 0.5, 1.0, 2.0}) {
+        for (const double local : {0.0, 0.2, 0.7}) {
+            if (viscous == 0 && local == 0) {
+                continue;
+            }
+            Row row;
+            row.count = 2;
+            row.stiffness_ratio = 1e4;
+            row.base_friction = row.interface_friction = 0.35;
+            row.tilt = 0.17;
+            RelaxationSettings settings;
+            settings.start = RelaxationStart::dropped;
+            settings.viscous_damping = viscous;
+            settings.local_damping = local;
+            const RelaxationResult result = relax(scene_of(row), settings);
+            EXPECT_EQ(result.outcome, RelaxationOutcome::equilibrium) << "viscous " << viscous << ", local " << local;
+        }
+    }
+}
+
 TEST(Tilting, InSmallIncrementsReachesTheStaticLimit) {
     Row row;
     row.tilt = degrees(18);
