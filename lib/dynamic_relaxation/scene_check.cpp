@@ -288,7 +288,7 @@ SceneFault check_start(const RelaxationScene& scene) {
         const double lighter = 1 / std::max(bodies.inverse_mass[block], bodies.inverse_mass[other]);
         return deepest_in_settlements * lighter * gravity / stiffness + margin;
     };
-    const ContactList list = find_contacts(scene, bodies, unmoved, none_removed, {margin, 0}, {});
+    const ContactList list = find_contacts(scene, bodies, unmoved, none_removed, {margin, 0, true}, {});
     for (const RelaxationContact& contact : list.contact) {
         const ContactPosition at = locate(contact, unmoved[contact.block], unmoved[contact.other]);
         if (contact_weight(contact, at.position) > 0 &&
