@@ -98,7 +98,7 @@ void Simulation::begin() {
         // Blocks that only jam once they have leaned a little move farther here than between two searches of the run.
         const double reach = 10 * margin_;
         state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
-                                        {reach, settings_.viscous_damping}, state_.contacts);
+                                        {reach, settings_.viscous_damping, true}, state_.contacts);
         apply_loads();
         std::vector<Eigen::Vector3d> loads;
         for (const BlockForce& load : load_) {
@@ -142,6 +142,7 @@ double Simulation::tilt() const {
 void Simulation::follow_schedules() {
     for (const Removal& removal : scene_.removal) {
         if (state_.removed[removal.block] == 0 && state_.time >= removal.time) {
+            book_springs_of_removed(removal.block);
             state_.removed[removal.block] = 1;
             state_.motion[removal.block].vx = state_.motion[removal.block].vy = state_.motion[removal.block].spin = 0;
             state_.travelled = std::numeric_limits<double>::infinity();
@@ -150,6 +151,16 @@ void Simulation::follow_schedules() {
     hold_blocks();
     for (const PrescribedMotion& motion : scene_.motion) {
         prescribe(motion, bodies_, state_.time, state_.motion[motion.block]);
+    }
+}
+
+void Simulation::book_springs_of_removed(std::size_t block) {
+    for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
+        const RelaxationContact& contact = state_.contacts.contact[index];
+        if (contact.block == block || contact.other == block) {
+            state_.ledger.friction += elastic_energy(contact, state_.contacts.memory[index],
+                                                     state_.motion[contact.block], state_.motion[contact.other]);
+        }
     }
 }
 
@@ -165,7 +176,7 @@ void Simulation::find_contacts_where_due() {
         add_base_slip(bodies_, state_.motion, contact, memory, state_.base_slip);
     }
     state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
-                                    {margin_, settings_.viscous_damping}, state_.contacts);
+                                    {margin_, settings_.viscous_damping, state_.searches == 0}, state_.contacts);
     contact_forces_.renew(state_.contacts);
     state_.seen.assign(bodies_.size(), never_seen());
     state_.travelled = 0;
@@ -178,7 +189,7 @@ void Simulation::find_contacts_where_due() {
     if (settings_.time_step) {
         state_.step = *settings_.time_step / std::max(1.0, std::ceil(*settings_.time_step / largest));
     }
-    if (-state_.contacts.worst_gap > settings_.overlap_limit * shortest_edge(bodies_)) {
+    if (state_.contacts.worst_overlap > settings_.overlap_limit) {
         state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::overlap_too_large);
     }
 }
@@ -423,6 +434,10 @@ RelaxationResult Simulation::result() const {
 RelaxationResult relax(const RelaxationScene& scene, const RelaxationSettings& settings,
                        const std::function<bool(const Simulation&)>& watch) {
     RelaxationResult refused;
+    refused.fault = check_settings(settings);
+    if (refused.fault.check != SceneCheck::valid) {
+        return refused;
+    }
     refused.fault = check_scene(scene);
     if (refused.fault.check != SceneCheck::valid) {
         return refused;

@@ -57,6 +57,7 @@ class Simulation {
     void begin();
     void hold_blocks();
     void follow_schedules();
+    void book_springs_of_removed(std::size_t block);
     void find_contacts_where_due();
     void apply_contact_forces();
     void apply_loads();

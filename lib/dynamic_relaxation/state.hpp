@@ -16,7 +16,7 @@ struct EnergyLedger {
     double prescribed = 0;       // work of moved fixed blocks on the others
     double kinetic = 0;          // at this time
     double elastic = 0;          // at this time, above that of the start
-    double friction = 0;         // dissipated by slip and broken bonds
+    double friction = 0;         // dissipated by slip, broken bonds and springs of removed blocks
     double dashpots = 0;         // dissipated
     double local_damping = 0;    // dissipated
     double kinetic_damping = 0;  // taken out at peaks
