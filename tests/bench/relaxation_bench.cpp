@@ -77,7 +77,7 @@ void search(benchmark::State& state) {
     const std::vector<Motion> motion(bodies.size());
     const std::vector<char> removed(bodies.size(), 0);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(find_contacts(scene, bodies, motion, removed, {0.01, 0.2}, {}));
+        benchmark::DoNotOptimize(find_contacts(scene, bodies, motion, removed, {0.01, 0.2, true}, {}));
     }
     state.counters["blocks"] =
         benchmark::Counter(static_cast<double>(bodies.size()), benchmark::Counter::kIsIterationInvariantRate);
