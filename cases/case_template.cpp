@@ -18,7 +18,7 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 37> examples{{
+constexpr std::array<ExampleNumber, 38> examples{{
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -52,6 +52,7 @@ constexpr std::array<ExampleNumber, 37> examples{{
     {"base_end_height", 25.0},
     {"step_above", 1.0},
     {"block", 1.0},
+    {"joint", 1.0},
     {"lower_inclination", degrees(20)},
     {"upper_inclination", degrees(50)},
     {"lower_end_height", 5.0},
@@ -139,6 +140,8 @@ std::string annotated_value(const FieldInfo& info, const Member& member) {
         }
         if constexpr (NumberType<Inner>) {
             return commented(annotated_value(info, example_number(info)));
+        } else if constexpr (std::is_enum_v<Inner>) {
+            return commented(annotated_value(info, Inner{}));
         }
     } else if constexpr (NumberType<Member>) {
         const std::string range = readable_range(info.range, info.dimension);
@@ -180,7 +183,7 @@ std::string annotated_section(const FieldInfo& info, const Member& member, const
         if (member) {
             return annotated_section(info, *member, path);
         }
-        if constexpr (!NumberType<Inner>) {
+        if constexpr (!NumberType<Inner> && !std::is_enum_v<Inner>) {
             return after_blank_line(commented(annotated_section(info, example<Inner>(), path).substr(1)));
         }
     } else if constexpr (is_vector<Member>) {

@@ -25,8 +25,7 @@ enum class CriticalStatus {
 };
 
 constexpr std::array<std::string_view, 7> enum_names(CriticalStatus) {
-    return {"found",      "stands_everywhere", "fails_everywhere", "undecided",
-            "run_failed", "interrupted",       "not_valid"};
+    return {"found", "stands_everywhere", "fails_everywhere", "undecided", "run_failed", "interrupted", "not_valid"};
 }
 
 struct CriticalValue {

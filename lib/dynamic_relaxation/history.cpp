@@ -18,10 +18,10 @@ std::vector<CornerForce> corner_forces(const Bodies& bodies, const RelaxationSta
         }
         const double normal = -weight * contact.normal_stiffness * at.gap;
         const double shear = -weight * contact.shear_stiffness * memory.shear;
-        forces.push_back({contact.block, contact.other, moved_corner(bodies, state.motion, contact.corner),
-                          PlanePoint<>(at.normal_x * normal + at.along_x() * shear,
-                                       at.normal_y * normal + at.along_y() * shear),
-                          normal, -at.gap});
+        forces.push_back(
+            {contact.block, contact.other, moved_corner(bodies, state.motion, contact.corner),
+             PlanePoint<>(at.normal_x * normal + at.along_x() * shear, at.normal_y * normal + at.along_y() * shear),
+             normal, -at.gap});
     }
     return forces;
 }
@@ -36,8 +36,8 @@ HistoryLine history_line(const HistoryRequest& request, const Simulation& simula
         const auto block = static_cast<std::size_t>(monitor.block) - 1;
         const Motion& motion = state.motion[block];
         const Motion& origin = state.origin[block];
-        line.block.push_back({motion.x - origin.x, motion.y - origin.y, motion.angle - origin.angle, motion.vx,
-                              motion.vy, motion.spin});
+        line.block.push_back(
+            {motion.x - origin.x, motion.y - origin.y, motion.angle - origin.angle, motion.vx, motion.vy, motion.spin});
     }
     if (!request.contact.empty()) {
         const std::vector<CornerForce> forces = corner_forces(simulation.bodies(), state);

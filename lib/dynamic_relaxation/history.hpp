@@ -13,8 +13,7 @@ namespace delabole {
 struct BlockMonitor {
     double block;
     static constexpr auto fields() {
-        return std::tuple{
-            number("block", &BlockMonitor::block, Dimension::ratio, at_least(1), "number of the block")};
+        return std::tuple{number("block", &BlockMonitor::block, Dimension::ratio, at_least(1), "number of the block")};
     }
 };
 

@@ -35,19 +35,18 @@ struct RelaxationJoint {
     std::optional<double> shear_stiffness;
     static constexpr auto fields() {
         using J = RelaxationJoint;
-        return std::tuple{
-            number("friction_angle", &J::friction_angle, Dimension::angle, right_open(0, degrees(90)),
-                   "peak friction angle"),
-            number("residual_friction_angle", &J::residual_friction_angle, Dimension::angle, right_open(0, degrees(90)),
-                   "after the first slip or opening; absent: as the peak"),
-            number("cohesion", &J::cohesion, Dimension::stress, at_least(0),
-                   "lost with the first slip or opening; absent: none"),
-            number("tensile_strength", &J::tensile_strength, Dimension::stress, at_least(0),
-                   "lost with the first opening; absent: none"),
-            number("normal_stiffness", &J::normal_stiffness, Dimension::stiffness, more_than(0),
-                   "of a corner on an edge; absent: by settings.stiffness_ratio"),
-            number("shear_stiffness", &J::shear_stiffness, Dimension::stiffness, more_than(0),
-                   "of a corner on an edge; absent: as the normal stiffness")};
+        return std::tuple{number("friction_angle", &J::friction_angle, Dimension::angle, right_open(0, degrees(90)),
+                                 "peak friction angle"),
+                          number("residual_friction_angle", &J::residual_friction_angle, Dimension::angle,
+                                 right_open(0, degrees(90)), "after the first slip or opening; absent: as the peak"),
+                          number("cohesion", &J::cohesion, Dimension::stress, at_least(0),
+                                 "lost with the first slip or opening; absent: none"),
+                          number("tensile_strength", &J::tensile_strength, Dimension::stress, at_least(0),
+                                 "lost with the first opening; absent: none"),
+                          number("normal_stiffness", &J::normal_stiffness, Dimension::stiffness, more_than(0),
+                                 "of a corner on an edge; absent: by settings.stiffness_ratio"),
+                          number("shear_stiffness", &J::shear_stiffness, Dimension::stiffness, more_than(0),
+                                 "of a corner on an edge; absent: as the normal stiffness")};
     }
 };
 
@@ -301,15 +300,15 @@ struct Relaxation {
     std::vector<BlockRemoval> removal;
     static constexpr auto fields() {
         using R = Relaxation;
-        return std::tuple{number("gravity", &R::gravity, Dimension::acceleration, at_least(0),
-                                 "acceleration; absent: 9.80665 m/s2"),
-                          section("scene", &R::scene, "the blocks and their joints"),
-                          section("tilting", &R::tilting, "tilt that grows"),
-                          section("force", &R::force, "point forces"),
-                          section("pressure", &R::pressure, "water on faces of blocks"),
-                          section("shaking", &R::shaking, "record of the ground's acceleration"),
-                          section("motion", &R::motion, "prescribed motion of fixed blocks"),
-                          section("removal", &R::removal, "blocks taken away: excavation")};
+        return std::tuple{
+            number("gravity", &R::gravity, Dimension::acceleration, at_least(0), "acceleration; absent: 9.80665 m/s2"),
+            section("scene", &R::scene, "the blocks and their joints"),
+            section("tilting", &R::tilting, "tilt that grows"),
+            section("force", &R::force, "point forces"),
+            section("pressure", &R::pressure, "water on faces of blocks"),
+            section("shaking", &R::shaking, "record of the ground's acceleration"),
+            section("motion", &R::motion, "prescribed motion of fixed blocks"),
+            section("removal", &R::removal, "blocks taken away: excavation")};
     }
 };
 

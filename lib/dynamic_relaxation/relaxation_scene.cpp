@@ -57,8 +57,8 @@ void apply_hold(RelaxationBlock& block, const std::optional<BlockHold>& hold) {
 
 template <class Standing>
 StandingBlocks standing_blocks(const Standing& standing) {
-    StandingBlocks blocks{{}, standing.density, material_of(standing.interface), material_of(standing.base),
-                          standing.tilt};
+    StandingBlocks blocks{
+        {}, standing.density, material_of(standing.interface), material_of(standing.base), standing.tilt};
     for (const auto& block : standing.block) {
         double step = 0;
         if constexpr (requires { block.step_above; }) {
@@ -110,9 +110,9 @@ double greatest_weight_over_width(const RelaxationScene& scene) {
         if (block.fixed || block.outline.empty()) {
             continue;
         }
-        const auto [left, right] = std::minmax_element(
-            block.outline.begin(), block.outline.end(),
-            [](const PlanePoint<>& one, const PlanePoint<>& other) { return one.x() < other.x(); });
+        const auto [left, right] =
+            std::minmax_element(block.outline.begin(), block.outline.end(),
+                                [](const PlanePoint<>& one, const PlanePoint<>& other) { return one.x() < other.x(); });
         const double width = right->x() - left->x();
         const double weight = block.density * area_properties(block.outline).area * scene.gravity.acceleration;
         greatest = std::max(greatest, width > 0 ? weight / width : 0);
@@ -164,8 +164,8 @@ void allow_for_turned_base(const RelaxationStudy& study, RelaxationSettings& set
     for (const PrescribedMotion& motion : scene.motion) {
         for (std::size_t block = 0; block < bodies.size(); ++block) {
             if (bodies.fixed[block] == 0) {
-                farthest = std::max(farthest,
-                                    turn * (bodies.centroid[block] - motion.pivot).norm() / bodies.radius[block]);
+                farthest =
+                    std::max(farthest, turn * (bodies.centroid[block] - motion.pivot).norm() / bodies.radius[block]);
             }
         }
     }
@@ -181,8 +181,8 @@ RelaxationScene relaxation_scene(const RelaxationStudy& study) {
     const Relaxation& model = study.model;
     RelaxationScene scene = std::visit([](const auto& blocks) { return blocks_of(blocks); }, model.scene);
     scene.gravity.acceleration = model.gravity.value_or(scene.gravity.acceleration);
-    stiffen(scene, study.settings.value_or(RelaxationNumerics{})
-                       .stiffness_ratio.value_or(quality_of(study).stiffness_ratio));
+    stiffen(scene,
+            study.settings.value_or(RelaxationNumerics{}).stiffness_ratio.value_or(quality_of(study).stiffness_ratio));
     if (model.tilting) {
         apply_tilting(scene, *model.tilting);
     }
