@@ -107,6 +107,11 @@ SceneFault fault_of(const RelaxationStudy& study) {
 
 }  // namespace
 
+std::string failure_without_run(const RelaxationStudy& study) {
+    const SceneFault fault = fault_of(study);
+    return fault.check == SceneCheck::valid ? "" : std::string(word_of(fault.check));
+}
+
 Analysis analyse_case(const RelaxationStudy& study, const AnalysisWatch& watch) {
     Analysis analysis;
     const double share = study.critical ? share_of_run : 1;
@@ -116,18 +121,19 @@ Analysis analyse_case(const RelaxationStudy& study, const AnalysisWatch& watch) 
         return analysis;
     }
     append_outputs(analysis, answer_of(made.result));
-    analysis.unfinished = run_in_words(made);
+    const auto leave_unfinished = [&](std::string_view status, std::string why) {
+        if (analysis.unfinished.empty() && !why.empty()) {
+            analysis.status = status;
+            analysis.unfinished = std::move(why);
+        }
+    };
+    leave_unfinished(word_of(made.result.outcome), run_in_words(made));
     if (study.critical && made.result.outcome != RelaxationOutcome::interrupted) {
         const CriticalValue critical = find_critical(study, [&](double done) {
             return !watch || watch(share + (1 - share) * done, human_name(name_of_critical(study.critical->parameter)));
         });
         append_critical(analysis, *study.critical, critical);
-        if (analysis.unfinished.empty()) {
-            analysis.unfinished = search_in_words(*study.critical, critical);
-        }
-    }
-    if (!analysis.unfinished.empty()) {
-        analysis.warnings.push_back(analysis.unfinished);
+        leave_unfinished(word_of(critical.status), search_in_words(*study.critical, critical));
     }
     constexpr double large_residual = 0.02;
     const double residual = std::get<double>(analysis.find("energy.residual_share")->value);

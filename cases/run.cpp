@@ -77,7 +77,7 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     const Json source = provenance(file, "run", options, watch.seconds());
 
     Json json;
-    json["status"] = analysis.unfinished.empty() ? "ok" : "not_converged";
+    json["status"] = analysis.status;
     json["title"] = file.title;
     json["model"] = std::string(model_name(file.model));
     json["results"] = json_of(analysis.outputs);
@@ -85,6 +85,10 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     json["provenance"] = source;
 
     Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    if (!analysis.unfinished.empty()) {
+        report.blocks.emplace_back(
+            Notice{NoticeKind::warning, interrupt_flag() ? "Interrupted" : "Not converged", {analysis.unfinished}});
+    }
     if (!analysis.warnings.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "Warnings", analysis.warnings});
     }
@@ -113,7 +117,11 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     } else if (!options.quiet) {
         print(file, analysis, folder);
     }
-    return analysis.unfinished.empty() ? ExitCode::ok : ExitCode::not_converged;
+    if (analysis.unfinished.empty()) {
+        return ExitCode::ok;
+    }
+    std::cerr << "delabole: " << (interrupt_flag() ? "interrupted: " : "not converged: ") << analysis.unfinished << '\n';
+    return ExitCode::not_converged;
 }
 
 }  // namespace
