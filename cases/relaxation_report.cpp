@@ -56,7 +56,7 @@ std::string search_in_words(const CriticalRequest& request, const CriticalValue&
     case CriticalStatus::run_failed:
         return "the run at " + last + " was stopped: an overlap passed settings.overlap_limit";
     case CriticalStatus::interrupted:
-        return "interrupted";
+        return "the search ended in the run at " + last;
     case CriticalStatus::not_valid:
         return "the scene is not valid at " + last;
     }
@@ -74,7 +74,7 @@ std::string run_in_words(const RelaxationRun& made) {
                               : value_in_words(made.settings.duration, Dimension::time) + ": raise settings.duration")
                    : "";
     case RelaxationOutcome::interrupted:
-        return "interrupted at " + value_in_words(made.result.time, Dimension::time) + " of model time";
+        return "the run ended at " + value_in_words(made.result.time, Dimension::time) + " of model time";
     case RelaxationOutcome::overlap_too_large: {
         std::string text = "stopped because an overlap passed settings.overlap_limit";
         if (made.result.deepest) {

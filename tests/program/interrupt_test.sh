@@ -128,6 +128,20 @@ expect_error 'delabole: interrupted, 1 of 3 cases were analysed'
 expect_complete_results results/case1
 expect "the others were not begun" refuse test -e results/case2
 
+title "Ctrl-C in a long run of blocks: what it has, and its mark"
+setsid "$program" run "$source_folder/cases/relaxation/single_block.toml" --set scene.tilt="5 deg" \
+    --set settings.stop=collapse --set settings.duration="100000 s" --out blocks \
+    >"$scratch/out" 2>"$scratch/err" </dev/null &
+child=$!
+sleep 2
+kill -s INT "$child"
+wait_for_child
+expect_status 4
+expect_error 'delabole: interrupted: the run ended at '
+expect_complete_results blocks
+expect "marked in result.json" test "$(json_value blocks/result.json status)" == '"interrupted"'
+expect "marked in the report" contains blocks/report.html 'Interrupted'
+
 title "progress as plain lines where there is no terminal, none when quiet"
 rm "$scratch/err"
 setsid "$program" "${long_fit[@]}" --out lines >"$scratch/out" 2>"$scratch/err" </dev/null &
