@@ -48,6 +48,11 @@ Prediction predict(RelaxationStudy study, std::span<const Assignment> assignment
     case RelaxationOutcome::onset:
     case RelaxationOutcome::collapse:
         break;
+    case RelaxationOutcome::undecided:
+        if (!run_at.settings.stop_at_equilibrium) {
+            break;  // told to run for so long
+        }
+        return {word_of(run_at.result.outcome), {}, {}};
     case RelaxationOutcome::scene_not_valid:
         return {word_of(run_at.result.fault.check), {}, {}};
     default:

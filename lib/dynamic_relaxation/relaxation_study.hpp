@@ -236,8 +236,8 @@ CriticalValue find_critical(const RelaxationStudy& study, const RelaxationWatch&
 std::string_view name_of_critical(CriticalParameter parameter);
 
 // Inputs: every number of the study's model. Outputs: every number of RelaxationAnswer and, where it is asked for, the
-// critical value. A run that was stopped or stayed undecided is a failed prediction under the name of its outcome, a
-// critical value that was not found under that of its status.
+// critical value. A run that was stopped, or stayed undecided though it was to find equilibrium, is a failed prediction
+// under the name of its outcome; so is a critical value that was not found, under that of its status.
 ModelInterface model_interface(const RelaxationStudy& study);
 
 }  // namespace delabole

@@ -99,13 +99,14 @@ TEST(RelaxationStudy, GravityTurnedReachesTheTiltAtWhichTheBlockOverturns) {
 }
 
 TEST(RelaxationStudy, ABaseThatTurnsTakesItsBlockAlong) {
-    RelaxationStudy study = one_block(degrees(10), degrees(40), 1, 3);
+    RelaxationStudy study = one_block(degrees(15), degrees(40), 1, 3);
+    // So slow that the block, which goes on when the base stops, has a hundredth of the energy it takes to overturn.
     study.model.tilting =
-        Tilting{TiltingFrame::base, degrees(18), degrees(4), std::nullopt, std::nullopt, std::nullopt, {}};
+        Tilting{TiltingFrame::base, degrees(17), degrees(0.5), std::nullopt, std::nullopt, std::nullopt, {}};
     const RelaxationResult standing = run(study).result;
     EXPECT_EQ(standing.outcome, RelaxationOutcome::equilibrium);
     // Anticlockwise: the base dips more towards -x. Springs give by about 1e-6 of the block.
-    EXPECT_NEAR(standing.block[0].rotation, degrees(8), 1e-5);
+    EXPECT_NEAR(standing.block[0].rotation, degrees(2), 1e-5);
     study.model.tilting->final_tilt = degrees(19);
     EXPECT_EQ(outcome_of(study), RelaxationOutcome::collapse);
 }
@@ -207,7 +208,9 @@ TEST(RelaxationStudy, HistoryFollowsTheMotionAndItsEnergies) {
         // Preloaded: the normal force is there from the start and stays.
         EXPECT_NEAR(line.contact[0].normal / (weight * std::cos(degrees(25))), 1, 1e-6);
         EXPECT_NEAR(line.contact[0].vertical / line.contact[0].normal, 1, 1e-6);  // on block 1, upwards
-        EXPECT_NEAR(line.energy.kinetic, weight * std::sin(degrees(25)) * way, 1e-6 * weight);
+        // Velocities are half a step behind positions.
+        const double fallen = weight * std::sin(degrees(25)) * way;
+        EXPECT_NEAR(line.energy.kinetic, fallen, line.time > 0 ? 1.01 * fallen * made.result.cost.step / line.time : 0);
     }
 }
 
