@@ -31,9 +31,18 @@ void append_required_value(Analysis& analysis, const std::string& parameter, dou
         break;
     case RequiredStatus::never_reached:
         analysis.outputs.push_back({name, meaning, required.dimension, std::string("never_reached")});
-        analysis.warnings.push_back(name + ": the factor of safety stays between " +
-                                    number_in_words(required.lowest_factor_of_safety) + " and " +
-                                    number_in_words(required.highest_factor_of_safety));
+        analysis.warnings.push_back(
+            name +
+            (required.lowest_factor_of_safety < target && required.highest_factor_of_safety > target
+                 ? ": the factor of safety jumps over it, between "
+                 : ": the factor of safety stays between ") +
+            number_in_words(required.lowest_factor_of_safety) + " and " +
+            number_in_words(required.highest_factor_of_safety));
+        break;
+    case RequiredStatus::always_exceeded:
+        analysis.outputs.push_back({name, meaning, required.dimension, std::string("always_exceeded")});
+        analysis.warnings.push_back(name + ": the factor of safety is at least " +
+                                    number_in_words(required.lowest_factor_of_safety) + " whatever its value");
         break;
     case RequiredStatus::unknown_parameter:
         throw std::invalid_argument("required: the case has no input '" + parameter + "'");

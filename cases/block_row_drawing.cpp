@@ -10,7 +10,6 @@ namespace delabole {
 
 namespace {
 
-constexpr double turn = degrees(5);
 constexpr std::size_t most_displaced = 30;
 
 struct Plane {
@@ -40,7 +39,8 @@ bool turns(char role) {
 // Corners of every block after the motion, in the plane's axes; empty for blocks that stay and where nothing moves.
 class Motion {
   public:
-    Motion(const BlockRow<>& row, std::string_view roles) : row_(row), roles_(roles), toes_(toes_of(row)) {
+    Motion(const BlockRow<>& row, std::string_view roles, double turn)
+        : row_(row), roles_(roles), turn_(turn), toes_(toes_of(row)) {
         outlines_.resize(row.block.size());
         const std::size_t pivot = roles.find_first_of("PB");
         const bool any_turns = std::ranges::any_of(roles, turns);
@@ -73,8 +73,8 @@ class Motion {
     // Faces stay in contact, so that toes of blocks of width b move apart to b / cos(turn). Returns how far that pushes
     // the sliding blocks.
     double turn_blocks(std::size_t pivot) {
-        const double cosine = std::cos(turn);
-        const double sine = std::sin(turn);
+        const double cosine = std::cos(turn_);
+        const double sine = std::sin(turn_);
         const auto first = static_cast<std::size_t>(std::ranges::find_if(roles_, turns) - roles_.begin());
         // Toe of the unit that an index belongs to, before the motion.
         const auto moved = [&](double toe) { return toes_[pivot] + (toe - toes_[pivot]) / cosine; };
@@ -101,6 +101,7 @@ class Motion {
 
     const BlockRow<>& row_;
     std::string_view roles_;
+    double turn_;
     std::vector<double> toes_;
     std::vector<Polyline> outlines_;
     double retreat_ = 0;
@@ -125,13 +126,13 @@ DrawnMode drawn_role(char role) {
 }
 
 BlockDrawing row_drawing(const BlockRow<>& row, std::string_view roles, double tilt,
-                         const std::vector<RowBlockForces>& forces, const std::string& title) {
+                         const std::vector<RowBlockForces>& forces, const std::string& title, double turn) {
     BlockDrawing drawing;
     drawing.title = title;
     drawing.displaced_legend = "mechanism, displacement enlarged";
     const Plane plane(tilt);
     const std::vector<double> toes = toes_of(row);
-    const Motion motion(row, roles);
+    const Motion motion(row, roles, turn);
     for (std::size_t index = 0; index < row.block.size(); ++index) {
         const RowBlock<>& block = row.block[index];
         DrawnBlock drawn;

@@ -181,6 +181,9 @@ Analysis analyse_case(const BlockRow<>& row) {
     for (NamedOutput& output : analysis.outputs) {
         if (output.name.starts_with("mode")) {
             output.value = mode_in_words(std::get<std::string>(output.value));
+        } else if (const auto* tilt = std::get_if<double>(&output.value);
+                   output.name.starts_with("critical_tilt") && tilt != nullptr && !(*tilt < degrees(90))) {
+            output.value = "none";
         }
     }
     append_modes(analysis, result);

@@ -18,7 +18,7 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 56> examples{{
+constexpr std::array<ExampleNumber, 59> examples{{
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -51,7 +51,10 @@ constexpr std::array<ExampleNumber, 56> examples{{
     {"base_inclination", degrees(35)},
     {"base_end_height", 25.0},
     {"step_above", 1.0},
-    {"block", 1.0},
+    {"block", 2.0},
+    {"height", 2.0},
+    {"depth_behind", 2.0},
+    {"depth_in_front", 0.5},
     {"joint", 1.0},
     {"edge", 1.0},
     {"lower", degrees(10)},

@@ -66,7 +66,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
             {{file.name, 0, 0, "fit", {}, "the case has no [fit] section: there is nothing to back-analyse"}});
     }
     const FitProblem problem = fit_problem_of(file, options.threads, options.seed);
-    const ResultFolder folder(options, stem_of(file));
+    const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
     const FitResult result = fit_with_progress(problem, options);
 
     Report report{file.title.empty() ? file.name : file.title, file.description, {}};

@@ -27,4 +27,10 @@ const std::atomic<bool>& interrupt_flag() {
     return interrupted;
 }
 
+void stop_if_interrupted() {
+    if (interrupted) {
+        throw Interrupted();
+    }
+}
+
 }  // namespace delabole

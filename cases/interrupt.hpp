@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 
 namespace delabole {
 
@@ -9,5 +10,14 @@ namespace delabole {
 void catch_interrupts();
 
 const std::atomic<bool>& interrupt_flag();
+
+// Ends work that has no use for what it has so far.
+class Interrupted : public std::exception {
+  public:
+    const char* what() const noexcept override { return "interrupted"; }
+};
+
+// Throws Interrupted once the flag is set.
+void stop_if_interrupted();
 
 }  // namespace delabole

@@ -51,6 +51,12 @@ std::string tenths_shown(double angle) {
     return human_number(std::round(angle / degrees(0.1)) / 10, 4);
 }
 
+// Whole and half degrees survive the way through radians.
+double degrees_to_write(double angle) {
+    constexpr double places = 1e12;
+    return std::round(angle / degrees(1) * places) / places;
+}
+
 std::string degrees_shown(double angle) {
     return tenths_shown(angle) + "°";
 }
@@ -184,7 +190,7 @@ std::string sets_csv(const KinematicsResult& result) {
                   "planar_sliding", "planar_sliding_critical_friction_angle_deg", "planar_sliding_feasible_share",
                   "flexural_toppling", "flexural_toppling_critical_friction_angle_deg",
                   "flexural_toppling_feasible_share", "toppling_base", "toppling_base_share"});
-    const auto angle = [](double value) { return in_display_unit(value, Dimension::angle); };
+    const auto angle = degrees_to_write;
     const auto word = [](Feasibility verdict) { return std::string(word_of(verdict)); };
     for (const JointSetFeasibility& set : result.joint_set) {
         csv.add_row({set.name, angle(set.mean.dip), angle(set.mean.dip_direction), angle(set.apparent_dip),
@@ -200,7 +206,7 @@ std::string pairs_csv(const KinematicsResult& result) {
     CsvTable csv({"pair", "first", "second", "plunge_deg", "trend_deg", "wedge_sliding", "wedge_contact",
                   "wedge_sliding_critical_friction_angle_deg", "wedge_limiting_friction_angle_deg",
                   "wedge_sliding_feasible_share", "direct_toppling", "toppling_base", "direct_toppling_share"});
-    const auto angle = [](double value) { return in_display_unit(value, Dimension::angle); };
+    const auto angle = degrees_to_write;
     for (std::size_t index = 0; index < result.pair.size(); ++index) {
         const PairFeasibility& pair = result.pair[index];
         csv.add_row({static_cast<double>(index + 1), pair.first, pair.second, angle(pair.intersection.plunge),

@@ -181,6 +181,9 @@ int guarded(const std::function<ExitCode()>& command) {
     } catch (const delabole::CaseError& error) {
         std::cerr << error.what() << '\n';
         return code(ExitCode::invalid_case);
+    } catch (const delabole::Interrupted&) {
+        std::cerr << "delabole: interrupted\n";
+        return code(ExitCode::not_converged);
     } catch (const delabole::OutputError& error) {
         std::cerr << "delabole: " << error.what() << '\n';
         return code(ExitCode::output_failure);

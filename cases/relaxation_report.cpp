@@ -115,7 +115,10 @@ std::string failure_without_run(const RelaxationStudy& study) {
 Analysis analyse_case(const RelaxationStudy& study, const AnalysisWatch& watch) {
     Analysis analysis;
     const double share = study.critical ? share_of_run : 1;
-    RelaxationRun made = run(study, [&](double done) { return !watch || watch(share * done, "dynamic relaxation"); });
+    const KeepFrames frames =
+        relaxation_scene(study).block.size() <= most_drawn_blocks ? KeepFrames::yes : KeepFrames::no;
+    RelaxationRun made = run(
+        study, [&](double done) { return !watch || watch(share * done, "dynamic relaxation"); }, frames);
     if (made.result.outcome == RelaxationOutcome::scene_not_valid) {
         analysis.failure = word_of(made.result.fault.check);
         return analysis;
@@ -149,6 +152,7 @@ void append_case_figures(const RelaxationStudy& study, const Analysis& analysis,
                          Report& report) {
     const auto& made = std::any_cast<const RelaxationRun&>(analysis.drawn_from);
     append_block_figures(made, folder, report);
+    append_frames(made, folder, report);
     if (study.history) {
         append_history(*study.history, made, folder, report);
     }

@@ -14,7 +14,7 @@ namespace delabole {
 namespace {
 
 const std::vector<ReproductionChapter>& chapters() {
-    static const std::vector<ReproductionChapter> all = {chapter_2(), chapter_4(), appendix_a_chapter()};
+    static const std::vector<ReproductionChapter> all = {chapter_2(), chapter_4(), chapter_5(), appendix_a_chapter()};
     return all;
 }
 
@@ -80,17 +80,20 @@ std::vector<std::pair<std::string, std::string>> reproducible() {
 ExitCode reproduce_command(const std::string& what, const Options& options) {
     const Stopwatch watch;
     const Chosen chosen = choose(what);
-    const ResultFolder folder(options, chosen.name);
+    const ResultFolder folder(options, chosen.name, OnInterrupt::stop);
     Report report{chosen.title, "The analysis of toppling failure using models and numerical methods", {}};
     Json json;
     json["status"] = "ok";
     std::vector<std::vector<std::string>> screen = {{"quantity", "printed", "computed", "difference"}};
     for (const ReproductionItem* item : chosen.items) {
-        if (interrupt_flag()) {
-            std::cerr << "delabole: interrupted before " << item->name << '\n';
+        Reproduction result;
+        try {
+            stop_if_interrupted();
+            result = item->reproduce(folder, report);
+        } catch (const Interrupted&) {
+            std::cerr << "delabole: interrupted at " << item->name << '\n';
             return ExitCode::not_converged;
         }
-        const Reproduction result = item->reproduce(folder, report);
         json[item->name] = result.json;
         for (const PrintedRow& row : result.rows) {
             screen.push_back({row.what, row.printed, row.computed, row.difference});

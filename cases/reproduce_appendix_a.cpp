@@ -135,7 +135,7 @@ Reproduction reproduce_limiting_friction(const ResultFolder& folder, Report& rep
     const ThesisProgram program = run_thesis_program();
     const SteppedBaseResult result = analyse(problem);
     const std::string modes = modes_in_words(columns);
-    const auto crack = static_cast<int>(result.moving_count);
+    const auto crack = static_cast<int>(result.uppermost_moving);
     const auto above = static_cast<std::size_t>(crack);
 
     Reproduction reproduction;

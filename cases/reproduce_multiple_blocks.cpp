@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace delabole {
 
@@ -36,18 +37,41 @@ std::string tilt_shown(double tilt) {
     return tilt < degrees(90) ? human_number(tilt / degrees(1), 4) : "none";
 }
 
-// All modes side by side, each block with its letter.
+struct ToeMotion {
+    char role;
+    std::string_view legend;
+    Colour colour;
+    double along;  // way of the toe along the plane, in widths of a block
+};
+
+constexpr std::array toe_motions{ToeMotion{row_role::forward, "F: toe slides forward", Colour::blue, -0.7},
+                                 ToeMotion{row_role::backward, "B: toe slides backward", Colour::vermilion, 0.7}};
+
+// All modes side by side, each block with its letter, turned, and its toe with the way it slides: a turn of 15 deg
+// moves toes apart by only 1 / cos 15 deg - 1 = 4 % of a width, too little to be seen.
 Figure mode_gallery(int count) {
     constexpr double slenderness = 3;
     constexpr double tilt = degrees(20);
+    constexpr double turn = degrees(15);
+    constexpr double below = 0.3;  // of the arrows, below the plane
+    const Point along(std::cos(tilt), std::sin(tilt));
+    const Point up(-along.y(), along.x());
+    std::array<Arrows, toe_motions.size()> slips;
+    for (std::size_t index = 0; index < slips.size(); ++index) {
+        slips[index].legend = toe_motions[index].legend;
+        slips[index].colour = toe_motions[index].colour;
+    }
+    Points pivots;
+    pivots.legend = "P: toe does not slide";
     BlockDrawing gallery;
+    gallery.displaced_legend = "turned by 15 deg";
     gallery.title = number_in_words(count) + " blocks: every block turns";
     int place = 0;
     for (const RowModeSummary& mode : whole_row_modes(count, slenderness, 20, 30)) {
-        const int in_a_row = count == 3 ? 5 : 4;
+        const int in_a_row = count == 3 ? 3 : 4;
         const int line = place / in_a_row;
-        const Point shift((count + 1.7) * (place % in_a_row), -(slenderness + count / 2.0 + 0.8) * line);
-        BlockDrawing drawing = row_drawing(equal_row(count, slenderness, 20, 30), mode.roles, tilt, {}, "");
+        const Point shift((count + 2.2) * (place % in_a_row), -(slenderness + count / 2.0 + 1) * line);
+        BlockDrawing drawing = row_drawing(equal_row(count, slenderness, 20, 30), mode.roles, tilt, {}, "", turn);
         for (std::size_t index = 0; index < drawing.blocks.size(); ++index) {
             DrawnBlock& block = drawing.blocks[index];
             block.label = std::string(1, mode.roles[index]);
@@ -57,12 +81,28 @@ Figure mode_gallery(int count) {
             for (Point& corner : block.displaced) {
                 corner += shift;
             }
+            const Point toe = shift + static_cast<double>(index) * along;
+            for (std::size_t kind = 0; kind < slips.size(); ++kind) {
+                if (toe_motions[kind].role == mode.roles[index]) {
+                    const Point middle = toe - below * up;
+                    const Point half = toe_motions[kind].along / 2 * along;
+                    slips[kind].shafts.push_back({middle - half, middle + half});
+                }
+            }
+            if (mode.roles[index] == row_role::pivot) {
+                pivots.points.push_back(toe);
+            }
+            block.mode = DrawnMode::plain;
             gallery.blocks.push_back(std::move(block));
         }
         ++place;
     }
     Figure figure = block_figure(gallery);
     figure.frame = false;
+    for (Arrows& arrows : slips) {
+        figure.series.emplace_back(std::move(arrows));
+    }
+    figure.series.emplace_back(std::move(pivots));
     return figure;
 }
 
@@ -102,8 +142,12 @@ Reproduction reproduce_fig_4_9(const ResultFolder& folder, Report& report) {
         "one that does not slide (P), then toes that slide backward (B). N blocks have N modes with a pivot and N - 1 "
         "without, 2N - 1 in all: the counts of the text."});
     report.blocks.emplace_back(printed_table("Counts", result.rows));
-    report.blocks.emplace_back(folder.draw(mode_gallery(3), "fig_4_9_three", "The five modes of three blocks."));
-    report.blocks.emplace_back(folder.draw(mode_gallery(4), "fig_4_9_four", "The seven modes of four blocks."));
+    report.blocks.emplace_back(
+        folder.draw(mode_gallery(3), "fig_4_9_three",
+                    "The five modes of three blocks; arrows show which way a toe slides, not how far."));
+    report.blocks.emplace_back(
+        folder.draw(mode_gallery(4), "fig_4_9_four",
+                    "The seven modes of four blocks; arrows show which way a toe slides, not how far."));
     report.blocks.emplace_back(table);
     return result;
 }

@@ -1,6 +1,7 @@
 #include "cases/result_folder.hpp"
 
 #include "cases/case_writer.hpp"
+#include "cases/interrupt.hpp"
 #include "plots/atomic_file.hpp"
 #include "plots/text.hpp"
 #include "version/version.hpp"
@@ -136,8 +137,10 @@ Provenance provenance_block(const Json& provenance) {
     return block;
 }
 
-ResultFolder::ResultFolder(const Options& options, const std::string& name)
-    : path_(options.out.empty() ? std::filesystem::path("results") / name : options.out), quiet_(options.quiet) {
+ResultFolder::ResultFolder(const Options& options, const std::string& name, OnInterrupt on_interrupt)
+    : path_(options.out.empty() ? std::filesystem::path("results") / name : options.out),
+      quiet_(options.quiet),
+      on_interrupt_(on_interrupt) {
     create_output_folder(path_);
     const std::filesystem::path result = path_ / "result.json";
     std::error_code error;
@@ -155,6 +158,9 @@ void ResultFolder::write(const std::string& name, std::string_view text) const {
 }
 
 FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name, const std::string& caption) const {
+    if (on_interrupt_ == OnInterrupt::stop) {
+        stop_if_interrupted();
+    }
     const FigureFiles files = write_figure(figure, path_ / "figures", name);
     if (files.write_error) {
         throw *files.write_error;

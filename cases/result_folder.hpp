@@ -50,11 +50,15 @@ class CsvTable {
 Json provenance(const CaseFile& file, const std::string& command, const Options& options, double wall_seconds);
 Provenance provenance_block(const Json& provenance);
 
+// Whether figures are still drawn once the flag of cases/interrupt.hpp is set: a back-analysis shows what it has, the
+// rest is soon repeated and ends by Interrupted.
+enum class OnInterrupt { finish, stop };
+
 class ResultFolder {
   public:
     // Creates the folder. OutputError where that is impossible. result.json is to be written last and so says that all
     // the rest is there: an earlier one is removed first.
-    ResultFolder(const Options& options, const std::string& name);
+    ResultFolder(const Options& options, const std::string& name, OnInterrupt on_interrupt);
 
     const std::filesystem::path& path() const { return path_; }
     void write(const std::string& name, std::string_view text) const;
@@ -65,6 +69,7 @@ class ResultFolder {
   private:
     std::filesystem::path path_;
     bool quiet_;
+    OnInterrupt on_interrupt_;
 };
 
 // Columns aligned for a terminal, the first to the left, the others to the right.

@@ -9,6 +9,7 @@
 #include "cases/model_reports.hpp"
 #include "cases/progress.hpp"
 #include "cases/result_folder.hpp"
+#include "cases/stepped_base_bound.hpp"
 #include "cases/units.hpp"
 #include "plots/text.hpp"
 
@@ -61,8 +62,17 @@ void print(const CaseFile& file, const Analysis& analysis, const ResultFolder& f
     std::cout << "results in " << folder.path().string() << "\n\n";
 }
 
+void announce(const CaseFile& file, const Options& options) {
+    const auto* columns = std::get_if<SteppedBaseStudy<>>(&file.model);
+    const std::string text = columns != nullptr && !options.quiet ? announcement(*columns) : "";
+    if (!text.empty()) {
+        std::cerr << stem_of(file) << ": " << text << '\n';
+    }
+}
+
 ExitCode run_one(const CaseFile& file, const Options& options) {
     const Stopwatch watch;
+    announce(file, options);
     const Analysis analysis = [&] {
         Progress progress(options.quiet);
         return analyse_model(file.model, [&](double share, const std::string& what) {
@@ -73,7 +83,8 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     if (!analysis.failure.empty()) {
         throw CaseError({impossible(file, analysis.failure)});
     }
-    const ResultFolder folder(options, stem_of(file));
+    const ResultFolder folder(options, stem_of(file),
+                              analysis.unfinished.empty() ? OnInterrupt::stop : OnInterrupt::finish);
     const Json source = provenance(file, "run", options, watch.seconds());
 
     Json json;
@@ -120,7 +131,8 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     if (analysis.unfinished.empty()) {
         return ExitCode::ok;
     }
-    std::cerr << "delabole: " << (interrupt_flag() ? "interrupted: " : "not converged: ") << analysis.unfinished << '\n';
+    std::cerr << "delabole: " << (interrupt_flag() ? "interrupted: " : "not converged: ") << analysis.unfinished
+              << '\n';
     return ExitCode::not_converged;
 }
 
@@ -138,11 +150,13 @@ ExitCode run_command(const Paths& cases, const Options& options) {
     std::size_t analysed = 0;
     ExitCode worst = ExitCode::ok;
     for (const CaseFile& file : files) {
-        if (interrupt_flag()) {
+        try {
+            stop_if_interrupted();
+            worst = std::max(worst, run_one(file, options));
+        } catch (const Interrupted&) {
             std::cerr << "delabole: interrupted, " << analysed << " of " << files.size() << " cases were analysed\n";
             return ExitCode::not_converged;
         }
-        worst = std::max(worst, run_one(file, options));
         ++analysed;
     }
     return worst;

@@ -6,6 +6,7 @@
 #include "limit_equilibrium/single_block.hpp"
 #include "plots/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace delabole {
@@ -38,11 +39,13 @@ BlockDrawing block_drawing(const SingleBlock<>& problem, const SingleBlockResult
     drawing.title = "The block: " + human_name(word_of(result.onset_mode));
     drawing.blocks = {
         {Polyline{Point(0, 0), width * along, width * along + height * up, height * up}, "", drawn(result.onset_mode)}};
-    drawing.base = {-0.6 * width * along, 1.6 * width * along};
+    // As wide as the picture of a slender block.
+    const double reach = 0.6 * std::max(width, height);
+    drawing.base = {-reach * along, (width + reach) * along};
     const Point centre = width / 2 * along + height / 2 * up;
     const double horizontal = problem.seismic ? problem.seismic->horizontal_coefficient : 0;
     const double vertical = problem.seismic ? problem.seismic->vertical_coefficient : 0;
-    drawing.forces.push_back({centre, result.weight * Point(-horizontal, -1 - vertical), ForceKind::applied});
+    drawing.forces.push_back({centre, result.weight * Point(-horizontal, -1 - vertical), ForceKind::weight});
     if (result.onset_mode == BlockMotion::stable) {
         drawing.forces.push_back({result.reaction_position * width * along,
                                   result.normal_force * up + result.driving_force * along, ForceKind::base_reaction});

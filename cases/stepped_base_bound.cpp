@@ -1,6 +1,7 @@
 #include "cases/stepped_base_bound.hpp"
 
 #include "cases/analysis.hpp"
+#include "cases/interrupt.hpp"
 #include "cases/result_folder.hpp"
 #include "cases/stepped_base_drawing.hpp"
 #include "fitting/words.hpp"
@@ -32,9 +33,23 @@ std::string why_not(const BoundResult& result, const std::string& what) {
         return {};
     case LpStatus::unbounded:
     case LpStatus::not_converged:
+    case LpStatus::interrupted:
         break;
     }
     return "the linear programme of " + what + " did not converge: there is no bound";
+}
+
+// Programmes of a few hundred bodies take seconds.
+BoundState columns_or_stop(const ColumnSlope<>& slope, const SteppedBase<>& problem, double upper_part) {
+    BoundState state = bound_of_columns(slope, problem, upper_part, &interrupt_flag());
+    stop_if_interrupted();
+    return state;
+}
+
+BoundState blocks_or_stop(const ColumnSlope<>& slope, const SteppedBase<>& problem, const CrossJoints& cross_joints) {
+    BoundState state = bound_of_blocks(slope, problem, cross_joints, &interrupt_flag());
+    stop_if_interrupted();
+    return state;
 }
 
 void append_result(Analysis& analysis, const BoundResult& result, std::string_view prefix, const std::string& what) {
@@ -69,7 +84,7 @@ void add_contact_forces(BlockDrawing& drawing, const BoundState& state) {
     const std::size_t step = 1 + contacts.size() / (most_arrows + 1);
     for (std::size_t index = 0; index < contacts.size(); index += step) {
         const Contact& contact = contacts[index];
-        const ContactForce& force = state.programme.forces[index];
+        const BoundContactForce& force = state.programme.forces[index];
         drawing.forces.push_back({contact.start + force.position * contact.along(),
                                   force.normal() * contact.normal() + force.shear() * contact.along(),
                                   contact.other ? ForceKind::interblock : ForceKind::base_reaction});
@@ -133,7 +148,7 @@ void append_bracket(const SteppedBase<>& problem, const ColumnSlope<>& slope, co
     line.width = 4;
     for (int index = 0; index <= decades * steps; ++index) {
         const double exponent = -static_cast<double>(index) / steps;
-        const BoundResult result = bound_of_columns(slope, problem, std::pow(10, exponent)).result;
+        const BoundResult result = columns_or_stop(slope, problem, std::pow(10, exponent)).result;
         line.points.emplace_back(exponent, result.status == LpStatus::optimal && result.factor_of_safety > 0
                                                ? shown(result.factor_of_safety)
                                                : std::nan(""));
@@ -158,13 +173,32 @@ void append_bracket(const SteppedBase<>& problem, const ColumnSlope<>& slope, co
 
 }  // namespace
 
+std::string announcement(const SteppedBaseStudy<>& study) {
+    // On one core of 2020; twice, for the answer and for its picture.
+    constexpr double seconds_for_460 = 20;
+    constexpr double worth_telling = 2;
+    if (!study.linear_programming_bound) {
+        return {};
+    }
+    const ColumnSlope<> slope = make_columns(study.model.scene);
+    if (slope.check != ColumnCheck::valid || !can_bound(slope)) {
+        return {};
+    }
+    const auto columns = static_cast<double>(slope.columns.size());
+    const double seconds = seconds_for_460 * std::pow(columns / 460, 2.2);
+    return seconds < worth_telling
+               ? ""
+               : "the bound of " + number_in_words(columns) + " columns by linear programming takes about " +
+                     number_in_words(seconds) + " s; Ctrl-C ends it";
+}
+
 void append_bound(Analysis& analysis, const SteppedBase<>& problem, const LinearProgrammingBound& request) {
     const ColumnSlope<> slope = make_columns(problem.scene);
     if (!can_bound(slope)) {
         analysis.warnings.push_back("too many columns for the linear programme, at most " +
                                     number_in_words(most_bound_columns) + ": there is no bound");
     } else {
-        append_result(analysis, bound_of_columns(slope, problem, request.upper_part).result, bound_prefix,
+        append_result(analysis, columns_or_stop(slope, problem, request.upper_part).result, bound_prefix,
                       "the columns");
     }
     if (!request.cross_joints) {
@@ -175,7 +209,7 @@ void append_bound(Analysis& analysis, const SteppedBase<>& problem, const Linear
                                     number_in_words(most_bound_blocks) + ": the cut columns have no bound");
         return;
     }
-    append_result(analysis, bound_of_blocks(slope, problem, *request.cross_joints).result, bound_of_blocks_prefix,
+    append_result(analysis, blocks_or_stop(slope, problem, *request.cross_joints).result, bound_of_blocks_prefix,
                   "the blocks between cross joints");
 }
 
@@ -190,9 +224,9 @@ void append_bound_figures(const SteppedBase<>& problem, const SteppedBaseResult&
         "The factor of safety of the linear programme is a bound from the unsafe side: no strength below its limit can "
         "keep the slope, but with real joints, which slip without opening, the slope may fail with more. Forces that "
         "would hold it exist; nothing makes them arise."});
-    append_state(problem, slope, bound_of_columns(slope, problem, request.upper_part), false, "bound", folder, report);
+    append_state(problem, slope, columns_or_stop(slope, problem, request.upper_part), false, "bound", folder, report);
     if (request.cross_joints && can_bound(slope, *request.cross_joints)) {
-        append_state(problem, slope, bound_of_blocks(slope, problem, *request.cross_joints), true, "bound_blocks",
+        append_state(problem, slope, blocks_or_stop(slope, problem, *request.cross_joints), true, "bound_blocks",
                      folder, report);
     }
     append_bracket(problem, slope, recursion, folder, report);

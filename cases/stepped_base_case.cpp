@@ -34,6 +34,21 @@ void check_layout(Checker& checker, const ColumnLayout<>& layout) {
         layout);
 }
 
+template <class Load>
+void check_blocks(Checker& checker, const ColumnScene<>& scene, const std::vector<Load>& loads,
+                  const std::string& list) {
+    const auto* blocks = std::get_if<BlockColumns<>>(&scene.columns);
+    for (std::size_t index = 0; index < loads.size(); ++index) {
+        const double block = loads[index].block;
+        const std::string key = indexed(list, index) + ".block";
+        if (block != std::floor(block)) {
+            checker.complain(key, "must be a whole number, 1 at the toe");
+        } else if (blocks != nullptr && !blocks->block.empty() && block > static_cast<double>(blocks->block.size())) {
+            checker.complain(key, "there are only " + std::to_string(blocks->block.size()) + " blocks");
+        }
+    }
+}
+
 void check_scene(Checker& checker, const ColumnScene<>& scene) {
     const auto* blocks = std::get_if<BlockColumns<>>(&scene.columns);
     check_layout(checker, scene.columns);
@@ -62,19 +77,8 @@ void check_scene(Checker& checker, const ColumnScene<>& scene) {
             checker.complain(indexed("surcharge", index) + ".from_distance", "must be less than to_distance");
         }
     }
-    const auto check_block = [&](const std::string& key, double block) {
-        if (block != std::floor(block)) {
-            checker.complain(key + ".block", "must be a whole number, 1 at the toe");
-        } else if (blocks != nullptr && !blocks->block.empty() && block > static_cast<double>(blocks->block.size())) {
-            checker.complain(key + ".block", "there are only " + std::to_string(blocks->block.size()) + " blocks");
-        }
-    };
-    for (std::size_t index = 0; index < scene.point_load.size(); ++index) {
-        check_block(indexed("point_load", index), scene.point_load[index].block);
-    }
-    for (std::size_t index = 0; index < scene.bolt.size(); ++index) {
-        check_block(indexed("bolt", index), scene.bolt[index].block);
-    }
+    check_blocks(checker, scene, scene.point_load, "point_load");
+    check_blocks(checker, scene, scene.bolt, "bolt");
     if (scene.slide_head) {
         const bool ends = std::visit(
             [](const auto& layout) {
@@ -165,6 +169,7 @@ void check_case(Checker& checker, const SteppedBaseStudy<>& study) {
         }
     }
     check_required(checker, study.required, study);
+    check_blocks(checker, study.model.scene, study.required_cable, "required_cable");
     if (study.linear_programming_bound) {
         check_bound(checker, *study.linear_programming_bound, study.model.scene);
     }

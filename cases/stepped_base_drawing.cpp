@@ -86,6 +86,14 @@ Polyline water_line(const SteppedBase<>& problem, const ColumnSlope<>& slope, co
         surface.insert(surface.begin(), Point(std::min(0.0, surface.front().x() - end), surface.front().y()));
         return below_ground(surface, ground, end);
     }
+    if (const auto* drawn = std::get_if<DrawnDownWater<>>(&water)) {
+        const Axes axes(slope.base_dip);
+        const Column<>& last = slope.columns.back();
+        const double upper_end = axes.at(last.base_u + last.width, slope.end_v.value_or(last.base_v)).x();
+        const double level = height_of(drawn->level, problem.scene.slope);
+        return below_ground({Point(0, 0), Point(upper_end, level), Point(std::max(end, upper_end), level)}, ground,
+                            end);
+    }
     Polyline tops;
     if (const auto* filled = std::get_if<FilledJointsWater<>>(&water)) {
         const Axes axes(slope.base_dip);

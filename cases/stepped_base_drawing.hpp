@@ -4,10 +4,13 @@
 #include "limit_equilibrium/stepped_base.hpp"
 #include "plots/block_figures.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace delabole {
+
+constexpr std::size_t most_drawn_columns = 1000;  // more are no picture
 
 DrawnMode drawn(ColumnMode mode);
 

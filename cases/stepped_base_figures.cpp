@@ -11,8 +11,6 @@ namespace delabole {
 
 namespace {
 
-constexpr std::size_t most_drawn_columns = 1000;
-
 // Columns in one state, and by what the strength was divided for it.
 struct ColumnState {
     std::vector<ColumnResult> columns;
@@ -66,6 +64,8 @@ void append_forces(const ColumnState& state, const std::string& name, const Resu
 void append_sensitivity(const SteppedBase<>& problem, const SteppedBaseResult& result, const std::string& prefix,
                         const ResultFolder& folder, Report& report) {
     if (result.limit != LimitState::found) {
+        report.blocks.emplace_back(
+            Paragraph{"There is no limiting equilibrium whose dependence on geometry and inputs could be shown."});
         return;
     }
     if (!can_sweep(problem)) {

@@ -71,13 +71,24 @@ double highest_point(const ColumnScene<>& scene, const ColumnSlope<>& slope, std
     return highest - column.base_v;
 }
 
+void put_on(ColumnScene<>& scene, const PointLoad<>& load) {
+    scene.point_load = {load};
+}
+void put_on(ColumnScene<>& scene, const ColumnBolt<>& bolt) {
+    scene.bolt = {bolt};
+}
+// The force is what is asked for.
+void put_on(ColumnScene<>& scene, const RequiredCable<>& cable) {
+    scene.bolt = {{cable.block, 0, cable.plunge, cable.height}};
+}
+
 template <class Load>
 std::optional<Misplaced> first_misplaced(const ColumnScene<>& bare, const ColumnSlope<>& slope, const std::string& list,
-                                         const std::vector<Load>& loads, std::vector<Load> ColumnScene<>::*member) {
+                                         const std::vector<Load>& loads) {
     for (std::size_t index = 0; index < loads.size(); ++index) {
         const Load& load = loads[index];
         ColumnScene<> scene = bare;
-        scene.*member = {load};
+        put_on(scene, load);
         if (make_columns(scene).check != ColumnCheck::load_outside_columns) {
             continue;
         }
@@ -104,10 +115,13 @@ std::optional<Misplaced> first_misplaced(const SteppedBaseStudy<>& study) {
     if (slope.check != ColumnCheck::valid) {
         return std::nullopt;
     }
-    if (auto load = first_misplaced(bare, slope, "point_load", given.point_load, &ColumnScene<>::point_load)) {
+    if (auto load = first_misplaced(bare, slope, "point_load", given.point_load)) {
         return load;
     }
-    return first_misplaced(bare, slope, "bolt", given.bolt, &ColumnScene<>::bolt);
+    if (auto bolt = first_misplaced(bare, slope, "bolt", given.bolt)) {
+        return bolt;
+    }
+    return first_misplaced(bare, slope, "required_cable", study.required_cable);
 }
 
 ColumnCheck check_of(std::string_view failure) {

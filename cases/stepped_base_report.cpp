@@ -2,6 +2,8 @@
 #include "cases/model_reports.hpp"
 #include "cases/stepped_base_bound.hpp"
 #include "cases/stepped_base_columns.hpp"
+#include "cases/stepped_base_drawing.hpp"
+#include "cases/stepped_base_sweeps.hpp"
 #include "fitting/words.hpp"
 #include "limit_equilibrium/stepped_base_study.hpp"
 
@@ -12,7 +14,16 @@ namespace delabole {
 
 namespace {
 
-void append_required(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseStudy<>& study) {
+// From here on a push from below no longer holds a column that slides, or hardly.
+constexpr double nearly_locked = 0.9;
+
+double friction_product_at_limit(const SteppedBase<>& problem, double factor) {
+    const ColumnStrength<> strength = strength_of(problem).reduced_by(factor);
+    return strength.joint_friction * strength.base_friction;
+}
+
+// No where a cable names a place that does not exist.
+bool append_required(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseStudy<>& study) {
     for (const RequiredValue<>& request : study.required) {
         append_required_value(analysis, request.parameter, request.factor_of_safety,
                               required_value(problem, request.parameter, request.factor_of_safety));
@@ -20,6 +31,9 @@ void append_required(Analysis& analysis, const SteppedBase<>& problem, const Ste
     for (std::size_t index = 0; index < study.required_cable.size(); ++index) {
         const RequiredCable<>& request = study.required_cable[index];
         const CableForce cable = required_cable(problem, request);
+        if (cable.state == CableState::no_such_place) {
+            return false;
+        }
         const std::string name = "required_cable[" + std::to_string(index + 1) + "].force";
         const std::string meaning = "tension in column " + number_in_words(request.block) +
                                     " for a factor of safety of " + number_in_words(request.factor_of_safety);
@@ -27,21 +41,53 @@ void append_required(Analysis& analysis, const SteppedBase<>& problem, const Ste
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, cable.force});
         } else {
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, std::string(word_of(cable.state))});
-            if (cable.state == CableState::no_such_place) {
-                analysis.warnings.push_back(name + ": there is no such column, or its top is lower than " +
-                                            value_in_words(request.height, Dimension::length));
-            }
+        }
+    }
+    return true;
+}
+
+std::string_view what_lifts(const SlideHeadWedge<>& wedge) {
+    const double into_joint = wedge.force_x * std::sin(wedge.joint_dip) - wedge.force_y * std::cos(wedge.joint_dip);
+    if (!(into_joint > 0)) {
+        return "its loads lift";  // an earthquake more than any
+    }
+    return into_joint < wedge.water_force ? "water lifts" : "the friction of the columns that it pushes lifts";
+}
+
+// A wedge that is not there has no numbers, nor has a friction angle that none is.
+void leave_out_what_is_not(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseResult& result) {
+    if (!problem.scene.slide_head) {
+        std::erase_if(analysis.outputs,
+                      [](const NamedOutput& output) { return output.name.starts_with("slide_head"); });
+    }
+    for (NamedOutput& output : analysis.outputs) {
+        if (output.name == "limiting_friction_angle" && result.friction_limit == LimitState::fails_at_any_strength) {
+            output.value = "none";
         }
     }
 }
 
 void warn(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseResult& result, bool at_boundary) {
+    const ColumnSlope<> slope = make_columns(problem.scene);
     if (at_boundary) {
         analysis.warnings.emplace_back(
             "the least factor of safety lies at the edge of the searched range: a limit, not a balance");
     }
     if (result.limit == LimitState::fails_at_any_strength) {
-        analysis.warnings.emplace_back("no friction, however large, keeps the lowest column from moving");
+        std::string warning = "no factor on the strength as given, however large, keeps the lowest column from moving";
+        if (result.friction_limit == LimitState::found) {
+            warning += "; one friction angle of " + value_in_words(result.limiting_friction_angle, Dimension::angle) +
+                       " on joints and bases would";
+        }
+        analysis.warnings.push_back(warning);
+    } else if (result.limit == LimitState::abrupt) {
+        analysis.warnings.push_back(
+            "no limiting equilibrium: the slope stands with its strength divided by " +
+            number_in_words(result.factor_of_safety) + " and fails past that, but " +
+            (friction_product_at_limit(problem, result.factor_of_safety) >= nearly_locked
+                 ? "the friction angles of joints and bases there add to nearly 90 deg or more, so that a column which "
+                   "begins to slide is held by no push from below: the answer depends on the least change of the inputs"
+                 : "a column that moves there has none below it to lean on"));
     } else if (result.limit == LimitState::holds_at_any_strength) {
         analysis.warnings.emplace_back("nothing moves even without strength: the factor of safety is infinite");
     }
@@ -49,9 +95,9 @@ void warn(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseRes
         analysis.warnings.emplace_back(
             "the wedge above jams between its joint and the columns: its thrust is not counted");
     } else if (result.slide_head == SlideHeadState::lifts_off) {
-        analysis.warnings.emplace_back("water lifts the wedge above off its joint: its thrust is not counted");
+        analysis.warnings.push_back(std::string(what_lifts(*slope.slide_head)) +
+                                    " the wedge above off its joint: its thrust is not counted");
     }
-    const ColumnSlope<> slope = make_columns(problem.scene);
     const double factor = result.limit == LimitState::found ? result.factor_of_safety : 1;
     int outside = 0;
     int lifted_or_slipping = 0;
@@ -73,6 +119,18 @@ void warn(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseRes
             "column(s) whose base would be in tension, or would slip while they topple, "
             "which the recursion does not see: " +
             std::to_string(lifted_or_slipping));
+    }
+    if (slope.columns.size() > most_drawn_columns) {
+        analysis.warnings.push_back(
+            "figures are left out: " + std::to_string(slope.columns.size()) +
+            " columns are too many to be told apart; columns.csv has their forces" +
+            (can_sweep(problem) ? "" : ", and the dependence on geometry and inputs would take too long"));
+    }
+    const bool cut = !std::holds_alternative<BlockColumns<>>(problem.scene.columns);
+    if (cut && !(problem.scene.bolt.empty() && problem.scene.point_load.empty())) {
+        analysis.warnings.emplace_back(
+            "bolts and point loads keep the number of their column: where a change of geometry adds or takes away a "
+            "column at the toe they move, and every result jumps");
     }
     if (const auto* classical = std::get_if<ClassicalColumns<>>(&problem.scene.columns)) {
         const ClassicalJump jump = classical_jump(*problem.scene.slope, *classical);
@@ -96,7 +154,11 @@ Analysis analyse_case(const SteppedBaseStudy<>& study) {
         return analysis;
     }
     append_outputs(analysis, result);
-    append_required(analysis, resolved.problem, study);
+    leave_out_what_is_not(analysis, resolved.problem, result);
+    if (!append_required(analysis, resolved.problem, study)) {
+        analysis.failure = word_of(ColumnCheck::load_outside_columns);
+        return analysis;
+    }
     append_column_outputs(analysis,
                           column_results(make_columns(resolved.problem.scene), strength_of(resolved.problem)));
     warn(analysis, resolved.problem, result, resolved.critical_at_boundary);

@@ -1,5 +1,6 @@
 #include "cases/stepped_base_sweeps.hpp"
 
+#include "cases/interrupt.hpp"
 #include "cases/result_folder.hpp"
 #include "cases/sensitivity_step.hpp"
 #include "fitting/words.hpp"
@@ -16,6 +17,7 @@ constexpr int curve_points = 81;
 constexpr double most_swept_columns = 5000;
 constexpr double most_work = 2e6;  // inputs times columns
 constexpr std::size_t most_bars = 15;
+constexpr double most_bisected_columns = 500;
 
 // Nothing where the columns cannot be or have no limit.
 std::optional<double> safety_of(const SteppedBase<>& problem) {
@@ -57,7 +59,30 @@ SteppedBase<> with_layout(SteppedBase<> problem) {
     return problem;
 }
 
-// One answer against one input; a gap where there is none.
+// Both sides of the jump between two points of a curve, or nothing where it is continuous. Bisected towards the greater
+// difference: of a continuous curve that becomes small within a few steps.
+template <class Function>
+std::optional<std::pair<Point, Point>> jump_between(const Function& function, Point left, Point right) {
+    const double whole = std::abs(right.y() - left.y());
+    if (!(whole > 1e-4 * std::abs(left.y()))) {
+        return std::nullopt;
+    }
+    constexpr int halvings = 20;
+    for (int step = 0; step < halvings; ++step) {
+        const double x = (left.x() + right.x()) / 2;
+        const std::optional<double> y = function(x);
+        if (!y) {
+            return std::nullopt;
+        }
+        (std::abs(*y - left.y()) > std::abs(right.y() - *y) ? right : left) = Point(x, *y);
+        if (std::abs(right.y() - left.y()) < 0.1 * whole) {
+            return std::nullopt;
+        }
+    }
+    return std::pair(left, right);
+}
+
+// One answer against one input; a gap where there is none, and a break where it jumps.
 template <class Answer>
 Line curve(SteppedBase<> problem, const std::string& input, Dimension x, const Interval& range, const Answer& answer) {
     Line line;
@@ -65,14 +90,30 @@ Line curve(SteppedBase<> problem, const std::string& input, Dimension x, const I
     if (value == nullptr) {
         return line;
     }
-    int answers = 0;
+    const auto at = [&](double varied) {
+        stop_if_interrupted();
+        *value = varied;
+        return answer(problem);
+    };
+    const bool few = static_cast<double>(make_columns(problem.scene).columns.size()) <= most_bisected_columns;
+    const auto add = [&](const Point& point) { line.points.emplace_back(in_display_unit(point.x(), x), point.y()); };
+    bool any = false;
+    Point last(0, std::nan(""));
     for (int index = 0; index < curve_points; ++index) {
-        *value = range.lower + (range.upper - range.lower) * index / (curve_points - 1);
-        const std::optional<double> y = answer(problem);
-        answers += y ? 1 : 0;
-        line.points.emplace_back(in_display_unit(*value, x), y.value_or(std::nan("")));
+        const double varied = range.lower + (range.upper - range.lower) * index / (curve_points - 1);
+        const Point here(varied, at(varied).value_or(std::nan("")));
+        any = any || std::isfinite(here.y());
+        if (few && std::isfinite(last.y()) && std::isfinite(here.y())) {
+            if (const auto jump = jump_between(at, last, here)) {
+                add(jump->first);
+                add(Point(jump->first.x(), std::nan("")));
+                add(jump->second);
+            }
+        }
+        add(here);
+        last = here;
     }
-    if (answers == 0) {
+    if (!any) {
         line.points.clear();
     }
     return line;
@@ -131,7 +172,8 @@ void cut_off(Line& line, double ceiling) {
 std::optional<GeometrySweep> safety_sweep(const SteppedBase<>& problem, const Varied& varied, double given) {
     GeometrySweep sweep{varied.file,
                         "Columns cut by the ground change with nothing but geometry; flat-topped columns after Goodman "
-                        "& Bray jump wherever their number or the place of the crest changes.",
+                        "& Bray jump wherever their number or the place of the crest changes. A curve is broken where "
+                        "it jumps, and has a gap where there is no limiting equilibrium.",
                         {}};
     sweep.figure.title = varied.title;
     sweep.figure.x = axis_of(varied.input, varied.dimension);
@@ -151,15 +193,15 @@ std::optional<GeometrySweep> safety_sweep(const SteppedBase<>& problem, const Va
     };
     if (!problem.scene.bolt.empty() || !problem.scene.point_load.empty()) {
         sweep.caption +=
-            " Bolts and point loads keep the number of their column, and jump with it; there are gaps where "
-            "they would lie above its top.";
+            " Bolts and point loads keep the number of their column, so that here columns cut by the ground jump too, "
+            "where one is added or lost; there are gaps where they would lie above its top.";
     }
     if (std::holds_alternative<BlockColumns<>>(problem.scene.columns)) {
         sweep.caption = "The blocks turn with their joints; their sizes are kept.";
         add(problem, "", Colour::blue, Dash::solid);
     } else {
-        add(with_layout<ContinuousColumns<>>(problem), "continuous", Colour::blue, Dash::solid);
-        add(with_layout<ClassicalColumns<>>(problem), "classical", Colour::vermilion, Dash::dashed);
+        add(with_layout<ContinuousColumns<>>(problem), "cut by the ground", Colour::blue, Dash::solid);
+        add(with_layout<ClassicalColumns<>>(problem), "flat-topped", Colour::vermilion, Dash::dashed);
     }
     if (sweep.figure.series.empty()) {
         return std::nullopt;

@@ -20,7 +20,8 @@ bool can_sweep(const SteppedBase<>& problem);
 
 // Factor of safety against base inclination, spacing and height, columns cut continuously beside classical ones; for
 // blocks given one by one, against the dip of the joints. Then the limiting friction angle against base inclination for
-// a few dips of the joints. Figures without an answer are left out.
+// a few dips of the joints. Figures without an answer are left out. Curves are broken where
+// they jump, except with more than 500 columns. Ends by Interrupted.
 std::vector<GeometrySweep> geometry_sweeps(const SteppedBase<>& problem, double factor_of_safety);
 
 // Change of the factor of safety by recalculation, the 15 largest. An input that cannot be raised is lowered instead.

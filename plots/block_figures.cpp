@@ -129,7 +129,7 @@ class BlockPicture {
         add_rock();
         add_blocks();
         add_line(drawing_.base, "", Colour::black, Dash::solid, 2.5);
-        add_line(drawing_.ground, "ground surface", Colour::black, Dash::solid, 3.5);
+        add_line(drawing_.ground, "ground surface", Colour::black, Dash::solid, 2.5);
         add_line(drawing_.tension_crack, "tension crack", Colour::purple, Dash::dashed, 4);
         add_water();
         add_forces();
@@ -304,7 +304,9 @@ class BlockPicture {
         const Polyline& water = drawing_.water;
         add_line(water, "water level", Colour::blue, Dash::solid, 2.5);
         if (!water.empty()) {
-            figure_.labels.push_back({.at = 0.5 * (water[0] + water[std::min<std::size_t>(1, water.size() - 1)]),
+            // In the middle, off the toe with its small blocks.
+            const std::size_t index = (water.size() - 1) / 2;
+            figure_.labels.push_back({.at = 0.5 * (water[index] + water[std::min(index + 1, water.size() - 1)]),
                                       .text = "▽",
                                       .align = Label::Align::centre,
                                       .colour = Colour::blue,
@@ -315,8 +317,9 @@ class BlockPicture {
 
     void add_forces() {
         constexpr std::array kinds{
-            std::pair{ForceKind::interblock, Colour::black}, std::pair{ForceKind::base_reaction, Colour::green},
-            std::pair{ForceKind::thrust, Colour::blue}, std::pair{ForceKind::applied, Colour::vermilion}};
+            std::pair{ForceKind::interblock, Colour::purple}, std::pair{ForceKind::base_reaction, Colour::black},
+            std::pair{ForceKind::thrust, Colour::blue}, std::pair{ForceKind::applied, Colour::vermilion},
+            std::pair{ForceKind::weight, Colour::green}};
         for (const auto& [kind, colour] : kinds) {
             Arrows arrows{.legend = std::string(enum_names(kind)[static_cast<std::size_t>(kind)]), .colour = colour};
             for (const DrawnForce& force : drawing_.forces) {
@@ -409,9 +412,12 @@ class BlockPicture {
         // One size for all, that of the smaller blocks; a few that are smaller still do not shrink the rest.
         std::sort(sizes.begin(), sizes.end());
         const double common = std::clamp(sizes[sizes.size() / 4], smallest_label, text_height);
+        // Where most have room, those that have none would only hide their blocks.
+        const bool most_fit = sizes[sizes.size() / 2] >= smallest_label;
         std::vector<Numeral> numerals;
         for (const DrawnBlock& block : drawing_.blocks) {
-            if (!block.label.empty()) {
+            const bool fits = !most_fit || fitting_size(block) >= smallest_label;
+            if (!block.label.empty() && fits) {
                 const double size = std::clamp(fitting_size(block), smallest_label, common);
                 numerals.push_back({&block, centroid(block.outline), size});
             }

@@ -27,10 +27,10 @@ struct DrawnBlock {
     Polyline displaced = {};  // the outline after the displacement shown; empty: none
 };
 
-enum class ForceKind { interblock, base_reaction, thrust, applied };
+enum class ForceKind { interblock, base_reaction, thrust, applied, weight };
 
-constexpr std::array<std::string_view, 4> enum_names(ForceKind) {
-    return {"interblock force", "base reaction", "thrust", "applied force"};
+constexpr std::array<std::string_view, 5> enum_names(ForceKind) {
+    return {"interblock force", "base reaction", "thrust", "applied force", "weight"};
 }
 
 struct DrawnForce {
@@ -54,7 +54,8 @@ struct BlockDrawing {
 
 // Forces are drawn to one scale, the greatest about one and a half times as long as the blocks are apart; an arrow of a
 // round force beside the blocks is the key to it. A block's label shrinks with its block and keeps clear of arrows;
-// when even small labels would run into each other, every second, fifth, tenth, ... is drawn, always with the first.
+// a block too small for any goes without, unless most are; when even small labels would run into each other, every
+// second, fifth, tenth, ... is drawn, always with the first.
 Figure block_figure(const BlockDrawing& drawing);
 
 // Interblock forces against the number of the block, N/m. Every column is empty or as long as `block`.

@@ -188,10 +188,17 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
     if (!bars.empty()) {
         figure.series.emplace_back(Line{.points = {{0, 0.4}, {0, highest_bar}}, .width = 1.5});
         figure.y.range = std::pair{0.4, highest_bar};
-        // The numbers at the bars' ends need about a fifth of the width on either side.
-        const double margin = 0.4 * std::max(range.size(), 1e-12);
-        figure.x.range = std::pair{range.lowest - (range.lowest < 0 ? margin : 0.0),
-                                   range.highest + (range.highest > 0 ? margin : 0.0)};
+        // Room for the numbers at the bars' ends; the names of the inputs leave the bars about so many pixels.
+        constexpr double plot_width = 380;
+        constexpr double letter_width = 13;
+        std::array<double, 2> room{};  // below and above zero, of the width
+        for (std::size_t index = 0; index < bars.size(); ++index) {
+            const double letters = 1.5 + static_cast<double>(letter_count(figure.labels[index].text));
+            double& side = room[bars[index].effect < 0 ? 0 : 1];
+            side = std::max(side, letters * letter_width / plot_width);
+        }
+        const double per_share = std::max(range.size(), 1e-12) / (1 - room[0] - room[1]);
+        figure.x.range = std::pair{range.lowest - room[0] * per_share, range.highest + room[1] * per_share};
     }
     figure.width = 720;
     figure.height = 130 + 74 * static_cast<int>(std::max<std::size_t>(bars.size(), 2));

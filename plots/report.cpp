@@ -1,5 +1,6 @@
 #include "plots/report.hpp"
 
+#include "plots/animation_script.hpp"
 #include "plots/atomic_file.hpp"
 #include "plots/report_style.hpp"
 #include "plots/svg.hpp"
@@ -43,6 +44,9 @@ class Page {
         html_ += element("title", report.title);
         html_ += "<style>\n";
         html_ += report_style;
+        if (is_animated(report)) {
+            html_ += animation_style;
+        }
         html_ += "</style>\n</head>\n<body>\n<main>\n<header>\n";
         html_ += element("h1", report.title);
         if (!report.subtitle.empty()) {
@@ -51,7 +55,15 @@ class Page {
         html_ += "</header>\n";
     }
 
-    void end() { html_ += "</main>\n</body>\n</html>\n"; }
+    void end(const Report& report) {
+        html_ += "</main>\n";
+        if (is_animated(report)) {
+            html_ += "<script>\n";
+            html_ += animation_script;
+            html_ += "</script>\n";
+        }
+        html_ += "</body>\n</html>\n";
+    }
 
     void add(const Heading& heading) { html_ += element(heading.level <= 2 ? "h2" : "h3", heading.text); }
 
@@ -125,8 +137,13 @@ class Page {
                                            : "cannot read " + figure.files.svg.filename().string();
             html_ += "<div class=\"missing\">Figure missing: " + escape_html(reason) + "</div>\n";
         }
-        html_ += "<figcaption><b>Figure " + std::to_string(figures_) + ".</b> " + escape_html(figure.caption) +
-                 "</figcaption>\n</figure>\n";
+        end_figure(figure.caption);
+    }
+
+    void add(const BlockAnimation& animation) {
+        ++figures_;
+        html_ += "<figure>\n" + animation_html(animation);
+        end_figure(animation.caption);
     }
 
     void add(const Provenance& provenance) {
@@ -138,6 +155,16 @@ class Page {
     }
 
   private:
+    static bool is_animated(const Report& report) {
+        return std::any_of(report.blocks.begin(), report.blocks.end(),
+                           [](const ReportBlock& block) { return std::holds_alternative<BlockAnimation>(block); });
+    }
+
+    void end_figure(const std::string& caption) {
+        html_ += "<figcaption><b>Figure " + std::to_string(figures_) + ".</b> " + escape_html(caption) +
+                 "</figcaption>\n</figure>\n";
+    }
+
     std::string html_;
     int figures_ = 0;
 };
@@ -150,7 +177,7 @@ std::string report_page(const Report& report) {
     for (const ReportBlock& block : report.blocks) {
         std::visit([&](const auto& content) { page.add(content); }, block);
     }
-    page.end();
+    page.end(report);
     return page.take();
 }
 

@@ -1,9 +1,10 @@
-// A report as a value, and the one page of HTML it becomes: styles and figures inside, no script, nothing fetched, so
-// that it can be mailed, read on a phone and printed.
+// A report as a value, and the one page of HTML it becomes: styles and figures inside, nothing fetched, no script but
+// that of animations, so that it can be mailed, read on a phone and printed.
 //
 // All texts are plain; whatever they hold is shown as it stands.
 #pragma once
 
+#include "plots/animation.hpp"
 #include "plots/figure.hpp"
 
 #include <filesystem>
@@ -59,7 +60,8 @@ struct Provenance {
     std::vector<std::pair<std::string, std::string>> entries = {};
 };
 
-using ReportBlock = std::variant<Heading, Paragraph, BulletList, Notice, Table, FigureInReport, Provenance>;
+using ReportBlock =
+    std::variant<Heading, Paragraph, BulletList, Notice, Table, FigureInReport, BlockAnimation, Provenance>;
 
 struct Report {
     std::string title = {};
@@ -67,7 +69,7 @@ struct Report {
     std::vector<ReportBlock> blocks = {};
 };
 
-// The page. Figures are numbered in their order; their SVG files are read here.
+// The page. Figures and animations are numbered in their order; their SVG files are read here.
 std::string report_page(const Report& report);
 
 // Writes the page as write_file_atomically does. OutputError when that fails.

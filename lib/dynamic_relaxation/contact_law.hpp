@@ -17,18 +17,12 @@
 
 namespace delabole {
 
-struct ContactForce {
-    double x = 0;  // on the corner's block, N/m; the other gets the opposite
-    double y = 0;
-    double moment = 0;        // N, about the centroid of the corner's block
-    double other_moment = 0;  // N, of the opposite force about the other's centroid
-};
-
 // Where a corner is over an edge, and how it moves.
 struct ContactPosition {
     double normal_x;
     double normal_y;
     double gap;
+    double slide;     // along the edge, since the drawing
     double position;  // along the edge from its start
     double arm_x;     // from the block's centroid to the corner
     double arm_y;
@@ -57,6 +51,7 @@ inline ContactPosition locate(const RelaxationContact& contact, const Motion& bl
     at.normal_y = normal_y + tilt_y;
     // Only changes are added up: the overlap keeps its digits however far away the origin is.
     at.gap = contact.gap + (normal_x * change_x + normal_y * change_y) + (tilt_x * way_x + tilt_y * way_y);
+    at.slide = (contact.along.x() * change_x + contact.along.y() * change_y) + (tilt_x * way_y - tilt_y * way_x);
     at.position = at.along_x() * way_x + at.along_y() * way_y;
     at.arm_x = contact.arm.x() + turned_x;
     at.arm_y = contact.arm.y() + turned_y;
@@ -76,32 +71,37 @@ inline ContactForce advance_contact(const RelaxationContact& contact, ContactMem
                                     const Motion& block, const Motion& other, double step) {
     const ContactPosition at = locate(contact, block, other);
     const double overlap = -at.gap;
-    const bool bonded = contact.tension > 0 && !memory.broken;
-    if (overlap <= 0 && !(bonded && memory.touching)) {
-        if (memory.touching) {
-            memory.touching = false;
-            memory.broken = true;
-            memory.shear = 0;
-        }
-        memory.sliding = false;
+    if (overlap <= 0 && !memory.touching) {
         return {};
     }
-    const double weight = contact_weight(contact, at.position);
     const double velocity_x = (block.vx - other.vx) - (block.spin * at.arm_y - other.spin * at.other_arm_y);
     const double velocity_y = (block.vy - other.vy) + (block.spin * at.arm_x - other.spin * at.other_arm_x);
     const double opening = at.normal_x * velocity_x + at.normal_y * velocity_y;
     const double shearing = at.along_x() * velocity_x + at.along_y() * velocity_y;
+    // A drag acts half a step on both sides of its moment: the books count half with each velocity.
+    memory.damping -= step / 2 * (memory.normal_drag * opening + memory.shear_drag * shearing);
+    memory.normal_drag = memory.shear_drag = 0;
+    const bool bonded = contact.tension > 0 && !memory.broken;
+    if (overlap <= 0 && !bonded) {
+        memory.touching = memory.sliding = false;
+        memory.broken = true;
+        memory.shear = 0;
+        return {};
+    }
+    const double weight = contact_weight(contact, at.position);
+    const double force_before = contact.shear_stiffness * std::abs(memory.shear);
     if (!memory.touching) {
         memory.touching = true;
         memory.shear = twin != nullptr && twin->touching ? twin->shear : 0;
     } else {
-        memory.shear += shearing * step;
+        memory.shear += at.slide - memory.place;
     }
+    memory.place = at.slide;
     double normal = contact.normal_stiffness * overlap;
     if (normal < -contact.tension) {
-        memory.strength += weight * normal * overlap / 2;
+        memory.friction += weight * normal * overlap / 2;
+        memory.touching = memory.sliding = false;
         memory.broken = true;
-        memory.touching = false;
         memory.shear = 0;
         return {};
     }
@@ -114,25 +114,21 @@ inline ContactForce advance_contact(const RelaxationContact& contact, ContactMem
         const double held = std::copysign(residual, shear);
         const double slipped = (held - shear) / contact.shear_stiffness;
         // A first slip also sets free what the spring held beyond the residual strength.
-        const double mean_force = memory.broken ? residual : (strength + residual) / 2;
+        const double mean_force =
+            (memory.broken ? std::min(force_before, strength) + residual : strength + residual) / 2;
         memory.friction += weight * mean_force * std::abs(slipped);
         memory.broken = true;
         memory.slip += slipped;
         memory.shear -= slipped;
         shear = held;
     } else {
-        const double dashpot = -contact.shear_dashpot * shearing;
-        memory.damping += weight * contact.shear_dashpot * shearing * shearing * step;
-        shear += dashpot;
+        memory.shear_drag = -weight * contact.shear_dashpot * shearing;
+        shear -= contact.shear_dashpot * shearing;
     }
-    const double damped = normal - contact.normal_dashpot * opening;
-    if (damped > std::min(normal, 0.0)) {
-        memory.damping += weight * contact.normal_dashpot * opening * opening * step;
-        normal = damped;
-    } else {
-        memory.damping += weight * pressing * opening * step;
-        normal = std::min(normal, 0.0);
-    }
+    const double damped = std::max(normal - contact.normal_dashpot * opening, std::min(normal, 0.0));
+    memory.normal_drag = weight * (damped - normal);
+    memory.damping -= step / 2 * (memory.normal_drag * opening + memory.shear_drag * shearing);
+    normal = damped;
     ContactForce force;
     force.x = weight * (at.normal_x * normal + at.along_x() * shear);
     force.y = weight * (at.normal_y * normal + at.along_y() * shear);

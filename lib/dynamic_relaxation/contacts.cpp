@@ -180,16 +180,15 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
     }
     pair_twins(bodies, motion, list);
     list.memory.resize(list.contact.size());
+    list.force.resize(list.contact.size());
     if (!previous.contact.empty()) {
         const ContactIndex known(previous.contact);
         for (std::size_t index = 0; index < list.contact.size(); ++index) {
             const std::size_t before = known.find(list.contact[index].corner, list.contact[index].edge);
             if (before != no_twin) {
-                const ContactMemory& memory = previous.memory[before];
-                list.memory[index].shear = memory.shear;
-                list.memory[index].touching = memory.touching;
-                list.memory[index].sliding = memory.sliding;
-                list.memory[index].broken = memory.broken;
+                // Slip and energies have been booked; what is left is what the contact goes on with.
+                list.memory[index] = previous.memory[before];
+                list.memory[index].slip = list.memory[index].friction = list.memory[index].damping = 0;
             }
         }
     }

@@ -43,22 +43,32 @@ struct RelaxationContact {
 };
 
 struct ContactMemory {
-    double shear = 0;     // displacement of the shear spring, along the edge
-    double slip = 0;      // sum of plastic displacement along the edge, with its sign
-    double friction = 0;  // J/m, dissipated so far
-    double damping = 0;   // J/m
-    double strength = 0;  // J/m, elastic energy lost with broken bonds and springs cut by opening
+    double shear = 0;        // displacement of the shear spring, along the edge
+    double place = 0;        // of the corner along the edge when last evaluated, since the drawing
+    double slip = 0;         // sum of plastic displacement along the edge, with its sign
+    double friction = 0;     // J/m, dissipated so far, with broken bonds
+    double damping = 0;      // J/m
+    double normal_drag = 0;  // N/m, of the dashpots when last evaluated, along the normal
+    double shear_drag = 0;   // N/m, along the edge
     bool touching = false;
     bool sliding = false;
     bool broken = false;  // peak strength, cohesion and tensile strength are gone
 };
 
+struct ContactForce {
+    double x = 0;  // on the corner's block, N/m; the other gets the opposite
+    double y = 0;
+    double moment = 0;        // N, about the centroid of the corner's block
+    double other_moment = 0;  // N, of the opposite force about the other's centroid
+};
+
 struct ContactList {
     std::vector<RelaxationContact> contact = {};
     std::vector<ContactMemory> memory = {};
-    double margin = 0;      // the list holds until blocks have moved by half of this
-    double worst_gap = 0;   // least gap found, negative for overlap
-    std::size_t worst = 0;  // contact of the worst gap; meaningful where any
+    std::vector<ContactForce> force = {};  // when last evaluated
+    double margin = 0;                     // the list holds until blocks have moved by half of this
+    double worst_gap = 0;                  // least gap found, negative for overlap
+    std::size_t worst = 0;                 // contact of the worst gap; meaningful where any
 };
 
 struct SearchOptions {

@@ -34,6 +34,8 @@ Response respond(const RelaxationContact& contact, const ContactPosition& at, Co
     Response response;
     const double overlap = -at.gap;
     const bool bonded = contact.tension > 0 && !memory.broken && memory.touching;
+    memory.shear += at.slide - memory.place;
+    memory.place = at.slide;
     memory.touching = overlap > 0 || bonded;
     memory.sliding = false;
     if (overlap < -hair && !bonded) {
@@ -93,12 +95,14 @@ class Preload {
         std::vector<Motion> best_motion = motion;
         std::vector<ContactMemory> best_memory = list.memory;
         double best = ratio;
-        for (int round = 0; round < settings_.most_rounds && best > settings_.tolerance; ++round) {
+        // Large systems settle in the run for less than their equations cost.
+        const int most_rounds = std::max(8, std::min(300, 40000 / static_cast<int>(1 + free_blocks_.size())));
+        for (int round = 0; round < most_rounds && best > settings_.tolerance; ++round) {
             const Eigen::VectorXd change = solve_linear(resistance * stiffest);
             if (!change.allFinite()) {
                 break;
             }
-            move(change, motion, list);
+            move(change, motion);
             if (!(farthest(start, motion) < settings_.farthest)) {
                 break;
             }
@@ -181,19 +185,7 @@ class Preload {
         return solver.solve(unbalanced_);
     }
 
-    void move(const Eigen::VectorXd& change, std::vector<Motion>& motion, ContactList& list) const {
-        for (std::size_t index = 0; index < list.contact.size(); ++index) {
-            const RelaxationContact& contact = list.contact[index];
-            const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
-            Direction moved = Direction::Zero();
-            if (unknown_[contact.block] != none) {
-                moved.head<3>() = change.segment<3>(unknown_[contact.block]);
-            }
-            if (unknown_[contact.other] != none) {
-                moved.tail<3>() = change.segment<3>(unknown_[contact.other]);
-            }
-            list.memory[index].shear += direction(at.along_x(), at.along_y(), at).dot(moved);
-        }
+    void move(const Eigen::VectorXd& change, std::vector<Motion>& motion) const {
         for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
             Motion& moved = motion[free_blocks_[index]];
             const Eigen::Index at = 3 * static_cast<Eigen::Index>(index);

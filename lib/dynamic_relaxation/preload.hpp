@@ -10,9 +10,8 @@
 namespace delabole {
 
 struct PreloadSettings {
-    double tolerance;       // greatest unbalanced force over the load of its block
-    double farthest;        // m; moves no point of any block by more than this
-    int most_rounds = 300;  // each solves one sparse system of equations
+    double tolerance;  // greatest unbalanced force over the load of its block
+    double farthest;   // m; moves no point of any block by more than this
 };
 
 // Lets blocks that are not held sink and lean, without inertia, to where springs and friction carry their loads (x

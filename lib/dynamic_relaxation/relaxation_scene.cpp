@@ -186,7 +186,7 @@ RelaxationScene relaxation_scene(const RelaxationStudy& study) {
     if (model.tilting) {
         apply_tilting(scene, *model.tilting);
     }
-    for (const BlockForce& force : model.force) {
+    for (const ForceOnBlock& force : model.force) {
         scene.force.push_back({index_of(force.block), {force.x, force.y}, {force.horizontal, force.vertical}});
     }
     for (const WaterPressure& pressure : model.pressure) {

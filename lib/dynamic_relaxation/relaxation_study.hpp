@@ -221,11 +221,15 @@ struct RelaxationRun {
     RelaxationSettings settings;
     RelaxationResult result;
     RelaxationHistory history;             // empty where none is asked for
+    std::vector<MotionFrame> frames = {};  // empty where none are kept
     std::optional<RelaxationState> end{};  // absent where the scene is not valid
 };
 
+// Frames take room and time: for pictures of moving blocks only.
+enum class KeepFrames { no, yes };
+
 // The run at the case's own values.
-RelaxationRun run(const RelaxationStudy& study, const RelaxationWatch& watch = {});
+RelaxationRun run(const RelaxationStudy& study, const RelaxationWatch& watch = {}, KeepFrames frames = KeepFrames::no);
 
 RelaxationAnswer answer_of(const RelaxationResult& result);
 

@@ -21,6 +21,26 @@ constexpr std::uint64_t steps_between_looks = 50;
 // The list of contacts holds until blocks have moved by half of this, in shortest edges of the scene.
 constexpr double margin_in_edges = 0.01;
 
+// Ways that change the force of the stiffest spring by a trifle of a block's weight.
+std::vector<double> unnoticed_ways(const RelaxationScene& scene, const Bodies& bodies) {
+    constexpr double trifle = 1e-12;
+    double stiffest = 0;
+    for (const JointMaterial& joint : scene.material) {
+        stiffest = std::max({stiffest, joint.normal_stiffness, joint.shear_stiffness});
+    }
+    const double gravity = scene.gravity.acceleration > 0 ? scene.gravity.acceleration : 1;
+    std::vector<double> ways;
+    for (const double mass : bodies.mass) {
+        ways.push_back(trifle * mass * gravity / stiffest);
+    }
+    return ways;
+}
+
+// Nowhere: every block counts as moved.
+SeenPose never_seen() {
+    return {std::numeric_limits<double>::quiet_NaN(), 0, 0};
+}
+
 double shortest_edge(const Bodies& bodies) {
     return *std::min_element(bodies.shortest_edge.begin(), bodies.shortest_edge.end());
 }
@@ -33,27 +53,45 @@ double EnergyLedger::turnover() const {
 }
 
 Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
-    : scene_(std::move(scene)), settings_(settings), bodies_(make_bodies(scene_)) {
+    : scene_(std::move(scene)),
+      settings_(settings),
+      bodies_(make_bodies(scene_)),
+      contact_forces_(bodies_, unnoticed_ways(scene_, bodies_)) {
     state_.motion.resize(bodies_.size());
     state_.removed.resize(bodies_.size(), 0);
     state_.base_slip.resize(bodies_.size(), 0);
+    state_.calm.resize(bodies_.size(), 0);
     state_.travelled = std::numeric_limits<double>::infinity();
+    prepare();
     begin();
 }
 
 Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, RelaxationState state)
-    : scene_(std::move(scene)), settings_(settings), bodies_(make_bodies(scene_)), state_(std::move(state)) {
+    : scene_(std::move(scene)),
+      settings_(settings),
+      bodies_(make_bodies(scene_)),
+      state_(std::move(state)),
+      contact_forces_(bodies_, unnoticed_ways(scene_, bodies_)) {
+    prepare();
+    contact_forces_.renew(state_.contacts);
+}
+
+void Simulation::prepare() {
     margin_ = margin_in_edges * shortest_edge(bodies_);
-    hold_blocks();
-    contact_force_.resize(bodies_.size());
     load_.resize(bodies_.size());
+    double stiffest = 0;
+    for (const JointMaterial& joint : scene_.material) {
+        stiffest = std::max(stiffest, joint.normal_stiffness);
+    }
+    // Of a spring that swings with the force that counts as balance.
+    const double gravity = scene_.gravity.acceleration > 0 ? scene_.gravity.acceleration : 1;
+    for (const double mass : bodies_.mass) {
+        calm_speed_.push_back(rest_ratio() * gravity * std::sqrt(mass / stiffest));
+    }
+    hold_blocks();
 }
 
 void Simulation::begin() {
-    margin_ = margin_in_edges * shortest_edge(bodies_);
-    hold_blocks();
-    contact_force_.resize(bodies_.size());
-    load_.resize(bodies_.size());
     if (settings_.start == RelaxationStart::preloaded) {
         // Blocks that only jam once they have leaned a little move farther here than between two searches of the run.
         const double reach = 10 * margin_;
@@ -61,7 +99,7 @@ void Simulation::begin() {
                                         {reach, settings_.viscous_damping}, state_.contacts);
         apply_loads();
         std::vector<Eigen::Vector3d> loads;
-        for (const Force& load : load_) {
+        for (const BlockForce& load : load_) {
             loads.emplace_back(load.x, load.y, load.moment);
         }
         const PreloadSettings limits{settings_.equilibrium_ratio / 10, reach / 2};
@@ -120,12 +158,14 @@ void Simulation::find_contacts_where_due() {
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
         const RelaxationContact& contact = state_.contacts.contact[index];
         const ContactMemory& memory = state_.contacts.memory[index];
-        state_.ledger.friction += memory.friction + memory.strength;
+        state_.ledger.friction += memory.friction;
         state_.ledger.dashpots += memory.damping;
         add_base_slip(bodies_, state_.motion, contact, memory, state_.base_slip);
     }
     state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
                                     {margin_, settings_.viscous_damping}, state_.contacts);
+    contact_forces_.renew(state_.contacts);
+    state_.seen.assign(bodies_.size(), never_seen());
     state_.travelled = 0;
     ++state_.searches;
     const double stable = stable_step(bodies_, state_.motion, state_.contacts);
@@ -142,24 +182,7 @@ void Simulation::find_contacts_where_due() {
 }
 
 void Simulation::apply_contact_forces() {
-    std::fill(contact_force_.begin(), contact_force_.end(), Force{});
-    const std::vector<RelaxationContact>& contacts = state_.contacts.contact;
-    std::vector<ContactMemory>& memories = state_.contacts.memory;
-    for (std::size_t index = 0; index < contacts.size(); ++index) {
-        const RelaxationContact& contact = contacts[index];
-        const ContactForce force =
-            advance_contact(contact, memories[index], contact.twin == no_twin ? nullptr : &memories[contact.twin],
-                            state_.motion[contact.block], state_.motion[contact.other], state_.last_step);
-        Force& own = contact_force_[contact.block];
-        own.x += force.x;
-        own.y += force.y;
-        own.moment += force.moment;
-        Force& other = contact_force_[contact.other];
-        other.x -= force.x;
-        other.y -= force.y;
-        other.moment += force.other_moment;
-    }
-    state_.contacts_evaluated += contacts.size();
+    state_.contacts_evaluated += contact_forces_.apply(state_.motion, state_.last_step, state_.seen, state_.contacts);
 }
 
 void Simulation::apply_loads() {
@@ -195,20 +218,27 @@ void Simulation::integrate() {
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
         Motion& motion = state_.motion[block];
         if (held_[block] != 0) {
-            const Force& force = contact_force_[block];
+            const BlockForce& force = contact_forces_.on_blocks()[block];
             // What the others do to a moved block, it does to them.
             state_.ledger.prescribed -=
                 (force.x * motion.vx + force.y * motion.vy + force.moment * motion.spin) * state_.step;
         } else {
-            const Force& load = load_[block];
-            Force net = contact_force_[block];
+            const BlockForce& load = load_[block];
+            BlockForce net = contact_forces_.on_blocks()[block];
             net.x += load.x;
             net.y += load.y;
             net.moment += load.moment;
             const double force = std::sqrt(net.x * net.x + net.y * net.y);
-            unbalanced = std::max(unbalanced,
-                                  (force + std::abs(net.moment) / bodies_.radius[block]) * bodies_.inverse_mass[block]);
-            Force brake;
+            const double out_of_balance =
+                (force + std::abs(net.moment) / bodies_.radius[block]) * bodies_.inverse_mass[block] / gravity;
+            unbalanced = std::max(unbalanced, out_of_balance);
+            if (rests(state_.calm[block])) {
+                if (out_of_balance <= 4 * rest_ratio()) {
+                    continue;
+                }
+                state_.calm[block] = 0;
+            }
+            BlockForce brake;
             if (settings_.local_damping > 0) {
                 const double speed = std::sqrt(motion.vx * motion.vx + motion.vy * motion.vy);
                 const double share = speed > 0 ? settings_.local_damping * force / speed : 0;
@@ -229,6 +259,10 @@ void Simulation::integrate() {
             motion.vx = vx;
             motion.vy = vy;
             motion.spin = spin;
+            if (out_of_balance > rest_ratio() ||
+                std::abs(vx) + std::abs(vy) + std::abs(spin) * bodies_.radius[block] > calm_speed_[block]) {
+                state_.calm[block] = 0;
+            }
         }
         motion.x += motion.vx * state_.step;
         motion.y += motion.vy * state_.step;
@@ -240,7 +274,7 @@ void Simulation::integrate() {
     }
     state_.ledger.applied += applied;
     state_.ledger.local_damping += damped;
-    state_.unbalanced = std::max(state_.unbalanced, unbalanced / gravity);
+    state_.unbalanced = std::max(state_.unbalanced, unbalanced);
     state_.travelled += fastest * state_.step;
     state_.time += state_.step;
     state_.last_step = state_.step;
@@ -287,7 +321,7 @@ EnergyLedger Simulation::ledger() const {
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
         const RelaxationContact& contact = state_.contacts.contact[index];
         const ContactMemory& memory = state_.contacts.memory[index];
-        ledger.friction += memory.friction + memory.strength;
+        ledger.friction += memory.friction;
         ledger.dashpots += memory.damping;
         ledger.elastic += elastic_energy(contact, memory, state_.motion[contact.block], state_.motion[contact.other]);
     }
@@ -298,6 +332,7 @@ void Simulation::look() {
     if (state_.steps % steps_between_looks != 0 || outcome() != RelaxationOutcome::undecided) {
         return;
     }
+    let_calm_blocks_rest();
     const double kinetic = kinetic_energy();
     const bool growing = kinetic > state_.kinetic_then;
     state_.kinetic_then = kinetic;
@@ -320,6 +355,23 @@ void Simulation::look() {
     } else if (settings_.stop_at_equilibrium && !growing && unbalanced < settings_.equilibrium_ratio &&
                state_.time >= last_scheduled_time(scene_, settings_)) {
         decide(RelaxationOutcome::equilibrium);
+    }
+}
+
+void Simulation::let_calm_blocks_rest() {
+    if (state_.time < last_scheduled_time(scene_, settings_)) {
+        std::fill(state_.calm.begin(), state_.calm.end(), std::uint32_t{0});
+        return;
+    }
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        if (held_[block] != 0 || rests(state_.calm[block]) || !rests(++state_.calm[block])) {
+            continue;
+        }
+        Motion& motion = state_.motion[block];
+        state_.ledger.kinetic_damping += (bodies_.mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy) +
+                                          bodies_.inertia[block] * motion.spin * motion.spin) /
+                                         2;
+        motion.vx = motion.vy = motion.spin = 0;
     }
 }
 

@@ -38,13 +38,14 @@ class Simulation {
     RelaxationResult result() const;
 
   private:
-    struct Force {
-        double x = 0;
-        double y = 0;
-        double moment = 0;
-    };
+    // A block that has been calm for some looks is at rest until the forces on it are out of balance by this share of
+    // its weight, far below the ratio that counts as equilibrium: it is not moved, and costs next to nothing.
+    double rest_ratio() const { return 1e-3 * settings_.equilibrium_ratio; }
+    static bool rests(std::uint32_t calm) { return calm >= looks_before_rest; }
+    static constexpr std::uint32_t looks_before_rest = 4;
 
     bool out_of_time() const { return state_.time >= settings_.duration || state_.steps >= settings_.most_steps; }
+    void prepare();
     void begin();
     void hold_blocks();
     void follow_schedules();
@@ -53,6 +54,7 @@ class Simulation {
     void apply_loads();
     void integrate();
     void look();
+    void let_calm_blocks_rest();
     void take_velocities_away_at_peaks();
 
     RelaxationScene scene_;
@@ -60,9 +62,10 @@ class Simulation {
     Bodies bodies_;
     RelaxationState state_ = {};
     double margin_ = 0;
-    std::vector<Force> contact_force_ = {};  // of the step
-    std::vector<Force> load_ = {};           // of the step
-    std::vector<char> held_ = {};            // fixed now: fixed blocks, and those held for consolidation
+    ContactForces contact_forces_;
+    std::vector<BlockForce> load_ = {};    // of the step
+    std::vector<double> calm_speed_ = {};  // m/s, below which a block may be calm
+    std::vector<char> held_ = {};          // fixed now: fixed blocks, and those held for consolidation
 };
 
 // Runs to the end. `watch` is called before each step and may end the run by returning false.

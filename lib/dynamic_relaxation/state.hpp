@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamic_relaxation/bodies.hpp"
+#include "dynamic_relaxation/contact_forces.hpp"
 #include "dynamic_relaxation/contacts.hpp"
 
 #include <cstdint>
@@ -36,7 +37,9 @@ struct RelaxationState {
     std::uint64_t contacts_evaluated = 0;
     double travelled = 0;  // m, bound on any point's way since the last search
     std::vector<Motion> motion = {};
-    std::vector<Motion> origin = {};  // at the start, after preloading
+    std::vector<Motion> origin = {};      // at the start, after preloading
+    std::vector<SeenPose> seen = {};      // where contacts were last evaluated for
+    std::vector<std::uint32_t> calm = {};  // looks in a row without anything to move a block; see Simulation::rests
     std::vector<char> removed = {};
     std::vector<double> base_slip = {};  // m, of each block over fixed ones; negative towards -x
     ContactList contacts = {};

@@ -32,7 +32,8 @@ constexpr auto regular_columns_fields() {
                              "height above the toe at which that line ends; absent: it goes on to the ground")};
 }
 
-// Columns cut by the true ground: everything is a continuous function of slope height and spacing.
+// Columns cut by the true ground: everything is a continuous function of slope height and spacing, but for loads that
+// name a column by its number.
 template <class T = double>
 struct ContinuousColumns {
     T joint_dip;

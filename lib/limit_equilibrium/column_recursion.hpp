@@ -16,7 +16,9 @@
 //
 // Where c m >= 1 (friction angles adding to 90 deg) pushing the column up no longer unloads it: the friction of the
 // push takes more off the base than the push itself. A column that its own base holds (D - c N - C + P_n (1 - c m) <=
-// 0) needs no push; one that its base does not hold is held by none, and the force becomes infinite.
+// 0) needs no push; one that its base does not hold is held by none, and the force becomes infinite. There a column
+// passes from needing nothing to being held by nothing, and the slope from standing to failing, without a strength at
+// which the toe column is in limiting equilibrium; so does a column that topples without a neighbour to lean on.
 #pragma once
 
 #include "limit_equilibrium/column.hpp"
@@ -106,7 +108,8 @@ T toe_lever(const Column<T>& toe) {
     return toe.height > 0 ? toe.height : toe.width;
 }
 
-// Positive where the toe column moves, zero in limiting equilibrium, N/m. Continuous in all inputs.
+// Positive where the toe column moves, N/m. Continuous in all inputs while every column can be held, and then zero in
+// limiting equilibrium; it jumps from a negative number to infinity where one no longer can.
 template <class T>
 T failure_margin(const ColumnSlope<T>& slope, const ToeBalance<T>& toe) {
     const T toppling = toe.overturning_moment / toe_lever(slope.columns.front());

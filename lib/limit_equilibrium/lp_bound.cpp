@@ -102,13 +102,13 @@ class Programme {
     int iterations() const { return glp_get_it_cnt(problem_.get()); }
     double factor() const { return glp_get_col_prim(problem_.get(), 1); }
 
-    std::vector<ContactForce> forces() const {
-        std::vector<ContactForce> forces;
+    std::vector<BoundContactForce> forces() const {
+        std::vector<BoundContactForce> forces;
         int column = 2;
         const auto next = [&] { return scales_.force * glp_get_col_prim(problem_.get(), column++); };
         for (const Contact& contact : assembly_.contacts) {
             const double friction = friction_of(contact, strength_);
-            ContactForce force{};
+            BoundContactForce force{};
             for (EndForce* end : {&force.at_start, &force.at_end}) {
                 const double forward = next();
                 const double backward = next();
@@ -278,7 +278,7 @@ LpBound solve(const Assembly& assembly, const Scales& scales, const Sought& soug
     detail::set_static_residuals(assembly, scales, sought, strength, bound);
     detail::set_mechanism_residuals(assembly, sought, strength, bound);
     double largest_normal = 0;
-    for (const ContactForce& force : bound.forces) {
+    for (const BoundContactForce& force : bound.forces) {
         largest_normal = std::max(largest_normal, force.normal() / scales.force);
     }
     // A face that the mechanism closes by mistake does work with the force on it, by which the values differ.
@@ -354,7 +354,7 @@ constexpr double largest_strength = 1024;
 // least not above. Both move away from each other as strength grows, so that the smaller of the largest k and minus
 // the least crosses 0 once. It is a piecewise smooth function, whose root is found between a strength with which
 // the assembly stands and one with which it does not.
-LpBound least_strength_factor(const Assembly& assembly) {
+LpBound least_strength_factor(const Assembly& assembly, const std::atomic<bool>* stop) {
     if (const AssemblyCheck check = check_assembly(assembly); check != AssemblyCheck::valid) {
         return refused(check);
     }
@@ -363,6 +363,7 @@ LpBound least_strength_factor(const Assembly& assembly) {
     const std::vector<BodyLoad> push = horizontal_weights(assembly);
     int iterations = 0;
     bool failed = false;
+    bool stopped = false;
     struct Trial {
         double strength = 0;
         double margin = -infinity;
@@ -373,6 +374,11 @@ LpBound least_strength_factor(const Assembly& assembly) {
         trial.strength = strength;
         trial.margin = infinity;
         for (const Sense sense : {Sense::largest, Sense::least}) {
+            stopped = stopped || (stop != nullptr && *stop);
+            if (stopped) {
+                failed = true;
+                break;
+            }
             LpBound bound = solve(assembly, scales, {push, sense}, strength);
             iterations += bound.iterations;
             const LpStatus status = bound.status;
@@ -393,11 +399,16 @@ LpBound least_strength_factor(const Assembly& assembly) {
     };
     const auto finish = [&](Trial trial) {
         LpBound bound = std::move(trial.state);
-        if (trial.margin > 1e-9) {
+        if (trial.margin > 1e-9 && !stopped) {
             // Not the margin decides but that friction is 0, or that below it no horizontal force would help: the
             // forces are those without any.
             bound = solve(assembly, scales, {push, Sense::largest, 0, 0}, trial.strength);
             failed = failed || bound.status != LpStatus::optimal;
+        }
+        if (stopped) {
+            bound = {};
+            bound.status = LpStatus::interrupted;
+            return bound;
         }
         bound.status = failed ? LpStatus::not_converged : LpStatus::optimal;
         bound.value = trial.strength;
@@ -415,7 +426,7 @@ LpBound least_strength_factor(const Assembly& assembly) {
     }
     if (high.margin < 0) {
         LpBound bound;
-        bound.status = failed ? LpStatus::not_converged : LpStatus::infeasible;
+        bound.status = stopped ? LpStatus::interrupted : failed ? LpStatus::not_converged : LpStatus::infeasible;
         bound.iterations = iterations;
         return bound;
     }

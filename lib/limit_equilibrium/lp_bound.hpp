@@ -23,6 +23,8 @@
 
 #include "limit_equilibrium/assembly.hpp"
 
+#include <atomic>
+
 namespace delabole {
 
 enum class LpStatus {
@@ -31,10 +33,11 @@ enum class LpStatus {
     infeasible,        // cannot stand whatever the load
     not_converged,     // the solver gave up, or its answer failed the check in `residuals`
     invalid_assembly,  // `check` says why
+    interrupted,       // asked to stop
 };
 
-constexpr std::array<std::string_view, 5> enum_names(LpStatus) {
-    return {"optimal", "unbounded", "infeasible", "not_converged", "invalid_assembly"};
+constexpr std::array<std::string_view, 6> enum_names(LpStatus) {
+    return {"optimal", "unbounded", "infeasible", "not_converged", "invalid_assembly", "interrupted"};
 }
 
 struct EndForce {
@@ -42,7 +45,7 @@ struct EndForce {
     double shear;   // on `body`, along the way from start to end, N/m
 };
 
-struct ContactForce {
+struct BoundContactForce {
     EndForce at_start;
     EndForce at_end;
     double position;  // of the resultant, from the start, m; the middle where there is no normal force
@@ -69,9 +72,9 @@ struct LpResiduals {
 struct LpBound {
     LpStatus status = LpStatus::not_converged;
     AssemblyCheck check = AssemblyCheck::valid;
-    double value = 0;                        // meaning with each function; 0 unless optimal
-    std::vector<ContactForce> forces{};      // of every contact; empty unless optimal
-    std::vector<VirtualMotion> mechanism{};  // of every body; empty unless optimal, and where none limits the value
+    double value = 0;                         // meaning with each function; 0 unless optimal
+    std::vector<BoundContactForce> forces{};  // of every contact; empty unless optimal
+    std::vector<VirtualMotion> mechanism{};   // of every body; empty unless optimal, and where none limits the value
     LpResiduals residuals{};
     int iterations = 0;  // of the simplex method, all programmes together
 };
@@ -91,7 +94,8 @@ LpBound least_support_force(const Assembly& assembly, std::size_t body, const Po
 // Smallest factor on the tangents of all friction angles and on all cohesions for which the assembly stands; its
 // inverse is a factor of safety, right or too high. 0: stands without friction. Infeasible: a factor of 1024 is not
 // enough. No tangent is raised beyond 1e4. Relative accuracy 1e-10. The mechanism is the one that a horizontal force
-// would set off at that strength, and `mechanism_value` the coefficient of that force, about 0.
-LpBound least_strength_factor(const Assembly& assembly);
+// would set off at that strength, and `mechanism_value` the coefficient of that force, about 0. The flag is looked at
+// before each of its 10 to 60 programmes.
+LpBound least_strength_factor(const Assembly& assembly, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace delabole

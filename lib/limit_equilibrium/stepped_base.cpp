@@ -95,11 +95,25 @@ Limit solve(Margin margin, double weakening) {
         return {stands ? LimitState::holds_at_any_strength : LimitState::fails_at_any_strength, 0, evaluations};
     }
     const double logarithm = edge_in(counted, bracket);
-    return {LimitState::found, std::exp(logarithm), evaluations};
+    return {LimitState::found, std::exp(logarithm), evaluations};  // or abrupt, which the caller tells
 }
 
 double margin_at(const ColumnSlope<>& slope, const ColumnStrength<>& strength, double factor) {
     return failure_margin(slope, toe_balance(slope, strength.reduced_by(factor), head_force(slope, strength, factor)));
+}
+
+// Whether the toe column just balances, or stands with something to spare. The forces on it are known to some 1e-12 of
+// themselves; random slopes have either much less to spare or, past the pole, much more.
+LimitState state_at(const ColumnSlope<>& slope, const ColumnStrength<>& strength, const JointForce<>& head) {
+    constexpr double share = 1e-6;
+    double thrust = head.normal;
+    const ToeBalance<> toe = descend(
+        slope, strength, head,
+        [&](std::size_t, const Column<>&, const JointForce<>&, double, double, double lower) { thrust = lower; });
+    const Column<>& first = slope.columns.front();
+    const double forces = thrust + std::abs(first.down_dip_force) + std::abs(first.normal_force) +
+                          std::abs(first.overturning_moment) / toe_lever(first) + strength.base_cohesion * first.width;
+    return std::abs(failure_margin(slope, toe)) <= share * forces ? LimitState::found : LimitState::abrupt;
 }
 
 Point in_section(double base_dip, double u, double v) {
@@ -158,25 +172,34 @@ Limit factor_of_safety(const ColumnSlope<>& slope, const ColumnStrength<>& stren
     Limit limit = solve([&](double logarithm) { return margin_at(slope, strength, std::exp(logarithm)); }, 1);
     if (limit.state == LimitState::holds_at_any_strength) {
         limit.value = infinity;
+    } else if (limit.state == LimitState::found) {
+        limit.state = state_at(slope, strength.reduced_by(limit.value), head_force(slope, strength, limit.value));
     }
     return limit;
 }
 
 Limit limiting_friction_angle(const ColumnSlope<>& slope, double base_cohesion) {
     ColumnSlope<> varied{slope.check, slope.base_dip, {}, slope.slide_head};
+    const auto head_at = [&](double friction) {
+        if (!varied.slide_head) {
+            return JointForce<>{0, 0, 0};
+        }
+        varied.slide_head->friction_angle = std::atan(friction);
+        return head_force(varied, {friction, friction, base_cohesion}, 1);
+    };
     const auto margin = [&](double logarithm) {
         const double friction = std::exp(logarithm);
-        JointForce<> head{0, 0, 0};
-        if (varied.slide_head) {
-            varied.slide_head->friction_angle = std::atan(friction);
-            head = head_force(varied, {friction, friction, base_cohesion}, 1);
-        }
-        return failure_margin(slope, toe_balance(slope, ColumnStrength<>{friction, friction, base_cohesion}, head));
+        const ColumnStrength<> strength{friction, friction, base_cohesion};
+        return failure_margin(slope, toe_balance(slope, strength, head_at(friction)));
     };
     Limit limit = solve(margin, -1);
-    limit.value = limit.state == LimitState::found                   ? std::atan(limit.value)
-                  : limit.state == LimitState::fails_at_any_strength ? degrees(90)
-                                                                     : 0;
+    if (limit.state == LimitState::found) {
+        const double friction = limit.value;
+        limit.state = state_at(slope, {friction, friction, base_cohesion}, head_at(friction));
+        limit.value = std::atan(friction);
+    } else {
+        limit.value = limit.state == LimitState::fails_at_any_strength ? degrees(90) : 0;
+    }
     return limit;
 }
 
@@ -193,17 +216,15 @@ double toe_force(const ColumnSlope<>& slope, const ColumnStrength<>& strength, d
 }
 
 CableForce required_cable(const SteppedBase<>& problem, const RequiredCable<>& cable) {
-    ColumnSlope<> slope = make_columns(problem.scene);
-    const double count = static_cast<double>(slope.columns.size());
-    if (slope.check != ColumnCheck::valid || !(cable.block >= 1 && cable.block <= count) ||
-        cable.block != std::floor(cable.block)) {
+    // Its head has to find the same place as that of a bolt.
+    ColumnScene<> bolted = problem.scene;
+    bolted.bolt.push_back({cable.block, 0, cable.plunge, cable.height});
+    ColumnSlope<> slope = make_columns(bolted);
+    if (slope.check != ColumnCheck::valid) {
         return {CableState::no_such_place, 0};
     }
     const auto index = static_cast<std::size_t>(cable.block) - 1;
     const Column<> column = slope.columns[index];
-    if (!(cable.height >= 0 && cable.height <= std::max({column.height, column.upper_contact, column.lower_contact}))) {
-        return {CableState::no_such_place, 0};
-    }
     const ColumnStrength<> strength = strength_of(problem);
     const double factor = cable.factor_of_safety;
     if (index == 0) {
@@ -311,7 +332,9 @@ SteppedBaseResult analyse(const SteppedBase<>& problem) {
     const Limit limit = factor_of_safety(slope, strength);
     result.limit = limit.state;
     result.factor_of_safety = limit.value;
-    result.limiting_friction_angle = limiting_friction_angle(slope, strength.base_cohesion).value;
+    const Limit friction = limiting_friction_angle(slope, strength.base_cohesion);
+    result.friction_limit = friction.state;
+    result.limiting_friction_angle = friction.value;
     result.toe_force = toe_force(slope, strength);
     result.column_count = static_cast<double>(slope.columns.size());
     const std::vector<ColumnResult> columns =
@@ -321,10 +344,10 @@ SteppedBaseResult analyse(const SteppedBase<>& problem) {
         result.toppling_count += columns[index].mode == ColumnMode::topples ? 1 : 0;
         result.sliding_count += columns[index].mode == ColumnMode::slides ? 1 : 0;
         result.inadmissible_count += columns[index].base_friction_holds && columns[index].reaction_inside_base ? 0 : 1;
-        result.moving_count =
-            columns[index].mode != ColumnMode::stays ? static_cast<double>(index + 1) : result.moving_count;
+        result.uppermost_moving =
+            columns[index].mode != ColumnMode::stays ? static_cast<double>(index + 1) : result.uppermost_moving;
     }
-    const Point crack = corner_above(slope, static_cast<std::size_t>(std::max(1.0, result.moving_count)) - 1);
+    const Point crack = corner_above(slope, static_cast<std::size_t>(std::max(1.0, result.uppermost_moving)) - 1);
     result.crack_base_distance = crack.x();
     result.crack_base_height = crack.y();
     const Point end = corner_above(slope, slope.columns.size() - 1);

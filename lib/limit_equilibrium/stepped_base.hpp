@@ -49,14 +49,18 @@ struct SteppedBase {
     }
 };
 
-// Whether a strength exists at which the toe column just begins to move.
-enum class LimitState { found, holds_at_any_strength, fails_at_any_strength };
+// Whether a strength exists at which the toe column just begins to move. `abrupt`: the slope stands down to a strength
+// and fails below it, but with something to spare at the toe, not in limiting equilibrium: the tangents of the friction
+// angles of joints and bases multiply to nearly 1 or more, and a column above begins to slide that no push can hold; or
+// a column topples that has no neighbour to lean on.
+enum class LimitState { found, holds_at_any_strength, fails_at_any_strength, abrupt };
 
-constexpr std::array<std::string_view, 3> enum_names(LimitState) {
-    return {"found", "holds_at_any_strength", "fails_at_any_strength"};
+constexpr std::array<std::string_view, 4> enum_names(LimitState) {
+    return {"found", "holds_at_any_strength", "fails_at_any_strength", "abrupt"};
 }
 
-// `value` is 0 where the slope fails at any strength and infinite where it holds at any.
+// `value` is 0 where the slope fails at any strength and infinite where it holds at any; where the end is abrupt, the
+// last strength at which it stands.
 struct Limit {
     LimitState state = LimitState::fails_at_any_strength;
     double value = 0;
@@ -75,7 +79,9 @@ JointForce<> head_force(const ColumnSlope<>& slope, const ColumnStrength<>& stre
 // Strength divided, the margin changes sign once, except near where the tangents of the joints' and the bases' friction
 // at the limit have a product of 1: the forces have a pole there, a slope may stand and fail several times within a few
 // per cent of strength, and the search may pass a sliver. Measured: 4 in 1000 random wet slopes, none with a product
-// under 0.7 at the limit.
+// under 0.7 at the limit. The limit is `abrupt` where the toe column at it has more to spare than a millionth of the
+// forces on it, which is also so where the force falls from many weights to nothing within the rounding of the
+// strength.
 Limit factor_of_safety(const ColumnSlope<>& slope, const ColumnStrength<>& strength);
 
 // The one friction angle (rad) of joints, bases and wedge for limiting equilibrium, cohesion as given; the thesis's "mu
@@ -144,28 +150,32 @@ struct SteppedBaseResult {
     ColumnCheck check = ColumnCheck::no_columns;
     LimitState limit = LimitState::fails_at_any_strength;
     double factor_of_safety = 0;
+    LimitState friction_limit = LimitState::fails_at_any_strength;
     double limiting_friction_angle = 0;
     double toe_force = 0;
     double weight = 0;
     double column_count = 0;
     double toppling_count = 0;
     double sliding_count = 0;
-    double moving_count = 0;
+    double uppermost_moving = 0;
     double inadmissible_count = 0;
     double crack_base_distance = 0;
     double crack_base_height = 0;
     double base_inclination = 0;
     double base_end_height = 0;
-    SlideHeadState slide_head = SlideHeadState::stands;
+    SlideHeadState slide_head = SlideHeadState::stands;  // as the numbers below, of no meaning without a wedge
     double slide_head_thrust = 0;
     double slide_head_factor_of_safety = 0;
 
     static constexpr auto fields() {
         using Result = SteppedBaseResult;
         return std::tuple{
-            section("limit", &Result::limit, "whether limiting equilibrium exists at any strength"),
+            section("limit", &Result::limit,
+                    "whether limiting equilibrium exists at any strength; abrupt: the slope stands down to the factor "
+                    "of safety and fails past it, but nothing is in equilibrium there"),
             number("factor_of_safety", &Result::factor_of_safety, Dimension::ratio, any_number(),
                    "factor on all friction and cohesion for limiting equilibrium"),
+            section("friction_limit", &Result::friction_limit, "the same for one friction angle of joints and bases"),
             number("limiting_friction_angle", &Result::limiting_friction_angle, Dimension::angle, any_number(),
                    "friction angle of joints and bases for limiting equilibrium"),
             number("toe_force", &Result::toe_force, Dimension::force_per_length, any_number(),
@@ -176,7 +186,7 @@ struct SteppedBaseResult {
                    "columns that topple in limiting equilibrium"),
             number("sliding_count", &Result::sliding_count, Dimension::ratio, any_number(),
                    "columns that slide in limiting equilibrium"),
-            number("moving_count", &Result::moving_count, Dimension::ratio, any_number(),
+            number("uppermost_moving", &Result::uppermost_moving, Dimension::ratio, any_number(),
                    "number of the uppermost column that moves in limiting equilibrium, counted from the toe"),
             number("inadmissible_count", &Result::inadmissible_count, Dimension::ratio, any_number(),
                    "columns whose base cannot give the reaction that limiting equilibrium asks of it: tension, "

@@ -12,7 +12,8 @@ BlockFriction friction_of(const SteppedBase<>& problem) {
     return {problem.bases.friction_angle, problem.joints.friction_angle};
 }
 
-BoundState bound_of(Assembly assembly, double base_cohesion, std::size_t bodies_on_bases) {
+BoundState bound_of(Assembly assembly, double base_cohesion, std::size_t bodies_on_bases,
+                    const std::atomic<bool>* stop) {
     BoundState state;
     for (Contact& contact : assembly.contacts) {
         if (!contact.other && contact.body < bodies_on_bases) {
@@ -20,7 +21,7 @@ BoundState bound_of(Assembly assembly, double base_cohesion, std::size_t bodies_
         }
     }
     state.assembly = std::move(assembly);
-    state.programme = least_strength_factor(state.assembly);
+    state.programme = least_strength_factor(state.assembly, stop);
     const LpBound& bound = state.programme;
     state.result.status = bound.status;
     state.result.check = bound.check;
@@ -47,15 +48,17 @@ bool can_bound(const ColumnSlope<>& slope, const CrossJoints& cross_joints) {
     return blocks <= most_bound_blocks;
 }
 
-BoundState bound_of_columns(const ColumnSlope<>& slope, const SteppedBase<>& problem, double upper_part) {
+BoundState bound_of_columns(const ColumnSlope<>& slope, const SteppedBase<>& problem, double upper_part,
+                            const std::atomic<bool>* stop) {
     return bound_of(assemble_columns(slope, friction_of(problem), upper_part), problem.bases.cohesion,
-                    slope.columns.size());
+                    slope.columns.size(), stop);
 }
 
-BoundState bound_of_blocks(const ColumnSlope<>& slope, const SteppedBase<>& problem, const CrossJoints& cross_joints) {
+BoundState bound_of_blocks(const ColumnSlope<>& slope, const SteppedBase<>& problem, const CrossJoints& cross_joints,
+                           const std::atomic<bool>* stop) {
     Assembly assembly = assemble_blocks(slope, cross_joints, friction_of(problem));
     const std::size_t bodies = assembly.bodies.size();
-    return bound_of(std::move(assembly), problem.bases.cohesion, bodies);
+    return bound_of(std::move(assembly), problem.bases.cohesion, bodies, stop);
 }
 
 }  // namespace delabole

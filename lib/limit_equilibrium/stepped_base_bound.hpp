@@ -6,6 +6,7 @@
 #include "limit_equilibrium/lp_bound.hpp"
 #include "limit_equilibrium/stepped_base.hpp"
 
+#include <atomic>
 #include <optional>
 #include <tuple>
 
@@ -64,9 +65,11 @@ bool can_bound(const ColumnSlope<>& slope);
 bool can_bound(const ColumnSlope<>& slope, const CrossJoints& cross_joints);
 
 // Cohesion of the bases is counted over their whole width, where the recursion counts it for columns that slide only.
-BoundState bound_of_columns(const ColumnSlope<>& slope, const SteppedBase<>& problem, double upper_part);
+BoundState bound_of_columns(const ColumnSlope<>& slope, const SteppedBase<>& problem, double upper_part,
+                            const std::atomic<bool>* stop = nullptr);
 
 // Loads other than weight, and columns that are not rectangles: invalid_assembly, loads_beyond_weight.
-BoundState bound_of_blocks(const ColumnSlope<>& slope, const SteppedBase<>& problem, const CrossJoints& cross_joints);
+BoundState bound_of_blocks(const ColumnSlope<>& slope, const SteppedBase<>& problem, const CrossJoints& cross_joints,
+                           const std::atomic<bool>* stop = nullptr);
 
 }  // namespace delabole

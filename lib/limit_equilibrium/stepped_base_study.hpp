@@ -48,8 +48,8 @@ Required required_value(const SteppedBase<>& problem, const std::string& paramet
 Polyline profile_after_failure(const SteppedBase<>& problem, const SteppedBaseResult& result);
 
 // Inputs: every number of the study's problem. Outputs: every number of SteppedBaseResult, and the elevation of the
-// crack's base where the slope has a datum. A slope that fails or holds at any strength is a failed prediction, under
-// the name of that state. Conditions and free parameters are applied before a critical search.
+// crack's base where the slope has a datum. A slope that fails or holds at any strength, or ends abruptly, is a failed
+// prediction, under the name of that state. Conditions and free parameters are applied before a critical search.
 ModelInterface model_interface(const SteppedBaseStudy<>& study);
 
 }  // namespace delabole

@@ -6,6 +6,7 @@
 #include "parameters/fields.hpp"
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -13,10 +14,10 @@
 
 namespace delabole {
 
-enum class RequiredStatus { found, several, never_reached, unknown_parameter };
+enum class RequiredStatus { found, several, never_reached, always_exceeded, unknown_parameter };
 
-constexpr std::array<std::string_view, 4> enum_names(RequiredStatus) {
-    return {"found", "several", "never_reached", "unknown_parameter"};
+constexpr std::array<std::string_view, 5> enum_names(RequiredStatus) {
+    return {"found", "several", "never_reached", "always_exceeded", "unknown_parameter"};
 }
 
 struct Required {
@@ -35,7 +36,7 @@ std::vector<double> search_points(const Interval& range, double present);
 
 // Searches the range of the input's field. `factor_of_safety(problem)` gives NaN where the problem has no answer (water
 // above the crack, ...): such values are left out. Accuracy: full double precision of the root, if the function is
-// monotonic between neighbouring search points.
+// monotonic between neighbouring search points. Where the factor jumps over the target it does not reach it.
 template <Described Problem, class FactorOfSafety>
 Required find_required_value(const Problem& problem, const std::string& parameter, double target,
                              const FactorOfSafety& factor_of_safety) {
@@ -60,7 +61,9 @@ Required find_required_value(const Problem& problem, const std::string& paramete
         return factor_of_safety(varied) - target;
     };
     const ScalarRoot root = find_root(excess, search_points(field.range, present));
-    const RequiredStatus status = !root.position           ? RequiredStatus::never_reached
+    const bool exceeded = root.lowest > 0 && std::isfinite(root.lowest);
+    const RequiredStatus status = !root.position
+                                      ? (exceeded ? RequiredStatus::always_exceeded : RequiredStatus::never_reached)
                                   : root.sign_changes == 1 ? RequiredStatus::found
                                                            : RequiredStatus::several;
     return {status, root.position.value_or(0.0), field.dimension, root.lowest + target, root.highest + target};

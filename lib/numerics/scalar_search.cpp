@@ -64,6 +64,14 @@ std::optional<double> refine_root(const Function& function, double lower, double
     return guard.finite ? std::optional(gsl_root_fsolver_root(solver.get())) : std::nullopt;
 }
 
+// No at a jump, where the function keeps the order of the values beside it up to the last digit. A steep function is
+// known at its root to the rounding of the argument, some 1e-16 of the argument's distance from zero.
+bool passes_through_zero(const Function& value, double root, double left_value, double right_value) {
+    const double left = std::abs(left_value);
+    const double right = std::abs(right_value);
+    return std::abs(value(root)) <= std::max(1e-3 * std::min(left, right), 1e-9 * std::max(left, right));
+}
+
 // Last point, going from `lower_value` at `from` towards `to`, before values rise again: the foot of a jump.
 double foot_of_jump(const Function& value, double from, double lower_value, double to) {
     for (int halving = 0; halving < 60; ++halving) {
@@ -181,7 +189,10 @@ ScalarRoot find_root(const Function& function, const std::vector<double>& candid
         result.lowest = std::min(result.lowest, value);
         result.highest = std::max(result.highest, value);
         if (value == 0 || (have_last && (value > 0) != (last_value > 0) && last_value != 0)) {
-            const std::optional<double> root = value == 0 ? x : refine_root(function, last, x);
+            std::optional<double> root = value == 0 ? x : refine_root(function, last, x);
+            if (root && !passes_through_zero(function, *root, last_value, value)) {
+                root.reset();
+            }
             result.sign_changes += root ? 1 : 0;
             if (!result.position) {
                 result.position = root;

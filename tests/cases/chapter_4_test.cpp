@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 namespace delabole {
 namespace {
@@ -26,10 +27,12 @@ class Chapter4 : public ::testing::Test {
         Options options;
         options.out = path_.string();
         options.quiet = true;
-        const ResultFolder folder(options, name);
+        const ResultFolder folder(options, name, OnInterrupt::stop);
         Report report;
         return item->reproduce(folder, report);
     }
+
+    const std::filesystem::path& path() const { return path_; }
 
   private:
     std::filesystem::path path_ =
@@ -47,6 +50,22 @@ TEST_F(Chapter4, BoundaryAtNine) {
     EXPECT_NEAR(std::min(low, high), 0.9614, 0.00005);
     EXPECT_NEAR(std::max(low, high), 0.9620, 0.00005);
     EXPECT_NEAR(json["weight_ratio_least_squares"].get<double>(), 0.9618, 0.00005);
+}
+
+// Three blocks have five modes, all but FBB and FFB with a pivot.
+TEST_F(Chapter4, DrawsWhichWayToesSlide) {
+    reproduce("fig4.9");
+    std::ifstream script(path() / "figures" / "fig_4_9_three.gp");
+    const std::string text{std::istreambuf_iterator<char>(script), {}};
+    for (const std::string_view words : {"F: toe slides forward", "B: toe slides backward", "P: toe does not slide"}) {
+        EXPECT_NE(text.find(words), std::string::npos) << words;
+    }
+}
+
+// The printed graph ends at 50 deg, the statement on it at 41.
+TEST_F(Chapter4, StatementsAreMetAsFarAsTheyAre) {
+    const Reproduction result = reproduce("fig4.6");
+    EXPECT_EQ(result.rows.front().remark, "statement met up to 41.2 deg");
 }
 
 // Given to three decimals.

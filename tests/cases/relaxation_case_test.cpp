@@ -176,8 +176,8 @@ TEST(RelaxationCase, AnswersWithOutcomeBooksAndBlocks) {
 }
 
 TEST(RelaxationCase, SaysWhenARunHadNoEnd) {
-    const std::string slow = std::string(changed(row_text, "\"10 deg\"", "\"35 deg\"")) +
-                             "[settings]\nduration = \"0.01 s\"\n";
+    const std::string slow =
+        std::string(changed(row_text, "\"10 deg\"", "\"35 deg\"")) + "[settings]\nduration = \"0.01 s\"\n";
     const Analysis undecided = analysis_of(slow);
     EXPECT_EQ(undecided.status, "undecided");
     EXPECT_EQ(undecided.unfinished,
@@ -187,8 +187,8 @@ TEST(RelaxationCase, SaysWhenARunHadNoEnd) {
 }
 
 TEST(RelaxationCase, ASearchThatFindsNothingSaysWhichBoundToMove) {
-    const Analysis low = analysis_of(std::string(row_text) +
-                                     "[critical]\nparameter = \"tilt\"\nlower = \"1 deg\"\nupper = \"5 deg\"\n");
+    const Analysis low =
+        analysis_of(std::string(row_text) + "[critical]\nparameter = \"tilt\"\nlower = \"1 deg\"\nupper = \"5 deg\"\n");
     EXPECT_EQ(word(low, "critical_tilt"), "stands_everywhere");
     EXPECT_EQ(low.unfinished, "the blocks stand even at 5 deg: raise critical.upper");
     const Analysis high = analysis_of(std::string(row_text) +

@@ -236,6 +236,12 @@ TEST(ScalarSearch, KinkJumpAndGap) {
     const auto hole = find_root([&](double x) { return x > 0.4 && x < 0.6 ? none : x - 0.5; }, {0, 1});
     EXPECT_FALSE(hole.position.has_value());
     EXPECT_EQ(hole.sign_changes, 0);
+    // A jump over zero is no root, a steep passage is one.
+    EXPECT_FALSE(find_root([](double x) { return x < 0.43 ? -1.0 : 2.0; }, {0, 1}).position.has_value());
+    EXPECT_FALSE(find_root([](double x) { return x < 0.43 ? -1e3 : x; }, {0, 1}).position.has_value());
+    const auto steep = find_root([](double x) { return std::tanh(1e8 * (x - 0.43)); }, {0, 1});
+    ASSERT_TRUE(steep.position.has_value());
+    EXPECT_NEAR(*steep.position, 0.43, 1e-15);
 }
 
 // --- Required values ---
@@ -280,7 +286,7 @@ TEST(RequiredValue, WaterDepth) {
     EXPECT_EQ(found.dimension, Dimension::length);
     // Down to 0.9 the crack does not hold enough water.
     const Required never = required_value(problem, "water.water_depth", 0.9);
-    EXPECT_EQ(never.status, RequiredStatus::never_reached);
+    EXPECT_EQ(never.status, RequiredStatus::always_exceeded);
     PlaneFailure<> full = problem;
     full.water = CrackAndBaseWater<>{9.81e3, FilledRatio<>{1}};
     EXPECT_NEAR(never.lowest_factor_of_safety, factor_of_safety(full).value, 1e-9);  // the edge is bisected

@@ -69,6 +69,14 @@ TEST(LpBound, TwoEqualBlocksFailInTheLeastStableOfThreeModes) {
     }
 }
 
+TEST(LpBound, StopsWhenAskedTo) {
+    const Assembly assembly = assemble_row({{2, 3, 3e4}, {2, 3, 3e4}}, {degrees(30), degrees(20)});
+    const std::atomic<bool> stop{true};
+    const LpBound bound = least_strength_factor(assembly, &stop);
+    EXPECT_EQ(bound.status, LpStatus::interrupted);
+    EXPECT_EQ(bound.iterations, 0);
+}
+
 // Forces of a row may be added to those of its continuation, with nothing between them.
 TEST(LpBound, MoreEqualBlocksAreNoWeaker) {
     for (const double ratio : {0.5, 3.0, 20.0}) {

@@ -181,7 +181,7 @@ TEST(SteppedBaseProperties, EndsOfTheRangesOfStrength) {
     const SteppedBase<> level = dry_blocks(degrees(90), {{1, 1, 0, std::nullopt}, {2, 1, 0, std::nullopt}}, 0.5);
     const SteppedBaseResult still = analyse(level);
     EXPECT_EQ(still.limit, LimitState::holds_at_any_strength);
-    EXPECT_EQ(still.moving_count, 0);
+    EXPECT_EQ(still.uppermost_moving, 0);
     // Columns of no height weigh nothing and move nothing.
     const SteppedBase<> flat = dry_blocks(degrees(60), {{0, 1, 0, std::nullopt}, {0, 1, 0, std::nullopt}}, 0.5);
     const SteppedBaseResult nothing = analyse(flat);

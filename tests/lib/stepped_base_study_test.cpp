@@ -71,7 +71,7 @@ TEST(SteppedBaseStudy, TheGroundLeftIsTheBaseAndTheJointOfTheWedge) {
     steep.model.scene.slide_head->friction_angle = degrees(10);  // the wedge pushes all the way down
     const SteppedBaseResult result = analyse(steep.model);
     ASSERT_EQ(result.limit, LimitState::found);
-    ASSERT_EQ(result.moving_count, result.column_count);
+    ASSERT_EQ(result.uppermost_moving, result.column_count);
     const Polyline profile = profile_after_failure(steep.model, result);
     ASSERT_GE(profile.size(), 3U);
     const auto inclination = [&](std::size_t from) {

@@ -207,6 +207,19 @@ TEST(BlockFigure, NumbersEveryBlockOfAFewInItsBlockAndOffTheArrows) {
     EXPECT_TRUE(inside(crossed.blocks[0].outline, first->at));
 }
 
+TEST(BlockFigure, LeavesOutTheNumberOfABlockWithoutRoomForIt) {
+    BlockDrawing drawing = two_squares();
+    drawing.blocks.push_back({.outline = square(4, 0, 0.01), .label = "3"});
+    const auto numbered = [](const Figure& figure, std::string_view text) {
+        return std::any_of(figure.labels.begin(), figure.labels.end(),
+                           [&](const Label& label) { return label.text == text; });
+    };
+    const Figure figure = block_figure(drawing);
+    EXPECT_TRUE(numbered(figure, "1"));
+    EXPECT_TRUE(numbered(figure, "2"));
+    EXPECT_FALSE(numbered(figure, "3"));
+}
+
 TEST(BlockFigure, ThinsOutNumbersThatWouldTouch) {
     const auto texts = [](int columns) {
         std::vector<std::string> result;

@@ -225,4 +225,29 @@ ModeChart mode_chart() {
                     {"base friction model, topples", {degrees(30), degrees(35)}}}};
 }
 
+BlockAnimation animation() {
+    constexpr int frames = 60;
+    BlockAnimation result{.blocks = {{{{0, 0}, {1, 0}, {1, 3}, {0, 3}}, "1"},
+                                     {{{1, 0}, {2, 0}, {2, 4}, {1, 4}}, "2"},
+                                     {{{-3, -1}, {5, -1}, {5, 0}, {-3, 0}}, "F", true}},
+                          .frames = {},
+                          .outcome = "collapse",
+                          .colour = "speed",
+                          .unit = "m/s",
+                          .caption = "Columns that topple over their corners."};
+    for (int index = 0; index < frames; ++index) {
+        const double time = 0.05 * index;
+        AnimationFrame frame{time, degrees(21.8), {}};
+        for (const double height : {3.0, 4.0}) {
+            // About the lower left corner, from which the centroid stands at (0.5, height / 2).
+            const double angle = 0.01 * std::exp(1.4 * time);
+            const Point from_corner(0.5, height / 2);
+            frame.poses.push_back({turned(from_corner, angle) - from_corner, angle, 1.4 * angle * from_corner.norm()});
+        }
+        frame.poses.emplace_back();
+        result.frames.push_back(std::move(frame));
+    }
+    return result;
+}
+
 }  // namespace delabole::samples

@@ -1,4 +1,4 @@
-// Usage: sample_report FOLDER. Draws every kind of figure and collects them in FOLDER/report.html.
+// Usage: sample_report FOLDER. Draws every kind of figure and collects them, with an animation, in FOLDER/report.html.
 #include "plots/report.hpp"
 #include "samples.hpp"
 
@@ -19,6 +19,8 @@ int main(int count, char** arguments) {
         }
         good = good && drawn.back().status == delabole::FigureStatus::ok;
     }
-    delabole::write_report(delabole::samples::report(drawn), folder / "report.html");
+    delabole::Report report = delabole::samples::report(drawn);
+    report.blocks.emplace_back(delabole::samples::animation());
+    delabole::write_report(report, folder / "report.html");
     return good ? 0 : 1;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fitting/fit_result.hpp"
+#include "plots/animation.hpp"
 #include "plots/block_figures.hpp"
 #include "plots/figures.hpp"
 #include "plots/report.hpp"
@@ -34,6 +35,9 @@ BlockDrawing single_block();
 BlockDrawing row_of_columns(int count);
 // Of a block with atan(width / height) 18.435 deg on an inclined plane.
 ModeChart mode_chart();
+
+// Two columns that topple over a fixed base, sixty frames to 2.95 s.
+BlockAnimation animation();
 
 // Every kind of figure, with the name of its file.
 std::vector<std::pair<std::string, Figure>> figures();

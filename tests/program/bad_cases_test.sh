@@ -104,6 +104,19 @@ bad_of good_columns.toml "cable above the top of its column" '/^height = "1 m"/s
     'case.toml:36:10: bolt[1].height = "20 m": lies above the top of column 2'
 bad_of good_columns.toml "cable in a column that is not there" '/^block/s/2/40/' \
     'case.toml:33:9: bolt[1].block = 40: there are only'
+required_cable='$a [[required_cable]]\nblock = BLOCK\nplunge = "0 deg"\nheight = "HEIGHT"\nfactor_of_safety = 1.2'
+asked() {
+    local text=${required_cable/BLOCK/$1}
+    echo "${text/HEIGHT/$2}"
+}
+bad_of good_columns.toml "required cable in a column that is not there" "$(asked 99 '1 m')" \
+    'required_cable[1].block = 99: there are only'
+bad_of good_columns.toml "required cable in half a column" "$(asked 1.5 '1 m')" \
+    'required_cable[1].block = 1.5: must be a whole number, 1 at the toe'
+bad_of good_columns.toml "required cable above the top of its column" "$(asked 2 '20 m')" \
+    'required_cable[1].height = "20 m": lies above the top of column 2, which is'
+bad_of good_blocks.toml "required cable in a block that is not there" "$(asked 4 '1 m')" \
+    'required_cable[1].block = 4: there are only 3 blocks'
 bad_of good_blocks.toml "step higher than the block" '/^step_above = "0.6/s/0.6/3.5/' \
     'case.toml:17:14: columns.block[2].step_above = "3.5 m": a step is higher than the block below it'
 bad_of good_blocks.toml "no blocks" '/^\[\[columns.block/,/^step_above/d' 'needs at least one [[columns.block]]'

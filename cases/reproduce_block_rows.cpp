@@ -1,0 +1,304 @@
+// 5.3.3 and 5.3.4 of the thesis: three and four blocks, and columns of unequal height.
+#include "cases/relaxation_drawing.hpp"
+#include "cases/reproduction_chapter_5.hpp"
+#include "fitting/words.hpp"
+#include "plots/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+std::string in_words(const SlidingTotals& totals) {
+    std::string text = "F " + std::to_string(totals.forward) + ", B " + std::to_string(totals.backward) + ", - " +
+                       std::to_string(totals.none);
+    return totals.unclear > 0 ? text + ", ? " + std::to_string(totals.unclear) : text;
+}
+
+// Least and greatest number over many starts.
+struct Range {
+    int least = 0;
+    int greatest = 0;
+    bool empty = true;
+
+    void include(int value) {
+        least = empty ? value : std::min(least, value);
+        greatest = empty ? value : std::max(greatest, value);
+        empty = false;
+    }
+    bool holds(int value) const { return !empty && value >= least && value <= greatest; }
+    std::string words() const { return std::to_string(least) + "-" + std::to_string(greatest); }
+};
+
+struct TotalsRange {
+    Range forward, backward, none;
+};
+
+std::vector<TotalsRange> spread_of_totals(const Chapter5Run& run, double unit, int starts) {
+    const std::size_t columns = run.columns.heights.size();
+    std::vector<TotalsRange> ranges(columns);
+    const std::vector<HockingBlock> blocks = make_blocks(run.columns);
+    for (int seed = 1; seed <= starts; ++seed) {
+        const HockingResult result = run_hocking(perturbed(blocks, unit, static_cast<unsigned>(seed)), run.settings);
+        if (result.outcome == HockingOutcome::blown_out) {
+            continue;
+        }
+        const std::vector<SlidingTotals> totals = count_sliding(result, columns, run.first_print);
+        for (std::size_t column = 0; column < columns; ++column) {
+            ranges[column].forward.include(totals[column].forward);
+            ranges[column].backward.include(totals[column].backward);
+            ranges[column].none.include(totals[column].none);
+        }
+    }
+    return ranges;
+}
+
+// First print at which two histories name another sense of sliding for any column; 0 where they never do.
+int first_difference(const HockingResult& one, const HockingResult& other, std::size_t columns) {
+    for (std::size_t index = 0; index < std::min(one.prints.size(), other.prints.size()); ++index) {
+        for (std::size_t column = 0; column < columns; ++column) {
+            if (one.prints[index].blocks[column].sliding != other.prints[index].blocks[column].sliding) {
+                return one.prints[index].cycle;
+            }
+        }
+    }
+    return 0;
+}
+
+// Whether forward or backward sliding prevails: what the thesis's senses come down to.
+bool forward_prevails(const SlidingTotals& totals) {
+    return totals.forward > totals.backward;
+}
+
+std::string behaviour_in_words(const Chapter5Run& run, const HockingResult& result) {
+    std::vector<std::string> parts;
+    const std::size_t columns = run.columns.heights.size();
+    for (std::size_t first = 0; first < columns;) {
+        const ColumnBehaviour kind = behaviour(run, result, result.prints.back(), first);
+        std::size_t last = first;
+        while (last + 1 < columns && behaviour(run, result, result.prints.back(), last + 1) == kind) {
+            ++last;
+        }
+        std::string word(enum_names(kind)[static_cast<std::size_t>(kind)]);
+        if (last > first) {
+            word.pop_back();  // "topple"
+        }
+        parts.push_back(
+            (first == last ? std::to_string(first + 1) : std::to_string(first + 1) + "-" + std::to_string(last + 1)) +
+            " " + word);
+        first = last + 1;
+    }
+    return list_in_words(parts);
+}
+
+bool behaves_as_printed(const Chapter5Run& run, const HockingResult& result) {
+    for (std::size_t column = 0; column < run.columns.heights.size(); ++column) {
+        const ColumnBehaviour kind = behaviour(run, result, result.prints.back(), column);
+        if (run.printed_behaviour[column] != enum_names(kind)[static_cast<std::size_t>(kind)]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+Reproduction reproduce_triple_blocks(const ResultFolder& folder, Report& report) {
+    Reproduction result;
+    report.blocks.emplace_back(Heading{"Three blocks (5.3.3.1)"});
+    Table table{"Sliding on the base in print edits of 100 cycles: F forward, B backward, - none",
+                {{"run"}, {"block", true}, {"printed"}},
+                {}};
+    for (const Scheme& scheme : schemes()) {
+        table.columns.push_back({scheme.name});
+        table.columns.push_back({"first F, B"});
+    }
+    for (const Chapter5Run& run : triple_runs()) {
+        const std::size_t columns = run.columns.heights.size();
+        std::vector<HockingResult> results;
+        for (const Scheme& scheme : schemes()) {
+            results.push_back(scheme.compute(run));
+        }
+        for (std::size_t column = 0; column < columns; ++column) {
+            std::vector<std::string> row = {run.name, std::to_string(column + 1), run.printed_behaviour[column]};
+            for (const HockingResult& computed : results) {
+                const auto cycle_in_words = [&](BaseSliding sense) {
+                    const auto cycle = first_sliding(computed, column, sense);
+                    return cycle ? std::to_string(*cycle) : std::string("never");
+                };
+                row.push_back(in_words(count_sliding(computed, columns, run.first_print)[column]));
+                row.push_back(cycle_in_words(BaseSliding::forward) + ", " + cycle_in_words(BaseSliding::backward));
+            }
+            table.rows.push_back(row);
+        }
+        const std::vector<SlidingTotals> totals = count_sliding(results.front(), columns, run.first_print);
+        const bool senses = forward_prevails(totals.front()) && !forward_prevails(totals.back());
+        result.rows.push_back({"three blocks " + run.name + ": block 1 / block 3 slides mostly", "forward / backward",
+                               std::string(forward_prevails(totals.front()) ? "forward" : "backward") + " / " +
+                                   (forward_prevails(totals.back()) ? "forward" : "backward"),
+                               "", statement(senses)});
+        for (const SlidingTotals& one : totals) {
+            result.json[run.name].push_back({{"forward", one.forward}, {"backward", one.backward}, {"none", one.none}});
+        }
+    }
+    report.blocks.emplace_back(table);
+    const Chapter5Run shown = triple_runs()[1];
+    report.blocks.emplace_back(
+        folder.draw(frames_figure("Fig 5.14: three blocks (ii)", shown, delabole::run(shown), {500, 1000, 1500, 2000}),
+                    "fig_5_14", "Toppling of three blocks, a/b = 3, 35 deg."));
+    report.blocks.emplace_back(printed_table("Senses", result.rows));
+    return result;
+}
+
+Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& report) {
+    constexpr int starts = 40;
+    constexpr double last_bit = 1e-15;  // m
+    Reproduction result;
+    report.blocks.emplace_back(Heading{"Four blocks, Tables 5.1 to 5.5 (5.3.3.2)"});
+    report.blocks.emplace_back(Paragraph{
+        "Totals of the print edits of 100 cycles in which a block slides forward (F), backward (B) or not (-). The "
+        "histories are chaotic: a shift of the free blocks by 1e-15 m, the last bit, changes them as much as one by "
+        "the last typed digit does. So cycles cannot be compared, only senses and totals, within the ranges below."});
+    std::vector<TableColumn> columns = {{"table"}, {"block", true}, {"printed"}};
+    for (const Scheme& scheme : schemes()) {
+        columns.push_back({scheme.name});
+    }
+    for (const char* shift : {"range, 1e-15 m", "range, 1e-6 m"}) {
+        columns.push_back({shift});
+    }
+    Table table{"Totals, and their range over " + std::to_string(starts) + " starts (F, B, -)", columns, {}};
+    int within = 0;
+    int count = 0;
+    int senses = 0;
+    int sensed = 0;
+    for (const Chapter5Run& run : quadruple_runs()) {
+        const std::vector<TotalsRange> bit = spread_of_totals(run, last_bit, starts);
+        const std::vector<TotalsRange> digit = spread_of_totals(run, typed_digit, starts);
+        std::vector<std::vector<SlidingTotals>> computed;
+        for (const Scheme& scheme : schemes()) {
+            computed.push_back(count_sliding(scheme.compute(run), run.columns.heights.size(), run.first_print));
+        }
+        for (std::size_t column = 0; column < run.columns.heights.size(); ++column) {
+            const SlidingTotals& printed = run.printed_totals[column];
+            std::vector<std::string> row = {run.name, std::to_string(column + 1), in_words(printed)};
+            for (const auto& totals : computed) {
+                row.push_back(in_words(totals[column]));
+            }
+            for (const TotalsRange& range : {bit[column], digit[column]}) {
+                row.push_back(range.forward.words() + ", " + range.backward.words() + ", " + range.none.words());
+            }
+            table.rows.push_back(row);
+            const auto inside = [&](int value, const Range& one, const Range& other) {
+                ++count;
+                within += one.holds(value) || other.holds(value) ? 1 : 0;
+            };
+            inside(printed.forward, bit[column].forward, digit[column].forward);
+            inside(printed.backward, bit[column].backward, digit[column].backward);
+            inside(printed.none, bit[column].none, digit[column].none);
+            if (printed.forward != printed.backward) {
+                const SlidingTotals& own = computed.front()[column];
+                ++sensed;
+                senses += forward_prevails(own) == forward_prevails(printed) ? 1 : 0;
+            }
+            result.json[run.name].push_back({{"printed", {printed.forward, printed.backward, printed.none}},
+                                             {"computed",
+                                              {computed.front()[column].forward, computed.front()[column].backward,
+                                               computed.front()[column].none}}});
+        }
+        const HockingResult reference = delabole::run(run);
+        const HockingResult other = run_hocking(perturbed(make_blocks(run.columns), last_bit, 1), run.settings);
+        const int parted = first_difference(reference, other, run.columns.heights.size());
+        result.json["first_different_print"][run.name] = parted;
+        result.rows.push_back({run.name + ": first print that a shift of 1e-15 m changes", "",
+                               "cycle " + std::to_string(parted), "", ""});
+    }
+    result.json["printed_totals_within_range"] = within;
+    result.json["printed_totals"] = count;
+    result.json["senses_as_printed"] = senses;
+    result.json["senses"] = sensed;
+    result.rows.push_back(
+        {"printed totals within the range of the starts", std::to_string(count), std::to_string(within), "", ""});
+    result.rows.push_back(
+        {"blocks whose prevailing sense is the printed one", std::to_string(sensed), std::to_string(senses), "", ""});
+    report.blocks.emplace_back(table);
+    report.blocks.emplace_back(printed_table("How far the histories are reproducible", result.rows));
+    const Chapter5Run shown = quadruple_runs()[1];
+    report.blocks.emplace_back(
+        folder.draw(frames_figure("Fig 5.15: four blocks (ii)", shown, delabole::run(shown), {1000, 2000, 3000}),
+                    "fig_5_15", "Failure of four blocks, a/b = 5, 18.5 deg."));
+    return result;
+}
+
+Reproduction reproduce_fig_5_16(const ResultFolder& folder, Report& report) {
+    Reproduction result;
+    const Chapter5Run run = plane_base_run();
+    const HockingResult computed = delabole::run(run);
+    report.blocks.emplace_back(Heading{"Fig 5.16: nine columns on a plane base"});
+    report.blocks.emplace_back(Paragraph{
+        "Heights are read off the drawing, friction (30 deg) is chosen. The tilting frame's crack at 16 deg lay "
+        "between columns 6 and 7; at 25 deg column 7 topples too."});
+    result.rows.push_back({"25 deg, cycle 2000", "1 slides, 2-7 topple, 8-9 stay", behaviour_in_words(run, computed),
+                           "", statement(behaves_as_printed(run, computed))});
+    Chapter5Run gentle = run;
+    gentle.columns.dip = degrees(16);
+    gentle.settings.bases = gentle.settings.joints = {degrees(26), degrees(26)};
+    const HockingResult frame = delabole::run(gentle);
+    const auto rotation = [&](std::size_t column) { return frame.prints.back().blocks[column].angle / degrees(1); };
+    const bool crack = rotation(5) > 0.1 && std::abs(rotation(6)) < 0.1;
+    result.rows.push_back({"16 deg, friction 26 deg: tension crack (tilting frame)", "between 6 and 7",
+                           "6 turned " + human_number(rotation(5), 2) + " deg, 7 " + human_number(rotation(6), 2), "",
+                           statement(crack)});
+    result.json["as_printed"] = behaves_as_printed(run, computed);
+    result.json["crack_at_16_deg"] = crack;
+    result.json["behaviour"] = behaviour_in_words(run, computed);
+    report.blocks.emplace_back(printed_table("Behaviour", result.rows));
+    for (const int cycle : {0, 1000, 2000}) {
+        report.blocks.emplace_back(folder.draw(frames_figure("Fig 5.16: nine columns, 25 deg", run, computed, {cycle}),
+                                               "fig_5_16_" + std::to_string(cycle), "Plane base."));
+    }
+    return result;
+}
+
+Reproduction reproduce_fig_5_17(const ResultFolder& folder, Report& report) {
+    Reproduction result;
+    const std::vector<Chapter5Run> runs = stepped_base_runs();
+    report.blocks.emplace_back(Heading{"Fig 5.17: eight columns on a stepped base"});
+    report.blocks.emplace_back(Paragraph{
+        "Columns that fail turn by some degrees and wedge again; so failure is here a rotation above 1 degree. "
+        "Equilibrium asks for 41.14 deg of friction. That 42 deg fails nevertheless, as printed, is the program's own: "
+        "it drops the blocks on soft springs."});
+    add_outcomes("stepped base, friction", runs, result);
+    report.blocks.emplace_back(
+        table_of({"Friction angle", "friction", runs, [](const Chapter5Run& run) { return in_words(run.printed); },
+                  [](const Chapter5Run& run, const HockingResult& computed) {
+                      return outcome_in_words(computed) + ": " + behaviour_in_words(run, computed);
+                  }}));
+    for (const Chapter5Run& run : runs) {
+        const HockingResult computed = delabole::run(run);
+        const auto rotation = [&](std::size_t column) {
+            return computed.prints.back().blocks[column].angle / degrees(1);
+        };
+        result.json["rotation_deg"][run.name] = {rotation(0), rotation(1), rotation(2), rotation(3),
+                                                 rotation(4), rotation(5), rotation(6), rotation(7)};
+        const bool fails = run.printed == PrintedOutcome::fails;
+        if (fails) {
+            result.rows.push_back({"stepped base, " + run.name + ": behaviour", "1 slides, 2-5 topple, 6-8 stay",
+                                   behaviour_in_words(run, computed), "",
+                                   statement(behaves_as_printed(run, computed))});
+            result.json["behaves_as_printed"][run.name] = behaves_as_printed(run, computed);
+        }
+    }
+    const Chapter5Run& drawn = runs[1];
+    const HockingResult computed = delabole::run(drawn);
+    for (const int cycle : {0, 1000, 13000}) {
+        report.blocks.emplace_back(
+            folder.draw(frames_figure("Fig 5.17: stepped base, friction " + drawn.name, drawn, computed, {cycle}),
+                        "fig_5_17_" + std::to_string(cycle), "Crack between columns 5 and 6."));
+    }
+    report.blocks.emplace_back(printed_table("Stepped base", result.rows));
+    return result;
+}
+
+}  // namespace delabole

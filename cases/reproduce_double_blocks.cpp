@@ -1,0 +1,234 @@
+// 5.3.2 of the thesis: two blocks of equal height, but for the blow-out.
+#include "cases/relaxation_drawing.hpp"
+#include "cases/reproduction_chapter_5.hpp"
+#include "plots/text.hpp"
+
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+std::string outcome_with_rotation(const Chapter5Run& run, const HockingResult& result) {
+    const auto turned = cycle_of_rotation(run, result, 0, degrees(1));
+    return outcome_in_words(result) + (turned ? ", 1 deg at " + std::to_string(*turned) : "");
+}
+
+std::string printed_outcome(const Chapter5Run& run) {
+    return in_words(run.printed);
+}
+
+// Distance of the upper column's downhill top corner from the lower column's uphill side, in.
+double opening(const std::vector<HockingBlock>& blocks, const HockingPrint& print) {
+    const auto lower = corners_of(blocks[0], print.blocks[0]);
+    const auto upper = corners_of(blocks[1], print.blocks[1]);
+    const Point side = (lower[1] - lower[2]).normalized();
+    return (upper[0] - lower[1]).dot(Point(side.y(), -side.x())) / inch;
+}
+
+// The thesis's way to close the crack: consolidate, hold the lower block, let the upper one slide down to it on a base
+// without friction, consolidate, tilt.
+struct ClosedGap {
+    double opening_before = 0;  // in
+    double opening_after = 0;   // in
+    Chapter5Run run = {};       // the last stage
+    HockingResult result = {};
+};
+
+ClosedGap close_gap() {
+    ClosedGap closed;
+    // Starts with the crack: a gap of a hundredth of a millimetre.
+    Chapter5Run stage = double_tilting_runs(TiltedPart::base).back();
+    stage.columns.gap = 1e-5;
+    stage.settings.tilting.reset();
+    stage.settings.cycles = 2500;
+    const std::vector<HockingBlock> start = make_blocks(stage.columns);
+    const HockingResult consolidated = run_hocking(start, stage.settings);
+    closed.opening_before = opening(start, consolidated.prints.back());
+    std::vector<HockingBlock> blocks = blocks_at(start, consolidated.prints.back());
+    blocks[0].fixed = true;
+    HockingSettings slippery = stage.settings;
+    slippery.joints = {};
+    slippery.bases = {};
+    const HockingResult slid = run_hocking(blocks, slippery);
+    blocks = blocks_at(blocks, slid.prints.back());
+    blocks[0].fixed = false;
+    closed.run = double_tilting_runs(TiltedPart::base).back();
+    closed.result = run_hocking(blocks, closed.run.settings);
+    closed.opening_after = opening(blocks, closed.result.prints.front());
+    return closed;
+}
+
+}  // namespace
+
+Reproduction reproduce_double_blocks(const ResultFolder& folder, Report& report) {
+    Reproduction result;
+    report.blocks.emplace_back(Heading{"Two blocks, a/b = 3 (5.3.2)"});
+    const std::vector<Chapter5Run> fixed = double_fixed_runs();
+    add_outcomes("two blocks", fixed, result);
+    report.blocks.emplace_back(
+        table_of({"Fixed inclination", "inclination", fixed, printed_outcome, outcome_with_rotation}));
+    Table spread{"The same with coordinates shifted at random, 50 starts each",
+                 {{"inclination"}, {"by 1e-9 m"}, {"by 1e-7 m"}, {"by 1e-6 m, a typed digit"}},
+                 {}};
+    for (const Chapter5Run& run : fixed) {
+        std::vector<std::string> row = {run.name};
+        for (const double unit : {1e-9, 1e-7, typed_digit}) {
+            row.push_back(in_words(count_outcomes(run, unit, 50)));
+        }
+        spread.rows.push_back(row);
+        result.json["starts"][run.name] = row.back();
+    }
+    report.blocks.emplace_back(
+        Paragraph{"Two blocks help each other only after turning far enough to jam, so that a gap of a thousandth of a "
+                  "millimetre "
+                  "decides. At 18.3 deg the last typed digit makes half of the starts fail."});
+    report.blocks.emplace_back(spread);
+    for (const TiltedPart part : {TiltedPart::gravity, TiltedPart::base}) {
+        const std::string turned = part == TiltedPart::gravity ? "gravity turned" : "base turned";
+        const std::vector<Chapter5Run> runs = double_tilting_runs(part);
+        add_outcomes("two blocks, " + turned, runs, result);
+        report.blocks.emplace_back(table_of({"Tilted from a stable inclination, " + turned, "tilted from, to", runs,
+                                             printed_outcome, outcome_with_rotation}));
+    }
+    const Chapter5Run shown = double_tilting_runs(TiltedPart::base).front();
+    const HockingResult tilted = run(shown);
+    report.blocks.emplace_back(folder.draw(frames_figure("Fig 5.10: tilted from 18.3 to 18.5 deg", shown, tilted,
+                                                         {2500, 4500, tilted.prints.back().cycle}),
+                                           "fig_5_10", "Base turned. Both blocks turn by the same angle."));
+    const ClosedGap closed = close_gap();
+    result.json["closed_gap"] = {{"opening_before_in", closed.opening_before},
+                                 {"opening_after_in", closed.opening_after},
+                                 {"outcome", outcome_in_words(closed.result)}};
+    result.rows.push_back(
+        {"Fig 5.11: opening before and after the lower block is held and the upper slides", "closed",
+         human_number(closed.opening_before, 2) + " and " + human_number(closed.opening_after, 2) + " in", "",
+         statement(closed.opening_after < closed.opening_before)});
+    result.rows.push_back({"Fig 5.11: then tilted from 18 to 18.3 deg", "no change", outcome_in_words(closed.result),
+                           "", "printed without closing: fails"});
+    report.blocks.emplace_back(Heading{"Fig 5.11: the gap closed", 3});
+    report.blocks.emplace_back(folder.draw(
+        frames_figure("Fig 5.11: gap closed, tilted from 18 deg", closed.run, closed.result,
+                      {0, 2500, closed.result.prints.back().cycle}),
+        "fig_5_11", "Slots of contact memory start empty at each stage; the listing's restart keeps them."));
+    report.blocks.emplace_back(printed_table("Statements", result.rows));
+    return result;
+}
+
+Reproduction reproduce_fig_5_12(const ResultFolder& folder, Report& report) {
+    Reproduction result;
+    Table table{"First backward sliding of block 2",
+                {{"blocks"},
+                 {"printed: about cycle", true},
+                 {"cycle", true},
+                 {"rotation, deg", true},
+                 {"rotation / atan(b/a)", true}},
+                {}};
+    report.blocks.emplace_back(Heading{"Fig 5.12: backward sliding and a/b"});
+    double last = INFINITY;
+    bool earlier = true;
+    for (const Chapter5Run& run : slenderness_runs()) {
+        const HockingResult computed = delabole::run(run);
+        const auto cycle = first_sliding(computed, 1, BaseSliding::backward);
+        if (!cycle) {
+            earlier = false;
+            table.rows.push_back({run.name, "4500", "never"});
+            continue;
+        }
+        const double rotation = print_at(computed, *cycle).blocks[1].angle;
+        const double share = rotation / std::atan(run.columns.width / run.columns.heights[0]);
+        earlier = earlier && share < last;
+        last = share;
+        table.rows.push_back(
+            {run.name, "4500", std::to_string(*cycle), human_number(rotation / degrees(1), 3), human_number(share, 3)});
+        result.json["rotation_over_slenderness_angle"].push_back(share);
+        const std::string name = "fig_5_12_" + std::to_string(std::lround(run.columns.heights[0] / inch));
+        report.blocks.emplace_back(folder.draw(frames_figure("Fig 5.12: " + run.name, run, computed, {*cycle}), name,
+                                               "Where block 2 begins to slide backwards."));
+    }
+    result.rows.push_back({"backward sliding begins at earlier stages as a/b grows", "earlier",
+                           earlier ? "earlier" : "not earlier", "", statement(earlier)});
+    report.blocks.emplace_back(table);
+    report.blocks.emplace_back(printed_table("Statements", result.rows));
+    return result;
+}
+
+Reproduction reproduce_observations(const ResultFolder& folder, Report& report) {
+    Reproduction result;
+    report.blocks.emplace_back(Heading{"Observations on two blocks (5.3.2)"});
+    add_outcomes("stiffness at 18.3 deg", stiffness_observation(), result);
+    const std::vector<Chapter5Run> runs = displacement_observations();
+    const double reference = displacement_at(run(runs[0]), 0, runs[0].printed_cycle.value_or(0));
+    const auto cycle_in_words = [&](const Chapter5Run&, const HockingResult& computed) {
+        const auto cycle = cycle_of_displacement(computed, 0, reference);
+        return cycle ? std::to_string(*cycle) : "never";
+    };
+    const auto printed = [](const Chapter5Run& run) {
+        return run.printed_cycle ? std::to_string(*run.printed_cycle) : std::string();
+    };
+    report.blocks.emplace_back(
+        table_of({"Cycle of the same displacement at 18.4 deg", "run", runs, printed, cycle_in_words}));
+    const auto cycle_of = [&](const Chapter5Run& one) {
+        return cycle_of_displacement(run(one), 0, reference).value_or(one.settings.cycles);
+    };
+    const int stiff = cycle_of(runs[0]);
+    const int soft = cycle_of(runs[1]);
+    const int half = cycle_of(runs[2]);
+    result.json["cycles"] = {{"stiff", stiff}, {"soft", soft}, {"half_step", half}};
+    result.rows.push_back({"18.4 deg: stiffness 6e6 against 12e6 N/m, cycles", "7000 / 2500",
+                           std::to_string(soft) + " / " + std::to_string(stiff), "", statement(soft > stiff)});
+    result.rows.push_back({"half the time step, cycles", "6000 / 2500, more than twice",
+                           std::to_string(half) + " / " + std::to_string(stiff), "", statement(half > 2 * stiff)});
+    const std::vector<Chapter5Run> damped = damping_observation();
+    std::vector<int> cycles;
+    cycles.reserve(damped.size());
+    for (const Chapter5Run& one : damped) {
+        cycles.push_back(cycle_of(one));
+    }
+    result.json["damping_cycles"] = cycles;
+    result.rows.push_back(
+        {"damping 0.5, 0.6, 0.7: cycle of that displacement", "slowest, fastest, between",
+         std::to_string(cycles[0]) + ", " + std::to_string(cycles[1]) + ", " + std::to_string(cycles[2]), "",
+         statement(cycles[0] > cycles[2] && cycles[2] > cycles[1])});
+    Table spread{"Least and greatest cycle of that displacement, coordinates shifted by one digit, 30 starts each",
+                 {{"run"}, {"least", true}, {"greatest", true}},
+                 {}};
+    std::vector<Chapter5Run> all = runs;
+    all.insert(all.end(), damped.begin(), damped.end());
+    for (const Chapter5Run& one : all) {
+        int least = one.settings.cycles;
+        int greatest = 0;
+        for (unsigned seed = 1; seed <= 30; ++seed) {
+            const HockingResult other =
+                run_hocking(perturbed(make_blocks(one.columns), typed_digit, seed), one.settings);
+            if (other.outcome == HockingOutcome::blown_out) {
+                continue;
+            }
+            const int cycle = cycle_of_displacement(other, 0, reference).value_or(one.settings.cycles);
+            least = std::min(least, cycle);
+            greatest = std::max(greatest, cycle);
+        }
+        spread.rows.push_back({one.name, std::to_string(least), std::to_string(greatest)});
+        result.json["spread"][one.name] = {least, greatest};
+    }
+    report.blocks.emplace_back(spread);
+    const auto rotation = [](const HockingPrint& print) { return print.blocks[0].angle / degrees(1); };
+    std::vector<HockingResult> histories;
+    histories.reserve(all.size());
+    for (const Chapter5Run& one : all) {
+        histories.push_back(run(one));
+    }
+    std::vector<HistoryOf> drawn;
+    for (std::size_t index = 0; index < all.size(); ++index) {
+        if (index != 3) {  // damping 0.5 is the run of 6e6 N/m
+            drawn.push_back({all[index].name, &histories[index], rotation});
+        }
+    }
+    report.blocks.emplace_back(
+        folder.draw(history_figure("Two blocks at 18.4 deg", "rotation of block 1", "deg", drawn), "observations",
+                    "Stiffness, time step and damping."));
+    report.blocks.emplace_back(printed_table("Observations 1 to 4", result.rows));
+    return result;
+}
+
+}  // namespace delabole

@@ -1,0 +1,65 @@
+// The members of all that a checkpoint holds or depends on, each struct's in one list that serves both directions.
+//
+// A structured binding has to name every member: where a struct has grown, its list here no longer compiles. Whoever
+// adds the member also raises checkpoint_version (checkpoint.cpp).
+#pragma once
+
+#include "dynamic_relaxation/scene.hpp"
+#include "dynamic_relaxation/settings.hpp"
+#include "dynamic_relaxation/state.hpp"
+
+#include <concepts>
+#include <tuple>
+#include <type_traits>
+
+namespace delabole {
+
+template <class T, class Struct>
+concept IsMaybeConst = std::same_as<std::remove_const_t<T>, Struct>;
+
+// References to the members of `object`, constant ones if it is.
+#define DELABOLE_MEMBERS(Struct, ...)      \
+    template <IsMaybeConst<Struct> Object> \
+    auto members_of(Object& object) {      \
+        auto& [__VA_ARGS__] = object;      \
+        return std::tie(__VA_ARGS__);      \
+    }
+
+DELABOLE_MEMBERS(Motion, x, y, angle, sine, versine, vx, vy, spin)
+DELABOLE_MEMBERS(RelaxationContact, block, other, corner, edge, arm, edge_start, along, offset, gap, edge_length,
+                 start_weight, end_weight, inverse_blend, normal_stiffness, shear_stiffness, normal_dashpot,
+                 shear_dashpot, friction, residual_friction, cohesion, tension, twin)
+DELABOLE_MEMBERS(ContactMemory, shear, place, slip, friction, damping, normal_drag, shear_drag, touching, sliding,
+                 broken)
+DELABOLE_MEMBERS(ContactForce, x, y, moment, other_moment)
+DELABOLE_MEMBERS(ContactList, contact, memory, force, margin, worst_gap, worst)
+DELABOLE_MEMBERS(SeenPose, x, y, angle)
+DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, dashpots, local_damping,
+                 kinetic_damping)
+DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, searches, contacts_evaluated, travelled, motion, origin,
+                 seen, calm, removed, base_slip, contacts, ledger, elastic_at_start, unbalanced, kinetic_then,
+                 kinetic_before, kinetic_rising, onset_time, outcome)
+
+DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,
+                 tensile_strength)
+DELABOLE_MEMBERS(RelaxationBlock, outline, density, fixed, held_at_first, joint)
+DELABOLE_MEMBERS(Gravity, acceleration, tilt, final_tilt, rate, interval, start)
+DELABOLE_MEMBERS(PointForce, block, at, force)
+DELABOLE_MEMBERS(FacePressure, block, edge, at_first, at_second)
+DELABOLE_MEMBERS(TimedVector, time, value)
+DELABOLE_MEMBERS(PrescribedMotion, block, velocity, angular_velocity, pivot, start, duration)
+DELABOLE_MEMBERS(Removal, block, time)
+DELABOLE_MEMBERS(RelaxationScene, block, material, gravity, force, pressure, shaking, motion, removal)
+DELABOLE_MEMBERS(RelaxationSettings, step_fraction, time_step, viscous_damping, local_damping, kinetic_damping, start,
+                 ramp_time, consolidation_time, equilibrium_ratio, onset_rotation, onset_slide, collapse_rotation,
+                 collapse_displacement, stop_at_onset, stop_at_equilibrium, duration, most_steps, overlap_limit,
+                 threads)
+
+#undef DELABOLE_MEMBERS
+
+template <class T>
+concept HasMembers = requires(T& object) {
+    members_of(object);
+};
+
+}  // namespace delabole

@@ -1,0 +1,132 @@
+#include "dynamic_relaxation/contact_forces.hpp"
+
+#include "dynamic_relaxation/contact_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace delabole {
+
+ContactForces::ContactForces(const Bodies& bodies, std::vector<double> unnoticed)
+    : bodies_(bodies),
+      unnoticed_(std::move(unnoticed)),
+      force_(bodies.size()),
+      moved_(bodies.size(), 0),
+      summed_(bodies.size(), 0) {}
+
+void ContactForces::renew(const ContactList& list) {
+    begin_.assign(bodies_.size() + 1, 0);
+    for (const RelaxationContact& contact : list.contact) {
+        ++begin_[contact.block + 1];
+        ++begin_[contact.other + 1];
+    }
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        begin_[block + 1] += begin_[block];
+    }
+    of_block_.resize(2 * list.contact.size());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t index = 0; index < list.contact.size(); ++index) {
+        of_block_[next[list.contact[index].block]++] = index;
+        of_block_[next[list.contact[index].other]++] = index;
+    }
+    evaluated_.assign(list.contact.size(), round_);
+    sum_all(list);
+}
+
+void ContactForces::notice(const std::vector<Motion>& motion, std::vector<SeenPose>& seen) {
+    moved_blocks_.clear();
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        const Motion& now = motion[block];
+        SeenPose& then = seen[block];
+        const double way = std::abs(now.x - then.x) + std::abs(now.y - then.y) +
+                           std::abs(now.angle - then.angle) * bodies_.radius[block];
+        // Not a number counts as moved.
+        moved_[block] = way <= unnoticed_[block] ? 0 : 1;
+        if (moved_[block] != 0) {
+            then = {now.x, now.y, now.angle};
+            moved_blocks_.push_back(static_cast<std::uint32_t>(block));
+        }
+    }
+}
+
+void ContactForces::evaluate(std::size_t index, const std::vector<Motion>& motion, double step,
+                             ContactList& list) const {
+    const RelaxationContact& contact = list.contact[index];
+    list.force[index] =
+        advance_contact(contact, list.memory[index], contact.twin == no_twin ? nullptr : &list.memory[contact.twin],
+                        motion[contact.block], motion[contact.other], step);
+}
+
+std::size_t ContactForces::apply(const std::vector<Motion>& motion, double step, std::vector<SeenPose>& seen,
+                                 ContactList& list) {
+    ++round_;
+    notice(motion, seen);
+    std::size_t count = 0;
+    if (2 * moved_blocks_.size() > bodies_.size()) {
+        for (std::size_t index = 0; index < list.contact.size(); ++index) {
+            if (moved_[list.contact[index].block] != 0 || moved_[list.contact[index].other] != 0) {
+                evaluate(index, motion, step, list);
+                ++count;
+            }
+        }
+        sum_all(list);
+        return count;
+    }
+    for (const std::uint32_t block : moved_blocks_) {
+        for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
+            const std::uint32_t index = of_block_[entry];
+            if (std::exchange(evaluated_[index], round_) != round_) {
+                evaluate(index, motion, step, list);
+                ++count;
+            }
+        }
+    }
+    for (const std::uint32_t block : moved_blocks_) {
+        sum_block(block, list);
+        for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
+            const RelaxationContact& contact = list.contact[of_block_[entry]];
+            sum_block(contact.block == block ? contact.other : contact.block, list);
+        }
+    }
+    return count;
+}
+
+void ContactForces::sum_all(const ContactList& list) {
+    std::fill(force_.begin(), force_.end(), BlockForce{});
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const RelaxationContact& contact = list.contact[index];
+        const ContactForce& force = list.force[index];
+        BlockForce& own = force_[contact.block];
+        own.x += force.x;
+        own.y += force.y;
+        own.moment += force.moment;
+        BlockForce& other = force_[contact.other];
+        other.x -= force.x;
+        other.y -= force.y;
+        other.moment += force.other_moment;
+    }
+}
+
+void ContactForces::sum_block(std::size_t block, const ContactList& list) {
+    if (std::exchange(summed_[block], round_) == round_) {
+        return;
+    }
+    BlockForce sum;
+    for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
+        const RelaxationContact& contact = list.contact[of_block_[entry]];
+        const ContactForce& force = list.force[of_block_[entry]];
+        if (contact.block == block) {
+            sum.x += force.x;
+            sum.y += force.y;
+            sum.moment += force.moment;
+        } else {
+            sum.x -= force.x;
+            sum.y -= force.y;
+            sum.moment += force.other_moment;
+        }
+    }
+    force_[block] = sum;
+}
+
+}  // namespace delabole

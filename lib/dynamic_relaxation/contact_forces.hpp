@@ -1,0 +1,61 @@
+// The sum of all contact forces on each block, with no more work than what has moved since the last step.
+//
+// A contact is evaluated again once one of its blocks has moved, since it was last looked at, by as much as changes a
+// spring's force by 1e-12 of the block's weight. Nothing is put to sleep: the way is measured from where the block was
+// last seen, so that the slowest motion is noticed as soon as it matters, and forces are never older than that.
+#pragma once
+
+#include "dynamic_relaxation/bodies.hpp"
+#include "dynamic_relaxation/contacts.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace delabole {
+
+struct BlockForce {
+    double x = 0;
+    double y = 0;
+    double moment = 0;  // about the centroid
+};
+
+struct SeenPose {
+    double x = 0;
+    double y = 0;
+    double angle = 0;
+};
+
+class ContactForces {
+  public:
+    // `unnoticed`: way of each block that its contacts may disregard, m.
+    ContactForces(const Bodies& bodies, std::vector<double> unnoticed);
+
+    // To be called whenever the list of contacts is new.
+    void renew(const ContactList& list);
+
+    // Evaluates contacts of blocks that have moved since `seen` and sums up. Returns how many were evaluated.
+    // The same bits come out however the work is divided: the forces on a block are added in the order of the list.
+    std::size_t apply(const std::vector<Motion>& motion, double step, std::vector<SeenPose>& seen, ContactList& list);
+
+    const std::vector<BlockForce>& on_blocks() const { return force_; }
+
+  private:
+    void notice(const std::vector<Motion>& motion, std::vector<SeenPose>& seen);
+    void evaluate(std::size_t index, const std::vector<Motion>& motion, double step, ContactList& list) const;
+    void sum_all(const ContactList& list);
+    void sum_block(std::size_t block, const ContactList& list);
+
+    const Bodies& bodies_;
+    std::vector<double> unnoticed_;
+    std::vector<BlockForce> force_;
+    std::vector<char> moved_;
+    std::vector<std::uint32_t> moved_blocks_ = {};
+    // Contacts of each block in the order of the list: begin_[block] to begin_[block + 1] in of_block_.
+    std::vector<std::uint32_t> begin_ = {};
+    std::vector<std::uint32_t> of_block_ = {};
+    std::vector<std::uint64_t> evaluated_ = {};  // round in which a contact was last evaluated
+    std::vector<std::uint64_t> summed_ = {};     // round in which a block's forces were last added up
+    std::uint64_t round_ = 0;
+};
+
+}  // namespace delabole

@@ -1,0 +1,48 @@
+// Moving blocks inside a report: play, pause, step, scrub and speed. The last frame is a plain SVG drawing, which
+// stands there alone where no script runs and on paper.
+//
+// The scene is turned so that gravity points down. Positions are kept to 1e-4 of what is seen, rotations to 1e-4 rad.
+#pragma once
+
+#include "geometry/polyline.hpp"
+
+#include <string>
+#include <vector>
+
+namespace delabole {
+
+struct AnimatedBlock {
+    Polyline outline =
+        {};  // m, in the drawing; with fewer than three corners or a number that is not finite: not shown
+    std::string label = {};
+    bool fixed = false;
+};
+
+struct BlockPose {
+    Point displacement = {0, 0};  // m, of the centroid since the drawing; not finite: the block is not shown
+    double rotation = 0;          // rad since the drawing, anticlockwise
+    double colour = 0;            // what it is coloured by, at least 0: its speed, displacement, ...
+    bool present = true;          // false: removed
+};
+
+struct AnimationFrame {
+    double time = 0;                    // s, increasing
+    double tilt = 0;                    // rad, of the drawing's x axis, which dips towards -x
+    std::vector<BlockPose> poses = {};  // as many as blocks
+};
+
+struct BlockAnimation {
+    std::vector<AnimatedBlock> blocks = {};
+    std::vector<AnimationFrame> frames = {};
+    std::string outcome = {};  // "collapse at 2.31 s"
+    std::string colour = {};   // what the colours mean: "speed"
+    std::string unit = {};     // "m/s"
+    std::string caption = {};
+};
+
+// The drawing, the controls (hidden until the script runs) and the data, for a page that holds animation_style and,
+// after all animations, animation_script (animation_script.hpp). Without a frame or a block to show: a box that says
+// so.
+std::string animation_html(const BlockAnimation& animation);
+
+}  // namespace delabole
