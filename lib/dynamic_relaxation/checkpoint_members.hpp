@@ -32,7 +32,7 @@ DELABOLE_MEMBERS(RelaxationContact, block, other, corner, edge, arm, edge_start,
 DELABOLE_MEMBERS(ContactMemory, shear, place, slip, friction, damping, normal_drag, shear_drag, touching, sliding,
                  broken)
 DELABOLE_MEMBERS(ContactForce, x, y, moment, other_moment)
-DELABOLE_MEMBERS(ContactList, contact, memory, force, margin, worst_gap, worst)
+DELABOLE_MEMBERS(ContactList, contact, memory, force, margin, worst_overlap)
 DELABOLE_MEMBERS(SeenPose, x, y, angle)
 DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, dashpots, local_damping,
                  kinetic_damping)

@@ -82,13 +82,18 @@ inline ContactForce advance_contact(const RelaxationContact& contact, ContactMem
     memory.damping -= step / 2 * (memory.normal_drag * opening + memory.shear_drag * shearing);
     memory.normal_drag = memory.shear_drag = 0;
     const bool bonded = contact.tension > 0 && !memory.broken;
-    if (overlap <= 0 && !bonded) {
+    const double weight = contact_weight(contact, at.position);
+    const auto open = [&] {
+        // What the springs held is lost: of the shear spring much, where friction is great.
+        memory.friction += weight * contact.shear_stiffness * memory.shear * memory.shear / 2;
         memory.touching = memory.sliding = false;
         memory.broken = true;
         memory.shear = 0;
+    };
+    if (overlap <= 0 && !bonded) {
+        open();
         return {};
     }
-    const double weight = contact_weight(contact, at.position);
     const double force_before = contact.shear_stiffness * std::abs(memory.shear);
     if (!memory.touching) {
         memory.touching = true;
@@ -100,9 +105,7 @@ inline ContactForce advance_contact(const RelaxationContact& contact, ContactMem
     double normal = contact.normal_stiffness * overlap;
     if (normal < -contact.tension) {
         memory.friction += weight * normal * overlap / 2;
-        memory.touching = memory.sliding = false;
-        memory.broken = true;
-        memory.shear = 0;
+        open();
         return {};
     }
     double shear = -contact.shear_stiffness * memory.shear;

@@ -67,13 +67,15 @@ struct ContactList {
     std::vector<ContactMemory> memory = {};
     std::vector<ContactForce> force = {};  // when last evaluated
     double margin = 0;                     // the list holds until blocks have moved by half of this
-    double worst_gap = 0;                  // least gap found, negative for overlap
-    std::size_t worst = 0;                 // contact of the worst gap; meaningful where any
+    double worst_overlap = 0;              // greatest found, in shortest edges of the two blocks
 };
 
 struct SearchOptions {
     double margin;
     double viscous_damping;
+    // Joints that are closed in the drawing are whole: they have their peak strengths. Those that come about later, or
+    // were open, have lost them.
+    bool first;
 };
 
 // Contacts in an order that depends on positions alone. `previous` gives its memory to those that were contacts
