@@ -74,8 +74,28 @@ ModelInterface interface_of(const CaseModel& model) {
     return std::visit([](const auto& parameters) { return model_interface(parameters); }, model);
 }
 
-Analysis analyse_model(const CaseModel& model) {
-    return std::visit([](const auto& parameters) { return analyse_case(parameters); }, model);
+Analysis analyse_model(const CaseModel& model, const AnalysisWatch& watch) {
+    return std::visit(
+        [&](const auto& parameters) {
+            if constexpr (requires { analyse_case(parameters, watch); }) {
+                return analyse_case(parameters, watch);
+            } else {
+                return analyse_case(parameters);
+            }
+        },
+        model);
+}
+
+std::string failure_of(const CaseModel& model) {
+    return std::visit(
+        [](const auto& parameters) -> std::string {
+            if constexpr (requires { failure_without_run(parameters); }) {
+                return failure_without_run(parameters);
+            } else {
+                return analyse_case(parameters).failure;
+            }
+        },
+        model);
 }
 
 }  // namespace delabole

@@ -18,7 +18,7 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 40> examples{{
+constexpr std::array<ExampleNumber, 59> examples{{
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -55,6 +55,25 @@ constexpr std::array<ExampleNumber, 40> examples{{
     {"height", 2.0},
     {"depth_behind", 2.0},
     {"depth_in_front", 0.5},
+    {"joint", 1.0},
+    {"edge", 1.0},
+    {"lower", degrees(10)},
+    {"upper", degrees(40)},
+    {"tolerance", degrees(0.005)},
+    {"final_tilt", degrees(20)},
+    {"interval", 0.1},
+    {"stiffness_ratio", 1e6},
+    {"step_fraction", 0.4},
+    {"time_step", 1e-4},
+    {"viscous_damping", 0.2},
+    {"local_damping", 0.2},
+    {"equilibrium_ratio", 1e-6},
+    {"onset_rotation", 0.01},
+    {"onset_slide", 0.01},
+    {"collapse_rotation", 0.5},
+    {"collapse_displacement", 1.0},
+    {"most_steps", 1e8},
+    {"overlap_limit", 0.05},
     {"lower_inclination", degrees(20)},
     {"upper_inclination", degrees(50)},
     {"lower_end_height", 5.0},
@@ -142,6 +161,8 @@ std::string annotated_value(const FieldInfo& info, const Member& member) {
         }
         if constexpr (NumberType<Inner>) {
             return commented(annotated_value(info, example_number(info)));
+        } else if constexpr (std::is_enum_v<Inner>) {
+            return commented(annotated_value(info, Inner{}));
         }
     } else if constexpr (NumberType<Member>) {
         const std::string range = readable_range(info.range, info.dimension);
@@ -183,7 +204,7 @@ std::string annotated_section(const FieldInfo& info, const Member& member, const
         if (member) {
             return annotated_section(info, *member, path);
         }
-        if constexpr (!NumberType<Inner>) {
+        if constexpr (!NumberType<Inner> && !std::is_enum_v<Inner>) {
             return after_blank_line(commented(annotated_section(info, example<Inner>(), path).substr(1)));
         }
     } else if constexpr (is_vector<Member>) {

@@ -103,6 +103,21 @@ std::optional<double> angle_factor(std::string_view unit) {
     return std::nullopt;
 }
 
+// "deg/s", "rad/min": an angle over a time, each as it would stand alone.
+std::optional<double> angular_speed_factor(std::string_view unit) {
+    const std::size_t slash = unit.find('/');
+    if (slash == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const std::optional<double> angle = angle_factor(trimmed(unit.substr(0, slash)));
+    const std::string_view time = trimmed(unit.substr(slash + 1));
+    if (!angle || time.empty() || !is_plain_unit(time)) {
+        return std::nullopt;
+    }
+    const UnitFactor seconds = unit_factor(time, Dimension::time);
+    return seconds.known && seconds.si_per_unit ? std::optional(*angle / *seconds.si_per_unit) : std::nullopt;
+}
+
 ParsedQuantity failure(QuantityStatus status, std::string message) {
     return {.status = status, .value = 0, .message = std::move(message)};
 }
@@ -189,6 +204,10 @@ ParsedQuantity parse_quantity(std::string_view text, Dimension dimension) {
     if (angle) {
         return dimension == Dimension::angle ? scaled(parts.number, *angle) : wrong_dimension(parts.unit, dimension);
     }
+    if (dimension == Dimension::angular_speed) {
+        const std::optional<double> speed = angular_speed_factor(parts.unit);
+        return speed ? scaled(parts.number, *speed) : wrong_dimension(parts.unit, dimension);
+    }
     if (!is_plain_unit(parts.unit)) {
         return unknown_unit(parts.unit, dimension);
     }
@@ -246,6 +265,20 @@ std::string_view dimension_phrase(Dimension dimension) {
         return "a force per metre run";
     case Dimension::moment_per_length:
         return "a moment per metre run";
+    case Dimension::energy_per_length:
+        return "an energy per metre run";
+    case Dimension::density:
+        return "a density";
+    case Dimension::stiffness:
+        return "a stiffness per metre run";
+    case Dimension::time:
+        return "a time";
+    case Dimension::speed:
+        return "a speed";
+    case Dimension::acceleration:
+        return "an acceleration";
+    case Dimension::angular_speed:
+        return "an angular speed";
     case Dimension::ratio:
         break;
     }
@@ -268,6 +301,20 @@ std::string_view example_of(Dimension dimension) {
         return "\"100 kN/m\"";
     case Dimension::moment_per_length:
         return "\"100 kN m/m\"";
+    case Dimension::energy_per_length:
+        return "\"10 J/m\"";
+    case Dimension::density:
+        return "\"2700 kg/m3\"";
+    case Dimension::stiffness:
+        return "\"1000 MN/m/m\"";
+    case Dimension::time:
+        return "\"1 s\"";
+    case Dimension::speed:
+        return "\"0.1 m/s\"";
+    case Dimension::acceleration:
+        return "\"9.81 m/s2\"";
+    case Dimension::angular_speed:
+        return "\"1 deg/s\"";
     case Dimension::ratio:
         break;
     }
