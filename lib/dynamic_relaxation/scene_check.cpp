@@ -289,9 +289,10 @@ SceneFault check_start(const RelaxationScene& scene) {
         return deepest_in_settlements * lighter * gravity / stiffness + margin;
     };
     const ContactList list = find_contacts(scene, bodies, unmoved, none_removed, {margin, 0, true}, {});
-    for (const RelaxationContact& contact : list.contact) {
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const RelaxationContact& contact = list.contact[index];
         const ContactPosition at = locate(contact, unmoved[contact.block], unmoved[contact.other]);
-        if (contact_weight(contact, at.position) > 0 &&
+        if (!list.memory[index].beneath && contact_weight(contact, at.position, -at.gap) > 0 &&
             -at.gap > allowed(contact.block, contact.other, contact.normal_stiffness)) {
             return {SceneCheck::overlap_at_start, contact.block, contact.other};
         }
