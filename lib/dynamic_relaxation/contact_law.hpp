@@ -61,8 +61,11 @@ inline ContactPosition locate(const RelaxationContact& contact, const Motion& bl
 }
 
 inline double contact_weight(const RelaxationContact& contact, double position, double overlap) {
-    // The ramps are no steeper than overlaps allow: a weight that changed faster would be a stiffer spring.
-    const double rate = overlap * contact.inverse_blend > 0.5 ? 0.5 / overlap : contact.inverse_blend;
+    // A ramp is no steeper than the overlap allows: a weight that changed faster would be a stiffer spring.
+    const auto ramp = [&](double depth) {
+        return depth * contact.inverse_blend > 0.5 ? 0.5 / depth : contact.inverse_blend;
+    };
+    const double rate = ramp(overlap);
     const double at_start = contact.start_weight + position * rate;
     const double at_end = contact.end_weight + (contact.edge_length - position) * rate;
     double weight = std::min(at_start, at_end);
@@ -71,7 +74,8 @@ inline double contact_weight(const RelaxationContact& contact, double position, 
         const double t = contact.rival > 0 ? position : contact.edge_length - position;
         const double other_overlap = t * contact.rival_sine - overlap * contact.rival_cosine;
         const double other_way = t * contact.rival_cosine + overlap * contact.rival_sine;
-        weight = std::min(weight, 0.5 + rate * std::max(other_overlap - overlap, -other_way));
+        weight = std::min(weight,
+                          0.5 + ramp(std::min(overlap, other_overlap)) * std::max(other_overlap - overlap, -other_way));
     }
     return std::clamp(weight, 0.0, 1.0);
 }
