@@ -235,9 +235,8 @@ TEST(Fuzz, HeapsOfPolygonsDoNotExplodeOrSink) {
                                       0.5 + static_cast<double>(index / 3) + 0.05 * any(random));
             blocks.push_back({random_polygon(random, centre), density * (0.3 + any(random))});
         }
-        const RelaxationScene scene =
-            on_floor(std::move(blocks), 60 * any(random), std::pow(10, 4 + 1.5 * any(random)));
-        RelaxationSettings settings = unlimited(0.8);
+        const RelaxationScene scene = on_floor(std::move(blocks), 60 * any(random), std::pow(10, 4 + any(random)));
+        RelaxationSettings settings = unlimited(0.7);
         settings.start = RelaxationStart::dropped;
         settings.local_damping = trial % 2 == 0 ? 0.2 : 0;
         ASSERT_EQ(check_start(scene).check, SceneCheck::valid) << "trial " << trial;
