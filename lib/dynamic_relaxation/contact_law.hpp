@@ -60,10 +60,24 @@ inline ContactPosition locate(const RelaxationContact& contact, const Motion& bl
     return at;
 }
 
-inline double contact_weight(const RelaxationContact& contact, double position) {
-    const double at_start = contact.start_weight + position * contact.inverse_blend;
-    const double at_end = contact.end_weight + (contact.edge_length - position) * contact.inverse_blend;
-    return std::clamp(std::min(at_start, at_end), 0.0, 1.0);
+inline double contact_weight(const RelaxationContact& contact, double position, double overlap) {
+    // A ramp is no steeper than the overlap allows: a weight that changed faster would be a stiffer spring.
+    const auto ramp = [&](double depth) {
+        return depth * contact.inverse_blend > 0.5 ? 0.5 / depth : contact.inverse_blend;
+    };
+    const double rate = ramp(overlap);
+    const double at_start = contact.start_weight + position * rate;
+    const double at_end = contact.end_weight + (contact.edge_length - position) * rate;
+    double weight = std::min(at_start, at_end);
+    if (contact.rival != 0) {
+        // With t the way from the common end, the rival's overlap and the way along it.
+        const double t = contact.rival > 0 ? position : contact.edge_length - position;
+        const double other_overlap = t * contact.rival_sine - overlap * contact.rival_cosine;
+        const double other_way = t * contact.rival_cosine + overlap * contact.rival_sine;
+        weight = std::min(weight,
+                          0.5 + ramp(std::min(overlap, other_overlap)) * std::max(other_overlap - overlap, -other_way));
+    }
+    return std::clamp(weight, 0.0, 1.0);
 }
 
 // Advances the memory by one step and gives the force at its end. Velocities are those that led here, half a step ago.
@@ -71,8 +85,16 @@ inline ContactForce advance_contact(const RelaxationContact& contact, ContactMem
                                     const Motion& block, const Motion& other, double step) {
     const ContactPosition at = locate(contact, block, other);
     const double overlap = -at.gap;
-    if (overlap <= 0 && !memory.touching) {
-        return {};
+    if (!memory.touching) {
+        if (overlap <= 0) {
+            memory.beneath = false;
+            return {};
+        }
+        // A twin hands over where both are about as deep.
+        if (memory.beneath && (twin == nullptr || !twin->touching || overlap > 1.5 * twin->overlap)) {
+            return {};
+        }
+        memory.beneath = false;
     }
     const double velocity_x = (block.vx - other.vx) - (block.spin * at.arm_y - other.spin * at.other_arm_y);
     const double velocity_y = (block.vy - other.vy) + (block.spin * at.arm_x - other.spin * at.other_arm_x);
@@ -82,7 +104,7 @@ inline ContactForce advance_contact(const RelaxationContact& contact, ContactMem
     memory.damping -= step / 2 * (memory.normal_drag * opening + memory.shear_drag * shearing);
     memory.normal_drag = memory.shear_drag = 0;
     const bool bonded = contact.tension > 0 && !memory.broken;
-    const double weight = contact_weight(contact, at.position);
+    const double weight = contact_weight(contact, at.position, overlap);
     const auto open = [&] {
         // What the springs held is lost: of the shear spring much, where friction is great.
         memory.friction += weight * contact.shear_stiffness * memory.shear * memory.shear / 2;
@@ -90,8 +112,9 @@ inline ContactForce advance_contact(const RelaxationContact& contact, ContactMem
         memory.broken = true;
         memory.shear = 0;
     };
-    if (overlap <= 0 && !bonded) {
+    if (weight == 0 || (overlap <= 0 && !bonded)) {
         open();
+        memory.beneath = overlap > 0 && contact.rival == 0;
         return {};
     }
     const double force_before = contact.shear_stiffness * std::abs(memory.shear);
@@ -102,6 +125,7 @@ inline ContactForce advance_contact(const RelaxationContact& contact, ContactMem
         memory.shear += at.slide - memory.place;
     }
     memory.place = at.slide;
+    memory.overlap = overlap;
     double normal = contact.normal_stiffness * overlap;
     if (normal < -contact.tension) {
         memory.friction += weight * normal * overlap / 2;
@@ -147,7 +171,7 @@ inline double elastic_energy(const RelaxationContact& contact, const ContactMemo
         return 0;
     }
     const ContactPosition at = locate(contact, block, other);
-    return contact_weight(contact, at.position) *
+    return contact_weight(contact, at.position, -at.gap) *
            (contact.normal_stiffness * at.gap * at.gap + contact.shear_stiffness * memory.shear * memory.shear) / 2;
 }
 
