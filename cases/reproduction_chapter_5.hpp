@@ -56,6 +56,8 @@ Reproduction reproduce_double_blocks(const ResultFolder& folder, Report& report)
 Reproduction reproduce_fig_5_12(const ResultFolder& folder, Report& report);
 Reproduction reproduce_observations(const ResultFolder& folder, Report& report);
 
+Reproduction reproduce_thresholds(const ResultFolder& folder, Report& report);
+
 Reproduction reproduce_fig_5_13(const ResultFolder& folder, Report& report);
 
 Reproduction reproduce_triple_blocks(const ResultFolder& folder, Report& report);
@@ -63,5 +65,6 @@ Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& repo
 
 Reproduction reproduce_fig_5_16(const ResultFolder& folder, Report& report);
 Reproduction reproduce_fig_5_17(const ResultFolder& folder, Report& report);
+Reproduction reproduce_onset(const ResultFolder& folder, Report& report);
 
 }  // namespace delabole

@@ -23,7 +23,7 @@ class Chapter5 : public ::testing::Test {
         Options options;
         options.out = path_.string();
         options.quiet = true;
-        const ResultFolder folder(options, name);
+        const ResultFolder folder(options, name, OnInterrupt::finish);
         Report report;
         return item->reproduce(folder, report);
     }
