@@ -79,10 +79,10 @@ Reproduction reproduce_onset(const ResultFolder& folder, Report& report) {
     };
     Line onset{.legend = "clean engine, preloaded, onset", .colour = Colour::blue};
     double finest = 0;
-    for (const int power : {4, 5, 6, 7}) {
+    for (const double power : {4.0, 4.5, 5.0, 5.5, 6.0, 7.0}) {
         finest = onset_at(std::pow(10, power)) / degrees(1);
         onset.points.emplace_back(power, finest);
-        add("metres", "1e" + std::to_string(power), "preloaded", "0.01 rad", degrees(finest));
+        add("metres", human_number(std::pow(10, power), 2), "preloaded", "0.01 rad", degrees(finest));
         result.json["onset_deg"].push_back(finest);
     }
     const Chapter5Run inches = stepped_base_runs().front();

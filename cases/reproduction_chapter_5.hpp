@@ -13,6 +13,7 @@ namespace delabole {
 // How a run of chapter 5 is computed; every table has a column for each scheme.
 struct Scheme {
     std::string name;
+    std::string brief;  // of the clean engine: how it starts
     std::function<HockingResult(const Chapter5Run&)> compute;
 };
 
