@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace delabole {
 
@@ -35,6 +36,19 @@ HistoryOf history_of_x(const std::string& legend, const HockingResult& result, b
             [start](const HockingPrint& print) { return (print.blocks.front().centroid.x() - start) * 1e6; }, clean};
 }
 
+// Marks the printed cycles after which CX no longer changes.
+Figure with_printed_rest(const std::vector<Chapter5Run>& runs, Figure figure) {
+    Points printed;
+    printed.legend = "printed: CX at rest";
+    printed.marker = Marker::filled_diamond;
+    printed.size = 1.6;
+    for (const Chapter5Run& run : runs) {
+        printed.points.emplace_back(run.printed_settled->x, 0);
+    }
+    figure.series.emplace_back(printed);
+    return figure;
+}
+
 // Every twenty cycles, for figures.
 Chapter5Run finely_printed(Chapter5Run run, int cycles) {
     run.settings.print_interval = 20;
@@ -50,30 +64,56 @@ HockingResult fine_clean_history(const Chapter5Run& run, int cycles) {
     return clean_history(finely_printed(run, cycles));
 }
 
+// Outcomes and counts of one block over shifted starts.
+struct ShiftedStarts {
+    int stand = 0;
+    int fail = 0;
+    int least = std::numeric_limits<int>::max();
+    int greatest = 0;
+
+    void include(const HockingResult& result) {
+        fail += result.outcome == HockingOutcome::failed ? 1 : 0;
+        if (result.outcome == HockingOutcome::settled) {
+            ++stand;
+            least = std::min(least, settled_cycles(result, 0).x);
+            greatest = std::max(greatest, settled_cycles(result, 0).x);
+        }
+    }
+    std::vector<std::string> words() const {
+        return {std::to_string(stand), std::to_string(fail),
+                stand > 0 ? std::to_string(least) + " to " + std::to_string(greatest) : ""};
+    }
+};
+
 // What the last typed digit of the coordinates does.
 Table last_digit_table() {
     constexpr unsigned starts = 50;
     Table table{"Single block, fixed inclination: coordinates shifted at random by one digit (1e-6 m), " +
                     std::to_string(starts) + " starts each",
-                {{"inclination"}, {"stand", true}, {"fail", true}, {"CX at rest", true}},
+                {{"inclination"},
+                 {"re-created: stand", true},
+                 {"fail", true},
+                 {"CX at rest", true},
+                 {"clean, dropped: stand", true},
+                 {"fail", true},
+                 {"CX at rest", true}},
                 {}};
     for (const Chapter5Run& run : fixed_inclination_runs()) {
         const std::vector<HockingBlock> blocks = make_blocks(run.columns);
-        int stand = 0;
-        int fail = 0;
-        int least = run.settings.cycles;
-        int greatest = 0;
+        ShiftedStarts recreated;
+        ShiftedStarts clean;
         for (unsigned seed = 1; seed <= starts; ++seed) {
-            const HockingResult result = run_hocking(perturbed(blocks, typed_digit, seed), run.settings);
-            fail += result.outcome == HockingOutcome::failed ? 1 : 0;
-            if (result.outcome == HockingOutcome::settled) {
-                ++stand;
-                least = std::min(least, settled_cycles(result, 0).x);
-                greatest = std::max(greatest, settled_cycles(result, 0).x);
+            const std::vector<HockingBlock> shifted = perturbed(blocks, typed_digit, seed);
+            recreated.include(run_hocking(shifted, run.settings));
+            clean.include(run_clean(run, shifted, RelaxationStart::dropped).history);
+        }
+        std::vector<std::string> row = {run.name};
+        for (const ShiftedStarts& one : {recreated, clean}) {
+            for (const std::string& word : one.words()) {
+                row.push_back(word);
             }
         }
-        table.rows.push_back({run.name, std::to_string(stand), std::to_string(fail),
-                              stand > 0 ? std::to_string(least) + " to " + std::to_string(greatest) : ""});
+        table.rows.push_back(row);
     }
     return table;
 }
@@ -93,7 +133,7 @@ Reproduction fixed_inclination(const ResultFolder& folder, Report& report) {
                                    pair_in_words(*run.printed_settled), pair_in_words(settled),
                                    std::to_string(settled.x - run.printed_settled->x) + " / " +
                                        std::to_string(settled.y - run.printed_settled->y),
-                                   ""});
+                                   "", settled_in_words(run, clean_history(run))});
         }
     }
     result.json["largest_difference_of_settled_cycles"] = largest;
@@ -109,14 +149,16 @@ Reproduction fixed_inclination(const ResultFolder& folder, Report& report) {
     const HockingResult a = fine_history(runs[4], 6000);
     const HockingResult b = fine_history(runs[5], 6000);
     const HockingResult clean = fine_clean_history(runs[4], 6000);
-    report.blocks.emplace_back(
-        folder.draw(history_figure("Fig 5.7: transient oscillation", "CX, change since the start", "1e-6 m",
-                                   {history_of_x("18.1 deg", a), history_of_x("18.1 deg, clean engine", clean, true),
-                                    history_of_x("18.15 deg", b)}),
-                    "fig_5_7",
-                    "The first swing grows without limit as the critical inclination is approached. The clean engine's "
-                    "own limit, dropped, is nearer to 18.1 deg, so that it swings farther there; at 18.15 deg it "
-                    "falls."));
+    report.blocks.emplace_back(folder.draw(
+        with_printed_rest(
+            {runs[4], runs[5]},
+            history_figure("Fig 5.7: transient oscillation", "CX, change since the start", "1e-6 m",
+                           {history_of_x("18.1 deg", a), history_of_x("18.1 deg, clean engine", clean, true),
+                            history_of_x("18.15 deg", b)})),
+        "fig_5_7",
+        "The first swing grows without limit as the critical inclination is approached. The clean engine's "
+        "own limit, dropped, is nearer to 18.1 deg, so that it swings farther there; at 18.15 deg it "
+        "falls."));
     const auto depth = [](const HockingResult& history) {
         double lowest = 0;
         for (const HockingPrint& print : history.prints) {
@@ -148,9 +190,12 @@ Reproduction fixed_inclination(const ResultFolder& folder, Report& report) {
     const HockingResult clean_half = fine_clean_history(runs[2], 3000);
     const HockingResult clean_full = fine_clean_history(runs[3], 3000);
     report.blocks.emplace_back(folder.draw(
-        history_figure("Fig 5.8: effect of damping, 18 deg", "CX, change since the start", "1e-6 m",
-                       {history_of_x("damping 0.5", half), history_of_x("damping 0.5, clean engine", clean_half, true),
-                        history_of_x("damping 1", full), history_of_x("damping 1, clean engine", clean_full, true)}),
+        with_printed_rest(
+            {runs[2], runs[3]},
+            history_figure(
+                "Fig 5.8: effect of damping, 18 deg", "CX, change since the start", "1e-6 m",
+                {history_of_x("damping 0.5", half), history_of_x("damping 0.5, clean engine", clean_half, true),
+                 history_of_x("damping 1", full), history_of_x("damping 1, clean engine", clean_full, true)})),
         "fig_5_8", "Twice the damping halves the time to rest."));
     return result;
 }
@@ -226,17 +271,28 @@ bool agrees(PrintedOutcome printed, const HockingResult& result) {
     return false;
 }
 
+void OutcomeCount::include(HockingOutcome outcome) {
+    ++runs;
+    stand += outcome == HockingOutcome::settled ? 1 : 0;
+    fail += outcome == HockingOutcome::failed ? 1 : 0;
+    blow_out += outcome == HockingOutcome::blown_out ? 1 : 0;
+    undecided += outcome == HockingOutcome::undecided ? 1 : 0;
+}
+
 OutcomeCount count_outcomes(const Chapter5Run& run, double unit, int runs) {
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);
     OutcomeCount count;
     for (int seed = 1; seed <= runs; ++seed) {
-        const HockingOutcome outcome =
-            run_hocking(perturbed(blocks, unit, static_cast<unsigned>(seed)), run.settings).outcome;
-        ++count.runs;
-        count.stand += outcome == HockingOutcome::settled ? 1 : 0;
-        count.fail += outcome == HockingOutcome::failed ? 1 : 0;
-        count.blow_out += outcome == HockingOutcome::blown_out ? 1 : 0;
-        count.undecided += outcome == HockingOutcome::undecided ? 1 : 0;
+        count.include(run_hocking(perturbed(blocks, unit, static_cast<unsigned>(seed)), run.settings).outcome);
+    }
+    return count;
+}
+
+OutcomeCount count_clean_outcomes(const Chapter5Run& run, RelaxationStart start, double unit, int runs) {
+    const std::vector<HockingBlock> blocks = make_blocks(run.columns);
+    OutcomeCount count;
+    for (int seed = 1; seed <= runs; ++seed) {
+        count.include(run_clean(run, perturbed(blocks, unit, static_cast<unsigned>(seed)), start).history.outcome);
     }
     return count;
 }

@@ -120,11 +120,17 @@ Reproduction reproduce_onset(const ResultFolder& folder, Report& report) {
                                       .legend = "the thesis's blocks, preloaded, 1 deg",
                                       .colour = Colour::green,
                                       .marker = Marker::filled_square});
-    result.rows.push_back({"stepped base: onset at k b/W = 1e7", "41.14 deg", human_number(finest, 5) + " deg",
-                           human_number(finest - theory, 2) + " deg", "printed: limit equilibrium"});
-    result.rows.push_back({"the thesis's blocks, dropped: limit", "between 42 and 44 deg",
-                           human_number(dropped / degrees(1), 5) + " deg", "",
-                           statement(dropped > degrees(42) && dropped < degrees(44))});
+    result.rows.push_back({"stepped base: onset at k b/W = 1e7", "41.14 deg", "",
+                           human_number(finest - theory, 2) + " deg", "printed: limit equilibrium",
+                           human_number(finest, 5) + " deg"});
+    result.rows.push_back({"the thesis's blocks, dropped: limit", "between 42 and 44 deg", "", "",
+                           statement(dropped > degrees(42) && dropped < degrees(44)),
+                           human_number(dropped / degrees(1), 5) + " deg"});
+    report.blocks.emplace_back(Paragraph{
+        "Soft joints ask for 0.4 deg more friction than equilibrium does: columns 1 and 2 mobilise their joint only "
+        "after turning. From k b/W = 3e5 on that fades. Dropped on the springs of the thesis, the columns need a "
+        "further half degree, which puts the limit inside the printed bracket. Collapse is another matter: columns "
+        "that have begun to move wedge again, and turn by more than 10 deg only below 41.13 deg."});
     report.blocks.emplace_back(table);
     report.blocks.emplace_back(folder.draw(figure, "stepped_base_onset", "Onset converges with stiffness."));
     report.blocks.emplace_back(printed_table("Onset", result.rows));

@@ -144,8 +144,8 @@ void stiffness_part(const ResultFolder& folder, Report& report, Reproduction& re
     result.rows.push_back({"one block, preloaded: farthest from tan(tilt) = b/a - W/(k b) sqrt(1 + (b/a)^2)", "",
                            human_number(farthest_from_law / degrees(1), 2) + " deg", "", "bisected to 0.002 deg"});
     result.rows.push_back({"two blocks, dropped: stands up to, 1e6 and 1e9 N/m", "softer fails; stiffer fails faster",
-                           shown(softest) + " and " + shown(stiffest) + " deg", "",
-                           "stiffer stands longer, without exception"});
+                           "", "", "stiffer stands longer, without exception",
+                           shown(softest) + " and " + shown(stiffest) + " deg"});
     Figure figure;
     figure.title = "Greatest tilt that stands, a/b = 3";
     figure.x = {.title = "stiffness of a corner",
@@ -220,8 +220,9 @@ void step_and_damping_part(Report& report, Reproduction& result) {
     result.rows.push_back({"preloaded: largest change by step or damping",
                            "halving the step: more than twice the cycles", human_number(greatest - least, 2) + " deg",
                            "", ""});
-    result.rows.push_back({"dropped: largest change by the step", "", human_number(of_step / degrees(1), 2) + " deg",
-                           "", "damping matters there: it takes the energy of the drop"});
+    result.rows.push_back({"dropped: largest change by the step", "", "", "",
+                           "damping matters there: it takes the energy of the drop",
+                           human_number(of_step / degrees(1), 2) + " deg"});
     report.blocks.emplace_back(table);
 }
 

@@ -3,6 +3,7 @@
 
 #include "cases/reproduction.hpp"
 #include "dynamic_relaxation/hocking/chapter_5.hpp"
+#include "dynamic_relaxation/settings.hpp"
 
 #include <functional>
 #include <string>
@@ -42,9 +43,12 @@ struct OutcomeCount {
     int fail = 0;
     int blow_out = 0;
     int undecided = 0;
+
+    void include(HockingOutcome outcome);
 };
 
 OutcomeCount count_outcomes(const Chapter5Run& run, double unit, int runs);
+OutcomeCount count_clean_outcomes(const Chapter5Run& run, RelaxationStart start, double unit, int runs);
 std::string in_words(const OutcomeCount& count);
 
 // Every run's outcome beside the printed one, also for result.json.
