@@ -273,8 +273,15 @@ Reproduction reproduce_observations(const ResultFolder& folder, Report& report) 
                                   rotation(print_at(histories[0], runs[0].printed_cycle.value_or(0))));
     }
     figure.series.emplace_back(marks);
+    figure.x.range = std::pair(0, 9000);
+    figure.y.range = std::pair(0, 20);
     report.blocks.emplace_back(
         folder.draw(figure, "observations", "Stiffness, time step and damping; dashed: clean engine, dropped."));
+    report.blocks.emplace_back(Paragraph{
+        "In the clean engine, dropped, stiffer blocks fail later, not faster; half the step takes twice the cycles, "
+        "which is the same time; and more damping delays the failure, in order. The opposite or irregular answers of "
+        "the thesis come with a scatter of its program's cycles that the table of shifted starts shows. Preloaded, "
+        "the blocks stand at 18.4 deg, whatever their stiffness from 2e6 N/m on, step and damping."});
     report.blocks.emplace_back(printed_table("Observations 1 to 4", result.rows));
     return result;
 }
