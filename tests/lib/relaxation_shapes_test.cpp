@@ -211,6 +211,7 @@ Polygon<> random_polygon(std::mt19937& random, const PlanePoint<>& centre) {
     std::uniform_real_distribution<double> any(0, 1);
     const int count = 3 + static_cast<int>(5 * any(random));
     std::vector<double> angle;
+    angle.reserve(static_cast<std::size_t>(count));
     for (int index = 0; index < count; ++index) {
         angle.push_back(2 * std::acos(-1.0) * (index + 0.8 * any(random)) / count);
     }
@@ -231,8 +232,10 @@ TEST(Fuzz, HeapsOfPolygonsDoNotExplodeOrSink) {
         std::vector<RelaxationBlock> blocks;
         for (std::size_t index = 0; index < count; ++index) {
             // In three files, each block in a square of its own.
-            const PlanePoint<> centre(static_cast<double>(index % 3) + 0.05 * any(random),
-                                      0.5 + static_cast<double>(index / 3) + 0.05 * any(random));
+            const std::size_t file = index % 3;
+            const std::size_t floor = index / 3;
+            const PlanePoint<> centre(static_cast<double>(file) + 0.05 * any(random),
+                                      0.5 + static_cast<double>(floor) + 0.05 * any(random));
             blocks.push_back({random_polygon(random, centre), density * (0.3 + any(random))});
         }
         const RelaxationScene scene = on_floor(std::move(blocks), 60 * any(random), std::pow(10, 4 + any(random)));
