@@ -74,8 +74,16 @@ ModelInterface interface_of(const CaseModel& model) {
     return std::visit([](const auto& parameters) { return model_interface(parameters); }, model);
 }
 
-Analysis analyse_model(const CaseModel& model) {
-    return std::visit([](const auto& parameters) { return analyse_case(parameters); }, model);
+Analysis analyse_model(const CaseModel& model, const AnalysisWatch& watch) {
+    return std::visit(
+        [&](const auto& parameters) {
+            if constexpr (requires { analyse_case(parameters, watch); }) {
+                return analyse_case(parameters, watch);
+            } else {
+                return analyse_case(parameters);
+            }
+        },
+        model);
 }
 
 }  // namespace delabole

@@ -5,8 +5,10 @@
 #include "numerics/required_value.hpp"
 #include "parameters/model_interface.hpp"
 
+#include <any>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -28,6 +30,8 @@ struct Analysis {
     std::string failure;  // name of the check that failed, empty where there is an answer
     std::vector<NamedOutput> outputs;
     std::vector<std::string> warnings;
+    std::string unfinished;  // why the outputs are no final answer, empty where they are
+    std::any drawn_from;     // what the model's figures are made of, where making it again would take long
 
     const NamedOutput* find(std::string_view name) const;
 };
@@ -38,7 +42,10 @@ void append_required_value(Analysis& analysis, const std::string& parameter, dou
 // Named numbers of the model set to other values than the case's. Unknown names: std::invalid_argument.
 CaseModel with_conditions(const CaseModel& model, const std::vector<Condition>& conditions);
 
-Analysis analyse_model(const CaseModel& model);
+// Told now and then what share of the work is done, 0 to 1, and what is being done; returning false ends the work.
+using AnalysisWatch = std::function<bool(double share, const std::string& what)>;
+
+Analysis analyse_model(const CaseModel& model, const AnalysisWatch& watch = {});
 
 // The model as the loops see it.
 ModelInterface interface_of(const CaseModel& model);

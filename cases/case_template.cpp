@@ -18,7 +18,7 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 40> examples{{
+constexpr std::array<ExampleNumber, 42> examples{{
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -55,6 +55,8 @@ constexpr std::array<ExampleNumber, 40> examples{{
     {"height", 2.0},
     {"depth_behind", 2.0},
     {"depth_in_front", 0.5},
+    {"block", 1.0},
+    {"joint", 1.0},
     {"lower_inclination", degrees(20)},
     {"upper_inclination", degrees(50)},
     {"lower_end_height", 5.0},
@@ -142,6 +144,8 @@ std::string annotated_value(const FieldInfo& info, const Member& member) {
         }
         if constexpr (NumberType<Inner>) {
             return commented(annotated_value(info, example_number(info)));
+        } else if constexpr (std::is_enum_v<Inner>) {
+            return commented(annotated_value(info, Inner{}));
         }
     } else if constexpr (NumberType<Member>) {
         const std::string range = readable_range(info.range, info.dimension);
@@ -183,7 +187,7 @@ std::string annotated_section(const FieldInfo& info, const Member& member, const
         if (member) {
             return annotated_section(info, *member, path);
         }
-        if constexpr (!NumberType<Inner>) {
+        if constexpr (!NumberType<Inner> && !std::is_enum_v<Inner>) {
             return after_blank_line(commented(annotated_section(info, example<Inner>(), path).substr(1)));
         }
     } else if constexpr (is_vector<Member>) {

@@ -66,6 +66,7 @@ void check_case(Checker& checker, const SingleBlock<>& problem);
 void check_case(Checker& checker, const BlockRow<>& row);
 void check_case(Checker& checker, const TiltedColumn<>& column);
 void check_case(Checker& checker, const KinematicsStudy& study);
+void check_case(Checker& checker, const RelaxationStudy& study);
 
 // The pointers only choose the model.
 ModelExample<PlaneFailureStudy<>> example_case(const PlaneFailureStudy<>*);
@@ -74,6 +75,7 @@ ModelExample<SingleBlock<>> example_case(const SingleBlock<>*);
 ModelExample<BlockRow<>> example_case(const BlockRow<>*);
 ModelExample<TiltedColumn<>> example_case(const TiltedColumn<>*);
 ModelExample<KinematicsStudy> example_case(const KinematicsStudy*);
+ModelExample<RelaxationStudy> example_case(const RelaxationStudy*);
 
 // All that the model can answer, whatever a case asks of it. The values of the model may be out of their ranges; only
 // how many parts it has may matter.
@@ -83,5 +85,6 @@ std::vector<Quantity> possible_outputs(const SingleBlock<>& problem);
 std::vector<Quantity> possible_outputs(const BlockRow<>& row);
 std::vector<Quantity> possible_outputs(const TiltedColumn<>& column);
 std::vector<Quantity> possible_outputs(const KinematicsStudy& study);
+std::vector<Quantity> possible_outputs(const RelaxationStudy& study);
 
 }  // namespace delabole

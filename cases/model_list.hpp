@@ -2,6 +2,7 @@
 // model_cases.hpp and model_reports.hpp for what they hold.
 #pragma once
 
+#include "dynamic_relaxation/relaxation_study.hpp"
 #include "kinematics/parameters.hpp"
 #include "limit_equilibrium/block_row_parameters.hpp"
 #include "limit_equilibrium/single_block.hpp"
@@ -13,7 +14,7 @@
 
 namespace delabole {
 
-using CaseModel =
-    std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, SingleBlock<>, BlockRow<>, TiltedColumn<>, KinematicsStudy>;
+using CaseModel = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, SingleBlock<>, BlockRow<>, TiltedColumn<>,
+                               KinematicsStudy, RelaxationStudy>;
 
 }  // namespace delabole

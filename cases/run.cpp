@@ -7,11 +7,13 @@
 #include "cases/inputs_report.hpp"
 #include "cases/interrupt.hpp"
 #include "cases/model_reports.hpp"
+#include "cases/progress.hpp"
 #include "cases/result_folder.hpp"
 #include "cases/stepped_base_bound.hpp"
 #include "cases/units.hpp"
 #include "plots/text.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 namespace delabole {
@@ -71,7 +73,13 @@ void announce(const CaseFile& file, const Options& options) {
 ExitCode run_one(const CaseFile& file, const Options& options) {
     const Stopwatch watch;
     announce(file, options);
-    const Analysis analysis = analyse_model(file.model);
+    const Analysis analysis = [&] {
+        Progress progress(options.quiet);
+        return analyse_model(file.model, [&](double share, const std::string& what) {
+            progress.report(share, what);
+            return !interrupt_flag();
+        });
+    }();
     if (!analysis.failure.empty()) {
         throw CaseError({impossible(file, analysis.failure)});
     }
@@ -79,7 +87,7 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     const Json source = provenance(file, "run", options, watch.seconds());
 
     Json json;
-    json["status"] = "ok";
+    json["status"] = analysis.unfinished.empty() ? "ok" : "not_converged";
     json["title"] = file.title;
     json["model"] = std::string(model_name(file.model));
     json["results"] = json_of(analysis.outputs);
@@ -92,7 +100,15 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     }
     report.blocks.emplace_back(Heading{"Results"});
     report.blocks.emplace_back(output_table(analysis));
-    std::visit([&](const auto& parameters) { append_case_figures(parameters, folder, report); }, file.model);
+    std::visit(
+        [&](const auto& parameters) {
+            if constexpr (requires { append_case_figures(parameters, analysis, folder, report); }) {
+                append_case_figures(parameters, analysis, folder, report);
+            } else {
+                append_case_figures(parameters, folder, report);
+            }
+        },
+        file.model);
     report.blocks.emplace_back(Heading{"Inputs"});
     report.blocks.emplace_back(inputs_table(file));
     report.blocks.emplace_back(Heading{"Provenance"});
@@ -107,7 +123,7 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     } else if (!options.quiet) {
         print(file, analysis, folder);
     }
-    return ExitCode::ok;
+    return analysis.unfinished.empty() ? ExitCode::ok : ExitCode::not_converged;
 }
 
 }  // namespace
@@ -122,17 +138,18 @@ ExitCode run_command(const Paths& cases, const Options& options) {
         files.push_back(read_case(path, settings_of(options)));
     }
     std::size_t analysed = 0;
+    ExitCode worst = ExitCode::ok;
     for (const CaseFile& file : files) {
         try {
             stop_if_interrupted();
-            run_one(file, options);
+            worst = std::max(worst, run_one(file, options));
         } catch (const Interrupted&) {
             std::cerr << "delabole: interrupted, " << analysed << " of " << files.size() << " cases were analysed\n";
             return ExitCode::not_converged;
         }
         ++analysed;
     }
-    return ExitCode::ok;
+    return worst;
 }
 
 }  // namespace delabole

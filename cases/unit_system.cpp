@@ -51,6 +51,20 @@ std::string si_symbol(Dimension dimension) {
         return "N/m";
     case Dimension::moment_per_length:
         return "N m/m";
+    case Dimension::energy_per_length:
+        return "J/m";
+    case Dimension::density:
+        return "kg/m3";
+    case Dimension::stiffness:
+        return "N/m/m";
+    case Dimension::time:
+        return "s";
+    case Dimension::speed:
+        return "m/s";
+    case Dimension::acceleration:
+        return "m/s2";
+    case Dimension::angular_speed:
+        return "rad/s";
     case Dimension::ratio:
         break;
     }

@@ -196,7 +196,8 @@ ParsedQuantity parse_quantity(std::string_view text, Dimension dimension) {
     if (!factor.known) {
         return unknown_unit(parts.unit, dimension);
     }
-    if (!factor.si_per_unit || dimension == Dimension::angle || mentions_angle(parts.unit)) {
+    const bool of_angle = dimension == Dimension::angular_speed;
+    if (!factor.si_per_unit || dimension == Dimension::angle || mentions_angle(parts.unit) != of_angle) {
         return wrong_dimension(parts.unit, dimension);
     }
     return scaled(parts.number, *factor.si_per_unit);
@@ -246,6 +247,20 @@ std::string_view dimension_phrase(Dimension dimension) {
         return "a force per metre run";
     case Dimension::moment_per_length:
         return "a moment per metre run";
+    case Dimension::energy_per_length:
+        return "an energy per metre run";
+    case Dimension::density:
+        return "a density";
+    case Dimension::stiffness:
+        return "a stiffness per metre run";
+    case Dimension::time:
+        return "a time";
+    case Dimension::speed:
+        return "a speed";
+    case Dimension::acceleration:
+        return "an acceleration";
+    case Dimension::angular_speed:
+        return "an angular speed";
     case Dimension::ratio:
         break;
     }
@@ -268,6 +283,20 @@ std::string_view example_of(Dimension dimension) {
         return "\"100 kN/m\"";
     case Dimension::moment_per_length:
         return "\"100 kN m/m\"";
+    case Dimension::energy_per_length:
+        return "\"10 J/m\"";
+    case Dimension::density:
+        return "\"2700 kg/m3\"";
+    case Dimension::stiffness:
+        return "\"1000 MN/m/m\"";
+    case Dimension::time:
+        return "\"1 s\"";
+    case Dimension::speed:
+        return "\"0.1 m/s\"";
+    case Dimension::acceleration:
+        return "\"9.81 m/s2\"";
+    case Dimension::angular_speed:
+        return "\"1 deg/s\"";
     case Dimension::ratio:
         break;
     }

@@ -2,6 +2,7 @@
 #include "cases/analysis.hpp"
 #include "cases/case_error.hpp"
 #include "cases/commands.hpp"
+#include "cases/interrupt.hpp"
 #include "cases/result_folder.hpp"
 #include "cases/units.hpp"
 #include "fitting/words.hpp"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <optional>
 
 namespace delabole {
 
@@ -79,8 +81,12 @@ Comparison compare_number(const CaseFile& file, const Expectation& expected, con
     return row;
 }
 
-Comparison compare(const CaseFile& file, const Expectation& expected) {
-    const Analysis analysis = analyse_model(with_conditions(file.model, expected.conditions));
+Analysis analysis_of(const CaseFile& file, const std::vector<Condition>& conditions) {
+    return analyse_model(with_conditions(file.model, conditions),
+                         [](double, const std::string&) { return !interrupt_flag(); });
+}
+
+Comparison compare(const CaseFile& file, const Expectation& expected, const Analysis& analysis) {
     const NamedOutput* output = analysis.find(expected.quantity);
     Comparison row;
     if (!analysis.failure.empty()) {
@@ -144,8 +150,18 @@ ExitCode verify_command(const Paths& cases, const Options& options) {
             continue;
         }
         rows.push_back({path.string()});
+        std::optional<Analysis> at_base;
         for (const Expectation& expected : file.expectations) {
-            const Comparison row = compare(file, expected);
+            if (expected.conditions.empty() && !at_base) {
+                at_base = analysis_of(file, {});
+            }
+            const Comparison row = expected.conditions.empty()
+                                       ? compare(file, expected, *at_base)
+                                       : compare(file, expected, analysis_of(file, expected.conditions));
+            if (interrupt_flag()) {
+                std::cerr << "delabole: interrupted in " << path.string() << '\n';
+                return ExitCode::not_converged;
+            }
             const std::string verdict(word_of(row.verdict));
             ++counts[static_cast<std::size_t>(row.verdict)];
             rows.push_back({"  " + row.quantity, row.expected, row.computed, row.difference, row.tolerance, verdict});

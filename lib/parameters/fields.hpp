@@ -40,6 +40,13 @@ enum class Dimension {
     unit_weight,        // N/m3
     force_per_length,   // N/m
     moment_per_length,  // N m/m
+    energy_per_length,  // J/m
+    density,            // kg/m3
+    stiffness,          // N/m per metre run
+    time,               // s
+    speed,              // m/s
+    acceleration,       // m/s2
+    angular_speed,      // rad/s
 };
 
 // The unit in which people read a dimension, and the factor to the SI base unit used inside.
@@ -66,6 +73,20 @@ constexpr DisplayUnit display_unit(Dimension dimension) {
         return {"kN/m", "_kN_per_m", 1e3};
     case Dimension::moment_per_length:
         return {"kN m/m", "_kN_m_per_m", 1e3};
+    case Dimension::energy_per_length:
+        return {"J/m", "_J_per_m", 1.0};
+    case Dimension::density:
+        return {"kg/m3", "_kg_per_m3", 1.0};
+    case Dimension::stiffness:
+        return {"MN/m/m", "_MN_per_m_per_m", 1e6};
+    case Dimension::time:
+        return {"s", "_s", 1.0};
+    case Dimension::speed:
+        return {"m/s", "_m_per_s", 1.0};
+    case Dimension::acceleration:
+        return {"m/s2", "_m_per_s2", 1.0};
+    case Dimension::angular_speed:
+        return {"deg/s", "_deg_per_s", radians_per_degree};
     case Dimension::ratio:
         break;
     }

@@ -1,0 +1,200 @@
+// Dynamic relaxation as the reader knows it.
+#include "cases/model_cases.hpp"
+#include "cases/units.hpp"
+#include "dynamic_relaxation/relaxation_study.hpp"
+
+#include <cmath>
+
+namespace delabole {
+namespace {
+
+void check_joint(Checker& checker, const std::string& key, const RelaxationJoint& joint) {
+    if (joint.residual_friction_angle && *joint.residual_friction_angle > joint.friction_angle) {
+        checker.complain(key + ".residual_friction_angle",
+                         "must not exceed the peak, " + readable_quantity(joint.friction_angle, Dimension::angle));
+    }
+    if (joint.shear_stiffness && !joint.normal_stiffness) {
+        checker.complain(key + ".shear_stiffness", "needs normal_stiffness beside it");
+    }
+}
+
+bool is_whole(double number) {
+    return number == std::floor(number);
+}
+
+void check_joint_number(Checker& checker, const std::string& key, const std::optional<double>& number,
+                        std::size_t count) {
+    if (number && (!is_whole(*number) || *number > static_cast<double>(count))) {
+        checker.complain(key, "must be the number of a [[scene.joint]], 1 to " + std::to_string(count));
+    }
+}
+
+void check_blocks(Checker& checker, const RelaxationRow& row) {
+    check_joint(checker, "scene.interface", row.interface);
+    check_joint(checker, "scene.base", row.base);
+}
+
+void check_blocks(Checker& checker, const RelaxationColumns& columns) {
+    check_joint(checker, "scene.interface", columns.interface);
+    check_joint(checker, "scene.base", columns.base);
+}
+
+void check_blocks(Checker& checker, const RelaxationPolygons& polygons) {
+    if (polygons.joint.empty()) {
+        checker.complain("scene.joint", "is required: at least one [[scene.joint]]");
+    }
+    for (std::size_t index = 0; index < polygons.joint.size(); ++index) {
+        check_joint(checker, indexed("scene.joint", index), polygons.joint[index]);
+    }
+    for (std::size_t index = 0; index < polygons.block.size(); ++index) {
+        const RelaxationPolygon& block = polygons.block[index];
+        const std::string key = indexed("scene.block", index);
+        check_joint_number(checker, key + ".joint", block.joint, polygons.joint.size());
+        if (block.vertex.size() < 3) {
+            checker.complain(key + ".vertex", "needs at least three corners");
+        }
+        for (std::size_t vertex = 0; vertex < block.vertex.size(); ++vertex) {
+            check_joint_number(checker, indexed(key + ".vertex", vertex) + ".joint", block.vertex[vertex].joint,
+                               polygons.joint.size());
+        }
+    }
+}
+
+// Complains unless it is the number of a block; what it is of that block the caller may go on to ask.
+bool check_block_number(Checker& checker, const std::string& key, double number, const RelaxationScene& scene) {
+    if (is_whole(number) && number >= 1 && number <= static_cast<double>(scene.block.size())) {
+        return true;
+    }
+    checker.complain(
+        key, "must be the number of a block, 1 to " + std::to_string(scene.block.size()) + ", fixed ones counted last");
+    return false;
+}
+
+std::size_t index_of(double number) {
+    return static_cast<std::size_t>(number) - 1;
+}
+
+void check_loads(Checker& checker, const Relaxation& model, const RelaxationScene& scene) {
+    for (std::size_t index = 0; index < model.force.size(); ++index) {
+        check_block_number(checker, indexed("force", index) + ".block", model.force[index].block, scene);
+    }
+    for (std::size_t index = 0; index < model.pressure.size(); ++index) {
+        const WaterPressure& pressure = model.pressure[index];
+        const std::string key = indexed("pressure", index);
+        if (check_block_number(checker, key + ".block", pressure.block, scene)) {
+            const std::size_t edges = scene.block[index_of(pressure.block)].outline.size();
+            if (!is_whole(pressure.edge) || pressure.edge > static_cast<double>(edges)) {
+                checker.complain(key + ".edge",
+                                 "must be the number of a face of the block, 1 to " + std::to_string(edges));
+            }
+        }
+    }
+    check_increasing(checker, model.shaking, &ShakingPoint::time, "shaking", "time");
+    for (std::size_t index = 0; index < model.motion.size(); ++index) {
+        const FixedBlockMotion& motion = model.motion[index];
+        const std::string key = indexed("motion", index);
+        if (check_block_number(checker, key + ".block", motion.block, scene) &&
+            !scene.block[index_of(motion.block)].fixed) {
+            checker.complain(key + ".block", "is free: only a fixed block moves as prescribed");
+        }
+        check_increasing(checker, motion.velocity, &VelocityPoint::time, key + ".velocity", "time");
+    }
+    for (std::size_t index = 0; index < model.removal.size(); ++index) {
+        check_block_number(checker, indexed("removal", index) + ".block", model.removal[index].block, scene);
+    }
+    if (model.tilting && model.tilting->turned == TiltingFrame::base && !model.motion.empty()) {
+        checker.complain("tilting.turned", "turns every fixed block, so that [[motion]] cannot move one otherwise");
+    }
+}
+
+void check_settings(Checker& checker, const RelaxationNumerics& settings, const RelaxationScene& scene) {
+    const bool ramped = settings.start == RelaxationStart::ramped;
+    if (ramped != (settings.ramp_time.value_or(0) > 0)) {
+        checker.complain(ramped ? "settings.start" : "settings.ramp_time",
+                         "a ramped start and a ramp_time of more than 0 go together");
+    }
+    bool held = false;
+    for (const RelaxationBlock& block : scene.block) {
+        held = held || block.held_at_first;
+    }
+    if (!held && settings.consolidation_time.value_or(0) > 0) {
+        checker.complain("settings.consolidation_time", "no block has hold = \"held_at_first\"");
+    }
+}
+
+void check_critical(Checker& checker, const CriticalRequest& critical) {
+    if (!(critical.lower < critical.upper)) {
+        checker.complain("critical.lower", "bounds are reversed: must be less than critical.upper");
+    }
+    if (critical.parameter == CriticalParameter::friction && critical.lower < 0) {
+        checker.complain("critical.lower", "is a friction angle: at least 0 deg");
+    }
+}
+
+RelaxationStudy example_study() {
+    RelaxationStudy study{};
+    RelaxationRow row{};
+    row.tilt = degrees(10);
+    row.density = 2700;
+    row.interface = {degrees(20), {}, {}, {}, {}, {}};
+    row.base = {degrees(30), {}, {}, {}, {}, {}};
+    row.block = {{1, 3, {}}, {1, 3, {}}};
+    study.model.scene = row;
+    return study;
+}
+
+constexpr std::string_view relaxation_parts = R"(
+[sources]                           # where a value comes from, by its key
+"scene.density" = "laboratory"
+
+[[expect]]                          # a value known otherwise: delabole verify compares
+quantity = "outcome"
+value = "equilibrium"
+source = "limiting equilibrium"
+)";
+
+}  // namespace
+
+void check_case(Checker& checker, const RelaxationStudy& study) {
+    const RelaxationScene scene = relaxation_scene(study);
+    const bool any = std::visit([](const auto& kind) { return !kind.block.empty(); }, study.model.scene);
+    if (!any) {
+        checker.complain("scene.block", "is required: at least one [[scene.block]]");
+        return;
+    }
+    std::visit([&](const auto& kind) { check_blocks(checker, kind); }, study.model.scene);
+    check_loads(checker, study.model, scene);
+    const RelaxationNumerics settings = study.settings.value_or(RelaxationNumerics{});
+    check_settings(checker, settings, scene);
+    if (study.critical) {
+        check_critical(checker, *study.critical);
+    }
+    if (study.history) {
+        for (std::size_t index = 0; index < study.history->block.size(); ++index) {
+            check_block_number(checker, indexed("history.block", index) + ".block", study.history->block[index].block,
+                               scene);
+        }
+        for (std::size_t index = 0; index < study.history->contact.size(); ++index) {
+            const ContactMonitor& contact = study.history->contact[index];
+            const std::string key = indexed("history.contact", index);
+            check_block_number(checker, key + ".block", contact.block, scene);
+            check_block_number(checker, key + ".other", contact.other, scene);
+        }
+    }
+}
+
+ModelExample<RelaxationStudy> example_case(const RelaxationStudy*) {
+    return {example_study(), "Two blocks on an inclined plane, by dynamic relaxation", relaxation_parts};
+}
+
+std::vector<Quantity> possible_outputs(const RelaxationStudy& study) {
+    std::vector<Quantity> outputs = model_interface(study).outputs;
+    for (const CriticalParameter parameter : {CriticalParameter::tilt, CriticalParameter::friction}) {
+        if (!study.critical || study.critical->parameter != parameter) {
+            outputs.push_back({std::string(name_of_critical(parameter)), Dimension::angle, "where it is asked for"});
+        }
+    }
+    return outputs;
+}
+
+}  // namespace delabole

@@ -1,0 +1,186 @@
+#include "cases/relaxation_figures.hpp"
+
+#include "fitting/words.hpp"
+#include "plots/block_figures.hpp"
+#include "plots/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+constexpr std::size_t most_drawn_blocks = 1000;
+constexpr std::size_t most_rows = 60;
+
+DrawnMode drawn(BlockMovement movement) {
+    switch (movement) {
+    case BlockMovement::stays:
+        return DrawnMode::stays;
+    case BlockMovement::slides_forward:
+    case BlockMovement::slides_backward:
+        return DrawnMode::slides;
+    case BlockMovement::rotates:
+        return DrawnMode::topples;
+    case BlockMovement::slides_and_rotates:
+        return DrawnMode::slides_and_topples;
+    case BlockMovement::fixed:
+        return DrawnMode::fixed;
+    case BlockMovement::removed:
+        break;
+    }
+    return DrawnMode::plain;
+}
+
+// From the scene's frame, in which gravity is tilted, to one with gravity downwards.
+class Upright {
+  public:
+    explicit Upright(double tilt) : cosine_(std::cos(tilt)), sine_(std::sin(tilt)) {}
+
+    Point operator()(const PlanePoint<>& point) const {
+        return {cosine_ * point.x() - sine_ * point.y(), sine_ * point.x() + cosine_ * point.y()};
+    }
+
+  private:
+    double cosine_;
+    double sine_;
+};
+
+BlockDrawing drawing_of(const RelaxationRun& made, const std::vector<Motion>& motion, const Bodies& bodies, double tilt,
+                        bool with_modes) {
+    const Upright upright(tilt);
+    BlockDrawing drawing;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (made.end->removed[block] != 0 && with_modes) {
+            continue;
+        }
+        DrawnBlock shown;
+        for (std::size_t corner = bodies.range[block].begin; corner < bodies.range[block].end; ++corner) {
+            shown.outline.push_back(upright(moved_corner(bodies, motion, corner)));
+        }
+        const bool fixed = bodies.fixed[block] != 0;
+        shown.label = fixed ? "F" : std::to_string(block + 1);
+        shown.mode = fixed        ? DrawnMode::fixed
+                     : with_modes ? drawn(made.result.block[block].movement)
+                                  : DrawnMode::plain;
+        drawing.blocks.push_back(std::move(shown));
+    }
+    return drawing;
+}
+
+Figure start_figure(const RelaxationRun& made, const Bodies& bodies) {
+    BlockDrawing drawing = drawing_of(made, made.end->origin, bodies, made.scene.gravity.tilt, false);
+    drawing.title = "At the start";
+    return block_figure(drawing);
+}
+
+Figure end_figure(const RelaxationRun& made, const Bodies& bodies) {
+    BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, true);
+    drawing.title =
+        "After " + value_in_words(made.result.time, Dimension::time) + ": " + human_name(word_of(made.result.outcome));
+    return block_figure(drawing);
+}
+
+Figure force_figure(const RelaxationRun& made, const Bodies& bodies) {
+    const Upright upright(made.result.tilt);
+    BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, false);
+    drawing.title = "Contact forces after " + value_in_words(made.result.time, Dimension::time);
+    for (const CornerForce& force : corner_forces(bodies, *made.end)) {
+        const bool on_fixed = bodies.fixed[force.block] != 0;
+        const bool by_fixed = bodies.fixed[force.other] != 0;
+        drawing.forces.push_back({upright(force.at), (on_fixed ? -1 : 1) * upright(force.force),
+                                  on_fixed || by_fixed ? ForceKind::base_reaction : ForceKind::interblock});
+    }
+    return block_figure(drawing);
+}
+
+double speed(const Motion& motion) {
+    return std::hypot(motion.vx, motion.vy);
+}
+
+// Velocities of the centroids; nothing where nothing moves.
+std::optional<Figure> velocity_figure(const RelaxationRun& made, const Bodies& bodies) {
+    double fastest = 0;
+    double size = 0;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (bodies.fixed[block] == 0) {
+            fastest = std::max(fastest, speed(made.end->motion[block]));
+            size = std::max(size, bodies.radius[block]);
+        }
+    }
+    constexpr double at_rest = 1e-6;
+    if (!(fastest > at_rest)) {
+        return std::nullopt;
+    }
+    const Upright upright(made.result.tilt);
+    BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, false);
+    drawing.title = "Velocities after " + value_in_words(made.result.time, Dimension::time);
+    for (DrawnBlock& block : drawing.blocks) {
+        block.label = block.mode == DrawnMode::fixed ? block.label : "";
+    }
+    Figure figure = block_figure(drawing);
+    Arrows arrows;
+    arrows.legend = "velocity, the longest " + value_in_words(fastest, Dimension::speed);
+    arrows.colour = Colour::vermilion;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        const Motion& motion = made.end->motion[block];
+        if (bodies.fixed[block] == 0 && made.end->removed[block] == 0 && speed(motion) > fastest / 1000) {
+            const PlanePoint<> centre = bodies.centroid[block] + PlanePoint<>(motion.x, motion.y);
+            const PlanePoint<> way(size / fastest * motion.vx, size / fastest * motion.vy);
+            arrows.shafts.push_back({upright(centre), upright(PlanePoint<>(centre + way))});
+        }
+    }
+    figure.series.emplace_back(std::move(arrows));
+    return figure;
+}
+
+Table block_table(const RelaxationRun& made) {
+    Table table{"The blocks at the end; slip over the base is negative forward, towards the toe.",
+                {{"block", true},
+                 {"movement"},
+                 {"rotation, °", true},
+                 {"displacement, mm", true},
+                 {"slip over the base, mm", true}},
+                {}};
+    constexpr double millimetre = 1e-3;
+    for (std::size_t block = 0; block < made.result.block.size() && table.rows.size() < most_rows; ++block) {
+        const BlockOutcome& outcome = made.result.block[block];
+        if (outcome.movement != BlockMovement::fixed) {
+            table.rows.push_back({std::to_string(block + 1), human_name(word_of(outcome.movement)),
+                                  human_number(outcome.rotation / degrees(1), 4),
+                                  human_number(outcome.displacement / millimetre, 4),
+                                  human_number(outcome.base_slip / millimetre, 4)});
+        }
+    }
+    return table;
+}
+
+}  // namespace
+
+void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report) {
+    if (!made.end) {
+        return;
+    }
+    const Bodies bodies = make_bodies(made.scene);
+    report.blocks.emplace_back(Heading{"The blocks"});
+    report.blocks.emplace_back(block_table(made));
+    if (bodies.size() > most_drawn_blocks) {
+        report.blocks.emplace_back(Paragraph{"There are " + std::to_string(bodies.size()) +
+                                             " blocks, too many to be told apart in a drawing."});
+        return;
+    }
+    report.blocks.emplace_back(
+        folder.draw(start_figure(made, bodies), "start", "The blocks at the start, gravity downwards; F: fixed."));
+    report.blocks.emplace_back(
+        folder.draw(end_figure(made, bodies), "end", "The blocks at the end of the run, and how each has moved."));
+    if (const auto figure = velocity_figure(made, bodies)) {
+        report.blocks.emplace_back(
+            folder.draw(*figure, "velocities", "Velocities of the centroids at the end of the run."));
+    }
+    report.blocks.emplace_back(folder.draw(force_figure(made, bodies), "contact_forces",
+                                           "Forces of the springs at the corners at the end of the run: on free "
+                                           "blocks by fixed ones, and on the block of the corner by its neighbour."));
+}
+
+}  // namespace delabole

@@ -1,0 +1,214 @@
+// Dynamic relaxation as the program reports it: how the run ended, the books, each block, and a critical value.
+#include "cases/model_cases.hpp"
+#include "cases/model_reports.hpp"
+#include "cases/relaxation_figures.hpp"
+#include "cases/units.hpp"
+#include "dynamic_relaxation/relaxation_study.hpp"
+#include "dynamic_relaxation/scene_check.hpp"
+#include "fitting/words.hpp"
+#include "plots/text.hpp"
+
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+// What a run took against what a search takes, as far as progress is concerned.
+constexpr double share_of_run = 0.2;
+
+std::string block_name(std::size_t index) {
+    return "block " + std::to_string(index + 1);
+}
+
+void append_critical(Analysis& analysis, const CriticalRequest& request, const CriticalValue& critical) {
+    const std::string name(name_of_critical(request.parameter));
+    const auto append = [&](const std::string& key, const std::string& meaning, Dimension dimension, auto value) {
+        analysis.outputs.push_back({key, meaning, dimension, value, key != name});
+    };
+    const std::string meaning = request.parameter == CriticalParameter::tilt
+                                    ? "tilt at which the blocks begin to fail"
+                                    : "friction angle of all joints below which the blocks fail";
+    if (critical.status == CriticalStatus::found) {
+        append(name, meaning, Dimension::angle, critical.value());
+    } else {
+        append(name, meaning, Dimension::angle, std::string(word_of(critical.status)));
+    }
+    append("critical.stands", "nearest value found to stand", Dimension::angle, critical.stands);
+    append("critical.fails", "nearest value found to fail", Dimension::angle, critical.fails);
+    append("critical.runs", "runs made", Dimension::ratio, static_cast<double>(critical.runs));
+    append("critical.steps", "time steps of all runs", Dimension::ratio, static_cast<double>(critical.steps));
+}
+
+// Empty where the search ended with an answer.
+std::string search_in_words(const CriticalRequest& request, const CriticalValue& critical) {
+    const std::string last = value_in_words(critical.last, Dimension::angle);
+    const bool of_tilt = request.parameter == CriticalParameter::tilt;
+    switch (critical.status) {
+    case CriticalStatus::found:
+        return {};
+    case CriticalStatus::stands_everywhere:
+        return "the blocks stand even at " + last + (of_tilt ? ": raise critical.upper" : ": lower critical.lower");
+    case CriticalStatus::fails_everywhere:
+        return "the blocks fail even at " + last + (of_tilt ? ": lower critical.lower" : ": raise critical.upper");
+    case CriticalStatus::undecided:
+        return "at " + last + " the blocks neither came to rest nor failed within settings.duration";
+    case CriticalStatus::run_failed:
+        return "the run at " + last + " was stopped: an overlap passed settings.overlap_limit";
+    case CriticalStatus::interrupted:
+        return "interrupted";
+    case CriticalStatus::not_valid:
+        return "the scene is not valid at " + last;
+    }
+    return {};
+}
+
+// Empty where the run ended as it was to end.
+std::string run_in_words(const RelaxationRun& made) {
+    switch (made.result.outcome) {
+    case RelaxationOutcome::undecided:
+        return made.settings.stop_at_equilibrium
+                   ? "the blocks neither came to rest nor failed within " +
+                         (made.result.cost.steps >= made.settings.most_steps
+                              ? std::to_string(made.settings.most_steps) + " steps: raise settings.most_steps"
+                              : value_in_words(made.settings.duration, Dimension::time) + ": raise settings.duration")
+                   : "";
+    case RelaxationOutcome::interrupted:
+        return "interrupted at " + value_in_words(made.result.time, Dimension::time) + " of model time";
+    case RelaxationOutcome::overlap_too_large: {
+        std::string text = "stopped because an overlap passed settings.overlap_limit";
+        if (made.result.deepest) {
+            const ContactName& contact = *made.result.deepest;
+            text += ": corner " + std::to_string(contact.corner + 1) + " of " + block_name(contact.block) +
+                    " is in face " + std::to_string(contact.edge + 1) + " of " + block_name(contact.other) + " by " +
+                    value_in_words(contact.overlap, Dimension::length);
+        }
+        return text;
+    }
+    case RelaxationOutcome::motion_not_finite:
+        return "stopped because the motion grew beyond all numbers: lower settings.step_fraction";
+    default:
+        return {};
+    }
+}
+
+std::string joint_key(const RelaxationStudy& study, std::size_t material) {
+    if (std::holds_alternative<RelaxationPolygons>(study.model.scene)) {
+        return indexed("scene.joint", material);
+    }
+    return material == 0 ? "scene.interface" : "scene.base";
+}
+
+SceneFault fault_of(const RelaxationStudy& study) {
+    const RelaxationScene scene = relaxation_scene(study);
+    const SceneFault fault = check_scene(scene);
+    return fault.check == SceneCheck::valid ? check_start(scene) : fault;
+}
+
+}  // namespace
+
+Analysis analyse_case(const RelaxationStudy& study, const AnalysisWatch& watch) {
+    Analysis analysis;
+    const double share = study.critical ? share_of_run : 1;
+    RelaxationRun made = run(study, [&](double done) { return !watch || watch(share * done, "dynamic relaxation"); });
+    if (made.result.outcome == RelaxationOutcome::scene_not_valid) {
+        analysis.failure = word_of(made.result.fault.check);
+        return analysis;
+    }
+    append_outputs(analysis, answer_of(made.result));
+    analysis.unfinished = run_in_words(made);
+    if (study.critical && made.result.outcome != RelaxationOutcome::interrupted) {
+        const CriticalValue critical = find_critical(study, [&](double done) {
+            return !watch || watch(share + (1 - share) * done, human_name(name_of_critical(study.critical->parameter)));
+        });
+        append_critical(analysis, *study.critical, critical);
+        if (analysis.unfinished.empty()) {
+            analysis.unfinished = search_in_words(*study.critical, critical);
+        }
+    }
+    if (!analysis.unfinished.empty()) {
+        analysis.warnings.push_back(analysis.unfinished);
+    }
+    constexpr double large_residual = 0.02;
+    const double residual = std::get<double>(analysis.find("energy.residual_share")->value);
+    if (std::abs(residual) > large_residual) {
+        analysis.warnings.push_back("the books of energy lack " + number_in_words(100 * residual) + " %" +
+                                    " of what was turned over: lower settings.step_fraction");
+    }
+    analysis.drawn_from = std::move(made);
+    return analysis;
+}
+
+void append_case_figures(const RelaxationStudy& study, const Analysis& analysis, const ResultFolder& folder,
+                         Report& report) {
+    const auto& made = std::any_cast<const RelaxationRun&>(analysis.drawn_from);
+    append_block_figures(made, folder, report);
+    if (study.history) {
+        append_history(*study.history, made, folder, report);
+    }
+}
+
+void append_mechanism_figures(const RelaxationStudy& at_best, const MechanismFit&, const FitProblem&,
+                              const ResultFolder& folder, Report& report) {
+    append_block_figures(run(at_best), folder, report);
+}
+
+std::vector<std::string> blamed_keys(const RelaxationStudy& study, std::string_view) {
+    const SceneFault fault = fault_of(study);
+    const std::string block = indexed("scene.block", fault.index);
+    switch (fault.check) {
+    case SceneCheck::outline_not_convex:
+    case SceneCheck::edge_too_short:
+    case SceneCheck::sizes_too_different:
+    case SceneCheck::overlap_at_start:
+        return {block + ".vertex", block + ".width", block + ".height", block, "scene.block"};
+    case SceneCheck::stiffness_too_soft:
+    case SceneCheck::stiffness_too_stiff:
+        return {"scene.base.normal_stiffness",
+                "scene.interface.normal_stiffness",
+                "scene.joint[1].normal_stiffness",
+                "settings.stiffness_ratio",
+                "settings.quality",
+                block};
+    case SceneCheck::stiffness_not_positive:
+    case SceneCheck::friction_out_of_range:
+    case SceneCheck::strength_negative:
+        return {joint_key(study, fault.index) + ".friction_angle", joint_key(study, fault.index)};
+    case SceneCheck::density_not_positive:
+        return {block + ".density", "scene.density"};
+    case SceneCheck::no_free_block:
+        return {"scene.block[1].hold", "scene.block"};
+    default:
+        return {"scene"};
+    }
+}
+
+std::string explain_failure(const RelaxationStudy& study, std::string_view, const std::string&) {
+    const SceneFault fault = fault_of(study);
+    const std::string block = block_name(fault.index);
+    switch (fault.check) {
+    case SceneCheck::no_free_block:
+        return "every block is fixed: nothing can move";
+    case SceneCheck::outline_not_convex:
+        return block + " is not convex, or its corners run clockwise: list them anticlockwise, the first one once";
+    case SceneCheck::edge_too_short:
+        return "a face of " + block + " is shorter than a millionth of the block";
+    case SceneCheck::sizes_too_different:
+        return "the blocks differ too much in size, see " + block +
+               ": the longest may be 100 000 times as long as the shortest face";
+    case SceneCheck::stiffness_too_soft:
+        return block + " would sink into its joint by more than a tenth of its size: raise the stiffness";
+    case SceneCheck::stiffness_too_stiff:
+        return "overlaps under the weight of " + block + " would drown in rounding: lower the stiffness";
+    case SceneCheck::overlap_at_start:
+        return block + " and " + block_name(fault.other.value_or(0)) +
+               " overlap in the drawing by more than ten times what their weight would do: they would explode";
+    case SceneCheck::unknown_block:
+        return "a load is on a block that does not exist: there are " +
+               std::to_string(relaxation_scene(study).block.size());
+    default:
+        return "the scene is not valid: " + human_name(word_of(fault.check));
+    }
+}
+
+}  // namespace delabole

@@ -1,0 +1,67 @@
+#include "dynamic_relaxation/history.hpp"
+
+#include "dynamic_relaxation/contact_law.hpp"
+
+#include <algorithm>
+
+namespace delabole {
+
+std::vector<CornerForce> corner_forces(const Bodies& bodies, const RelaxationState& state) {
+    std::vector<CornerForce> forces;
+    for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
+        const RelaxationContact& contact = state.contacts.contact[index];
+        const ContactMemory& memory = state.contacts.memory[index];
+        const ContactPosition at = locate(contact, state.motion[contact.block], state.motion[contact.other]);
+        const double weight = contact_weight(contact, at.position);
+        if (!memory.touching || !(weight > 0)) {
+            continue;
+        }
+        const double normal = -weight * contact.normal_stiffness * at.gap;
+        const double shear = -weight * contact.shear_stiffness * memory.shear;
+        forces.push_back(
+            {contact.block, contact.other, moved_corner(bodies, state.motion, contact.corner),
+             PlanePoint<>(at.normal_x * normal + at.along_x() * shear, at.normal_y * normal + at.along_y() * shear),
+             normal, -at.gap});
+    }
+    return forces;
+}
+
+HistoryLine history_line(const HistoryRequest& request, const Simulation& simulation) {
+    const RelaxationState& state = simulation.state();
+    HistoryLine line;
+    line.time = state.time;
+    line.tilt = simulation.tilt();
+    line.energy = simulation.ledger();
+    for (const BlockMonitor& monitor : request.block) {
+        const auto block = static_cast<std::size_t>(monitor.block) - 1;
+        const Motion& motion = state.motion[block];
+        const Motion& origin = state.origin[block];
+        line.block.push_back(
+            {motion.x - origin.x, motion.y - origin.y, motion.angle - origin.angle, motion.vx, motion.vy, motion.spin});
+    }
+    if (!request.contact.empty()) {
+        const std::vector<CornerForce> forces = corner_forces(simulation.bodies(), state);
+        for (const ContactMonitor& monitor : request.contact) {
+            const auto block = static_cast<std::size_t>(monitor.block) - 1;
+            const auto other = static_cast<std::size_t>(monitor.other) - 1;
+            MonitoredContact sum;
+            for (const CornerForce& force : forces) {
+                const bool as_listed = force.block == block && force.other == other;
+                if (as_listed || (force.block == other && force.other == block)) {
+                    sum.horizontal += as_listed ? force.force.x() : -force.force.x();
+                    sum.vertical += as_listed ? force.force.y() : -force.force.y();
+                    sum.normal += force.normal;
+                    sum.overlap = std::max(sum.overlap, force.overlap);
+                }
+            }
+            line.contact.push_back(sum);
+        }
+    }
+    for (const BlockOutcome& outcome : block_outcomes(simulation.bodies(), state, simulation.settings())) {
+        line.base_slip.push_back(outcome.base_slip);
+        line.rotation.push_back(outcome.rotation);
+    }
+    return line;
+}
+
+}  // namespace delabole

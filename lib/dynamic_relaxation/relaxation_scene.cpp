@@ -1,0 +1,250 @@
+// Case parameters to scene and settings.
+#include "dynamic_relaxation/relaxation_study.hpp"
+#include "dynamic_relaxation/scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+constexpr double standard_stiffness_ratio = 1e6;
+
+struct Quality {
+    double step_fraction;
+    double stiffness_ratio;
+    double equilibrium_ratio;
+};
+
+Quality quality_of(const RelaxationStudy& study) {
+    const RelaxationSettings standard;
+    const RelaxationNumerics numerics = study.settings.value_or(RelaxationNumerics{});
+    switch (numerics.quality.value_or(RelaxationQuality::standard)) {
+    case RelaxationQuality::draft:
+        return {0.5, 1e5, 1e-5};
+    case RelaxationQuality::reference:
+        return {0.2, 3e7, 1e-7};
+    case RelaxationQuality::standard:
+        break;
+    }
+    return {standard.step_fraction, standard_stiffness_ratio, standard.equilibrium_ratio};
+}
+
+// Stiffness 0 where the joint leaves it to the ratio.
+JointMaterial material_of(const RelaxationJoint& joint) {
+    const double normal = joint.normal_stiffness.value_or(0);
+    return {normal,
+            joint.shear_stiffness.value_or(normal),
+            joint.friction_angle,
+            joint.residual_friction_angle,
+            joint.cohesion.value_or(0),
+            joint.tensile_strength.value_or(0)};
+}
+
+// Counted from 1 in a case. Anything that is no number of a block becomes one that the scene's check refuses.
+std::size_t index_of(double number) {
+    constexpr double most = 1e9;
+    return number >= 1 && number <= most && number == std::floor(number) ? static_cast<std::size_t>(number) - 1
+                                                                         : static_cast<std::size_t>(-1);
+}
+
+void apply_hold(RelaxationBlock& block, const std::optional<BlockHold>& hold) {
+    block.fixed = hold == BlockHold::fixed;
+    block.held_at_first = hold == BlockHold::held_at_first;
+}
+
+template <class Standing>
+StandingBlocks standing_blocks(const Standing& standing) {
+    StandingBlocks blocks{
+        {}, standing.density, material_of(standing.interface), material_of(standing.base), standing.tilt};
+    for (const auto& block : standing.block) {
+        double step = 0;
+        if constexpr (requires { block.step_above; }) {
+            step = block.step_above;
+        }
+        blocks.block.push_back({block.width, block.height, step});
+    }
+    return blocks;
+}
+
+RelaxationScene blocks_of(const RelaxationRow& row) {
+    RelaxationScene scene = row_scene(standing_blocks(row));
+    for (std::size_t index = 0; index < row.block.size(); ++index) {
+        apply_hold(scene.block[index], row.block[index].hold);
+    }
+    return scene;
+}
+
+RelaxationScene blocks_of(const RelaxationColumns& columns) {
+    RelaxationScene scene = column_scene(standing_blocks(columns));
+    for (std::size_t index = 0; index < columns.block.size(); ++index) {
+        apply_hold(scene.block[index], columns.block[index].hold);
+    }
+    return scene;
+}
+
+RelaxationScene blocks_of(const RelaxationPolygons& polygons) {
+    RelaxationScene scene;
+    for (const RelaxationJoint& joint : polygons.joint) {
+        scene.material.push_back(material_of(joint));
+    }
+    scene.gravity.tilt = scene.gravity.final_tilt = polygons.tilt;
+    for (const RelaxationPolygon& polygon : polygons.block) {
+        RelaxationBlock block{{}, polygon.density};
+        apply_hold(block, polygon.hold);
+        for (const RelaxationVertex& vertex : polygon.vertex) {
+            block.outline.emplace_back(vertex.x, vertex.y);
+            block.joint.push_back(index_of(vertex.joint.value_or(polygon.joint.value_or(1))));
+        }
+        scene.block.push_back(std::move(block));
+    }
+    return scene;
+}
+
+// Of the free block for which weight over width is greatest.
+double greatest_weight_over_width(const RelaxationScene& scene) {
+    double greatest = 0;
+    for (const RelaxationBlock& block : scene.block) {
+        if (block.fixed || block.outline.empty()) {
+            continue;
+        }
+        const auto [left, right] =
+            std::minmax_element(block.outline.begin(), block.outline.end(),
+                                [](const PlanePoint<>& one, const PlanePoint<>& other) { return one.x() < other.x(); });
+        const double width = right->x() - left->x();
+        const double weight = block.density * area_properties(block.outline).area * scene.gravity.acceleration;
+        greatest = std::max(greatest, width > 0 ? weight / width : 0);
+    }
+    return greatest;
+}
+
+void stiffen(RelaxationScene& scene, double ratio) {
+    const double stiffness = ratio * greatest_weight_over_width(scene);
+    for (JointMaterial& material : scene.material) {
+        material.normal_stiffness = material.normal_stiffness > 0 ? material.normal_stiffness : stiffness;
+        material.shear_stiffness = material.shear_stiffness > 0 ? material.shear_stiffness : material.normal_stiffness;
+    }
+}
+
+void apply_tilting(RelaxationScene& scene, const Tilting& tilting) {
+    Gravity& gravity = scene.gravity;
+    const double start = tilting.start.value_or(0);
+    if (tilting.turned == TiltingFrame::gravity) {
+        gravity.final_tilt = tilting.final_tilt;
+        gravity.rate = tilting.rate;
+        gravity.interval = tilting.interval.value_or(0);
+        gravity.start = start;
+        return;
+    }
+    const double way = tilting.final_tilt - gravity.tilt;
+    for (std::size_t block = 0; block < scene.block.size(); ++block) {
+        if (scene.block[block].fixed) {
+            PrescribedMotion motion{block, {}};
+            // A base that dips more towards -x has turned anticlockwise.
+            motion.angular_velocity = std::copysign(tilting.rate, way);
+            motion.pivot = {tilting.pivot_x.value_or(0), tilting.pivot_y.value_or(0)};
+            motion.start = start;
+            motion.duration = std::abs(way) / tilting.rate;
+            scene.motion.push_back(std::move(motion));
+        }
+    }
+}
+
+// Blocks on a base that turns go with it before they fail.
+void allow_for_turned_base(const RelaxationStudy& study, RelaxationSettings& settings) {
+    if (!study.model.tilting || study.model.tilting->turned != TiltingFrame::base) {
+        return;
+    }
+    const RelaxationScene scene = relaxation_scene(study);
+    const Bodies bodies = make_bodies(scene);
+    const double turn = std::abs(study.model.tilting->final_tilt - scene.gravity.tilt);
+    double farthest = 0;
+    for (const PrescribedMotion& motion : scene.motion) {
+        for (std::size_t block = 0; block < bodies.size(); ++block) {
+            if (bodies.fixed[block] == 0) {
+                farthest =
+                    std::max(farthest, turn * (bodies.centroid[block] - motion.pivot).norm() / bodies.radius[block]);
+            }
+        }
+    }
+    settings.onset_rotation += turn;
+    settings.collapse_rotation += turn;
+    settings.onset_slide += farthest;
+    settings.collapse_displacement += farthest;
+}
+
+}  // namespace
+
+RelaxationScene relaxation_scene(const RelaxationStudy& study) {
+    const Relaxation& model = study.model;
+    RelaxationScene scene = std::visit([](const auto& blocks) { return blocks_of(blocks); }, model.scene);
+    scene.gravity.acceleration = model.gravity.value_or(scene.gravity.acceleration);
+    stiffen(scene,
+            study.settings.value_or(RelaxationNumerics{}).stiffness_ratio.value_or(quality_of(study).stiffness_ratio));
+    if (model.tilting) {
+        apply_tilting(scene, *model.tilting);
+    }
+    for (const BlockForce& force : model.force) {
+        scene.force.push_back({index_of(force.block), {force.x, force.y}, {force.horizontal, force.vertical}});
+    }
+    for (const WaterPressure& pressure : model.pressure) {
+        scene.pressure.push_back(
+            {index_of(pressure.block), index_of(pressure.edge), pressure.at_first, pressure.at_second});
+    }
+    for (const ShakingPoint& point : model.shaking) {
+        scene.shaking.push_back({point.time, {point.horizontal, point.vertical}});
+    }
+    for (const FixedBlockMotion& moved : model.motion) {
+        PrescribedMotion motion{index_of(moved.block), {}};
+        for (const VelocityPoint& point : moved.velocity) {
+            motion.velocity.push_back({point.time, {point.horizontal, point.vertical}});
+        }
+        if (moved.turning) {
+            motion.angular_velocity = moved.turning->rate;
+            motion.pivot = {moved.turning->pivot_x, moved.turning->pivot_y};
+            motion.start = moved.turning->start;
+            motion.duration = moved.turning->duration;
+        }
+        scene.motion.push_back(std::move(motion));
+    }
+    for (const BlockRemoval& removal : model.removal) {
+        scene.removal.push_back({index_of(removal.block), removal.time});
+    }
+    return scene;
+}
+
+RelaxationSettings relaxation_settings(const RelaxationStudy& study) {
+    const RelaxationNumerics numerics = study.settings.value_or(RelaxationNumerics{});
+    const Quality quality = quality_of(study);
+    RelaxationSettings settings;
+    const auto take = [](auto& setting, const auto& given) {
+        if (given) {
+            setting = static_cast<std::remove_reference_t<decltype(setting)>>(*given);
+        }
+    };
+    settings.step_fraction = numerics.step_fraction.value_or(quality.step_fraction);
+    settings.equilibrium_ratio = numerics.equilibrium_ratio.value_or(quality.equilibrium_ratio);
+    settings.time_step = numerics.time_step;
+    take(settings.viscous_damping, numerics.viscous_damping);
+    take(settings.local_damping, numerics.local_damping);
+    settings.kinetic_damping = numerics.kinetic_damping == KineticDamping::on;
+    take(settings.start, numerics.start);
+    take(settings.ramp_time, numerics.ramp_time);
+    take(settings.consolidation_time, numerics.consolidation_time);
+    take(settings.onset_rotation, numerics.onset_rotation);
+    take(settings.onset_slide, numerics.onset_slide);
+    take(settings.collapse_rotation, numerics.collapse_rotation);
+    take(settings.collapse_displacement, numerics.collapse_displacement);
+    const RelaxationStop stop = numerics.stop.value_or(RelaxationStop::equilibrium);
+    settings.stop_at_onset = stop == RelaxationStop::onset;
+    settings.stop_at_equilibrium = stop != RelaxationStop::collapse;
+    take(settings.duration, numerics.duration);
+    take(settings.most_steps, numerics.most_steps);
+    take(settings.overlap_limit, numerics.overlap_limit);
+    allow_for_turned_base(study, settings);
+    return settings;
+}
+
+}  // namespace delabole

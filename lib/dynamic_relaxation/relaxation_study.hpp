@@ -1,0 +1,243 @@
+// What a relaxation case asks for beyond its scene: numerical settings, a critical value, a history; and how a run
+// answers.
+#pragma once
+
+#include "dynamic_relaxation/critical.hpp"
+#include "dynamic_relaxation/history.hpp"
+#include "dynamic_relaxation/relaxation_parameters.hpp"
+#include "dynamic_relaxation/simulation.hpp"
+#include "parameters/model_interface.hpp"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+// Step fraction, stiffness ratio and equilibrium ratio together: 0.5, 1e5, 1e-5; 0.4, 1e6, 1e-6; 0.2, 3e7, 1e-7.
+enum class RelaxationQuality { draft, standard, reference };
+
+constexpr std::array<std::string_view, 3> enum_names(RelaxationQuality) {
+    return {"draft", "standard", "reference"};
+}
+
+enum class RelaxationStop { equilibrium, onset, collapse };
+
+constexpr std::array<std::string_view, 3> enum_names(RelaxationStop) {
+    return {"equilibrium", "onset", "collapse"};
+}
+
+enum class KineticDamping { off, on };
+
+constexpr std::array<std::string_view, 2> enum_names(KineticDamping) {
+    return {"off", "on"};
+}
+
+// RelaxationSettings says what each does; absent: its value there, or that of the quality.
+struct RelaxationNumerics {
+    std::optional<RelaxationQuality> quality;
+    std::optional<double> stiffness_ratio;
+    std::optional<double> step_fraction;
+    std::optional<double> time_step;
+    std::optional<double> viscous_damping;
+    std::optional<double> local_damping;
+    std::optional<KineticDamping> kinetic_damping;
+    std::optional<RelaxationStart> start;
+    std::optional<double> ramp_time;
+    std::optional<double> consolidation_time;
+    std::optional<double> equilibrium_ratio;
+    std::optional<double> onset_rotation;
+    std::optional<double> onset_slide;
+    std::optional<double> collapse_rotation;
+    std::optional<double> collapse_displacement;
+    std::optional<RelaxationStop> stop;
+    std::optional<double> duration;
+    std::optional<double> most_steps;
+    std::optional<double> overlap_limit;
+    static constexpr auto fields() {
+        using N = RelaxationNumerics;
+        return std::tuple{
+            section("quality", &N::quality,
+                    "sets step_fraction, stiffness_ratio and equilibrium_ratio where they are absent"),
+            number("stiffness_ratio", &N::stiffness_ratio, Dimension::ratio, within(1e3, 1e10),
+                   "normal stiffness times width over weight of the heaviest block; absent: 1e6"),
+            number("step_fraction", &N::step_fraction, Dimension::ratio, within(0.01, 1),
+                   "share of the greatest stable step; absent: 0.4"),
+            number("time_step", &N::time_step, Dimension::time, more_than(0),
+                   "divided where it is more than the share of the stable step; absent: the share"),
+            number("viscous_damping", &N::viscous_damping, Dimension::ratio, within(0, 2),
+                   "dashpots of contacts, share of critical; absent: 0.2"),
+            number("local_damping", &N::local_damping, Dimension::ratio, right_open(0, 1),
+                   "share of the unbalanced force that opposes the velocity; absent: 0.2"),
+            section("kinetic_damping", &N::kinetic_damping, "all velocities to zero at energy peaks; absent: off"),
+            section("start", &N::start, "springs at the start; absent: preloaded"),
+            number("ramp_time", &N::ramp_time, Dimension::time, at_least(0), "of a ramped start; absent: 0"),
+            number("consolidation_time", &N::consolidation_time, Dimension::time, at_least(0),
+                   "in which blocks held at first do not move; absent: 0"),
+            number("equilibrium_ratio", &N::equilibrium_ratio, Dimension::ratio, between(0, 1),
+                   "greatest unbalanced force over weight at rest; absent: 1e-6"),
+            number("onset_rotation", &N::onset_rotation, Dimension::angle, more_than(0),
+                   "more is onset of failure; absent: 0.01 rad"),
+            number("onset_slide", &N::onset_slide, Dimension::ratio, more_than(0),
+                   "displacement in block radii, likewise; absent: 0.01"),
+            number("collapse_rotation", &N::collapse_rotation, Dimension::angle, more_than(0),
+                   "more is collapse; absent: 0.5 rad"),
+            number("collapse_displacement", &N::collapse_displacement, Dimension::ratio, more_than(0),
+                   "in block radii, likewise; absent: 1"),
+            section("stop", &N::stop,
+                    "end at equilibrium or collapse, at onset too, or at nothing before collapse; absent: equilibrium"),
+            number("duration", &N::duration, Dimension::time, more_than(0), "longest model time; absent: 60 s"),
+            number("most_steps", &N::most_steps, Dimension::ratio, within(1, 1e12), "longest run; absent: 1e8"),
+            number("overlap_limit", &N::overlap_limit, Dimension::ratio, between(0, 1),
+                   "of the shortest edge; a run with more is stopped; absent: 0.05")};
+    }
+};
+
+enum class CriticalParameter { tilt, friction };
+
+constexpr std::array<std::string_view, 2> enum_names(CriticalParameter) {
+    return {"tilt", "friction"};
+}
+
+// Constant tilt at which the blocks begin to fail, or the friction angle of all joints below which they do.
+struct CriticalRequest {
+    CriticalParameter parameter;
+    double lower;
+    double upper;
+    std::optional<double> tolerance;
+    static constexpr auto fields() {
+        using C = CriticalRequest;
+        return std::tuple{
+            section("parameter", &C::parameter, "what is varied; friction is that of every joint, peak and residual"),
+            number("lower", &C::lower, Dimension::angle, between(degrees(-90), degrees(90)), "least value tried"),
+            number("upper", &C::upper, Dimension::angle, between(degrees(-90), degrees(90)), "greatest value tried"),
+            number("tolerance", &C::tolerance, Dimension::angle, within(degrees(1e-9), degrees(10)),
+                   "width of the bracket in the end; absent: 0.005 deg")};
+    }
+};
+
+struct RelaxationStudy {
+    Relaxation model;
+    std::optional<RelaxationNumerics> settings;
+    std::optional<CriticalRequest> critical;
+    std::optional<HistoryRequest> history;
+
+    static constexpr std::string_view kind = "relaxation";
+    static constexpr auto fields() {
+        using S = RelaxationStudy;
+        return std::tuple{inlined(&S::model, "blocks, joints and loads"),
+                          section("settings", &S::settings, "numerical settings, none of them a property of the rock"),
+                          section("critical", &S::critical, "value between standing and failing"),
+                          section("history", &S::history, "tables over time")};
+    }
+};
+
+RelaxationScene relaxation_scene(const RelaxationStudy& study);
+RelaxationSettings relaxation_settings(const RelaxationStudy& study);
+
+struct EnergyAnswer {
+    double applied;
+    double prescribed;
+    double kinetic;
+    double elastic;
+    double friction;
+    double dashpots;
+    double local_damping;
+    double kinetic_damping;
+    double residual;
+    double residual_share;
+    static constexpr auto fields() {
+        using E = EnergyAnswer;
+        constexpr Dimension energy = Dimension::energy_per_length;
+        return std::tuple{
+            number("applied", &E::applied, energy, any_number(), "work of gravity and other loads"),
+            number("prescribed", &E::prescribed, energy, any_number(), "work of moved fixed blocks"),
+            number("kinetic", &E::kinetic, energy, any_number(), "kinetic energy at the end"),
+            number("elastic", &E::elastic, energy, any_number(), "stored in springs at the end, above the start"),
+            number("friction", &E::friction, energy, any_number(), "dissipated by slip"),
+            number("dashpots", &E::dashpots, energy, any_number(), "dissipated by contact dashpots"),
+            number("local_damping", &E::local_damping, energy, any_number(), "dissipated by local damping"),
+            number("kinetic_damping", &E::kinetic_damping, energy, any_number(), "taken out at energy peaks"),
+            number("residual", &E::residual, energy, any_number(), "what the books lack"),
+            number("residual_share", &E::residual_share, Dimension::ratio, any_number(),
+                   "residual over all energy turned over")};
+    }
+};
+
+struct BlockAnswer {
+    BlockMovement movement;
+    double rotation;
+    double displacement;
+    double base_slip;
+    static constexpr auto fields() {
+        using B = BlockAnswer;
+        return std::tuple{
+            section("movement", &B::movement, "how it has moved"),
+            number("rotation", &B::rotation, Dimension::angle, any_number(), "anticlockwise, out of the slope"),
+            number("displacement", &B::displacement, Dimension::length, any_number(), "of the centroid"),
+            number("base_slip", &B::base_slip, Dimension::length, any_number(), "over its base, forward negative")};
+    }
+};
+
+struct RelaxationAnswer {
+    RelaxationOutcome outcome;
+    double onset_time;
+    double time;
+    double tilt;
+    double unbalanced_ratio;
+    double greatest_overlap;
+    EnergyAnswer energy;
+    double steps;
+    double time_step;
+    double contacts_evaluated;
+    std::vector<BlockAnswer> block;
+    static constexpr auto fields() {
+        using R = RelaxationAnswer;
+        return std::tuple{
+            section("outcome", &R::outcome, "how the run ended"),
+            number("onset_time", &R::onset_time, Dimension::time, any_number(), "of failure; infinite: no onset"),
+            number("time", &R::time, Dimension::time, any_number(), "model time at the end"),
+            number("tilt", &R::tilt, Dimension::angle, any_number(), "of gravity at the end"),
+            number("unbalanced_ratio", &R::unbalanced_ratio, Dimension::ratio, any_number(),
+                   "greatest unbalanced force on a block over its weight at the end"),
+            number("greatest_overlap", &R::greatest_overlap, Dimension::length, any_number(),
+                   "of a corner and an edge at the end"),
+            section("energy", &R::energy, "the books of energy"),
+            number("steps", &R::steps, Dimension::ratio, any_number(), "time steps made"),
+            number("time_step", &R::time_step, Dimension::time, any_number(), "the last one"),
+            number("contacts_evaluated", &R::contacts_evaluated, Dimension::ratio, any_number(),
+                   "contact forces computed in all"),
+            section("block", &R::block, "each block at the end")};
+    }
+};
+
+// Called now and then with the share of the work done, 0 to 1; returning false ends the work as interrupted.
+using RelaxationWatch = std::function<bool(double share)>;
+
+struct RelaxationRun {
+    RelaxationScene scene;
+    RelaxationSettings settings;
+    RelaxationResult result;
+    RelaxationHistory history;             // empty where none is asked for
+    std::optional<RelaxationState> end{};  // absent where the scene is not valid
+};
+
+// The run at the case's own values.
+RelaxationRun run(const RelaxationStudy& study, const RelaxationWatch& watch = {});
+
+RelaxationAnswer answer_of(const RelaxationResult& result);
+
+// The search of `critical`, which must be there.
+CriticalValue find_critical(const RelaxationStudy& study, const RelaxationWatch& watch = {});
+
+// "critical_tilt" or "limiting_friction_angle".
+std::string_view name_of_critical(CriticalParameter parameter);
+
+// Inputs: every number of the study's model. Outputs: every number of RelaxationAnswer and, where it is asked for, the
+// critical value. A run that was stopped or stayed undecided is a failed prediction under the name of its outcome, a
+// critical value that was not found under that of its status.
+ModelInterface model_interface(const RelaxationStudy& study);
+
+}  // namespace delabole
