@@ -55,7 +55,7 @@ struct ContactMemory {
     bool broken = false;  // peak strength, cohesion and tensile strength are gone
 };
 
-struct ContactForce {
+struct ForceOnCorner {
     double x = 0;  // on the corner's block, N/m; the other gets the opposite
     double y = 0;
     double moment = 0;        // N, about the centroid of the corner's block
@@ -65,10 +65,10 @@ struct ContactForce {
 struct ContactList {
     std::vector<RelaxationContact> contact = {};
     std::vector<ContactMemory> memory = {};
-    std::vector<ContactForce> force = {};  // when last evaluated
-    double margin = 0;                     // the list holds until blocks have moved by half of this
-    double worst_gap = 0;                  // least gap found, negative for overlap
-    std::size_t worst = 0;                 // contact of the worst gap; meaningful where any
+    std::vector<ForceOnCorner> force = {};  // when last evaluated
+    double margin = 0;                      // the list holds until blocks have moved by half of this
+    double worst_gap = 0;                   // least gap found, negative for overlap
+    std::size_t worst = 0;                  // contact of the worst gap; meaningful where any
 };
 
 struct SearchOptions {

@@ -191,14 +191,14 @@ struct Tilting {
     }
 };
 
-struct BlockForce {
+struct ForceOnBlock {
     double block;
     double x;
     double y;
     double horizontal;
     double vertical;
     static constexpr auto fields() {
-        using F = BlockForce;
+        using F = ForceOnBlock;
         return std::tuple{
             number("block", &F::block, Dimension::ratio, at_least(1), "number of the block"),
             number("x", &F::x, Dimension::length, any_number(), "where it acts, in the drawing; moves with the block"),
@@ -293,7 +293,7 @@ struct Relaxation {
     std::optional<double> gravity;
     BlockScene scene;
     std::optional<Tilting> tilting;
-    std::vector<BlockForce> force;
+    std::vector<ForceOnBlock> force;
     std::vector<WaterPressure> pressure;
     std::vector<ShakingPoint> shaking;
     std::vector<FixedBlockMotion> motion;

@@ -177,16 +177,19 @@ void allow_for_turned_base(const RelaxationStudy& study, RelaxationSettings& set
 
 }  // namespace
 
+double stiffness_ratio_of(const RelaxationStudy& study) {
+    return study.settings.value_or(RelaxationNumerics{}).stiffness_ratio.value_or(quality_of(study).stiffness_ratio);
+}
+
 RelaxationScene relaxation_scene(const RelaxationStudy& study) {
     const Relaxation& model = study.model;
     RelaxationScene scene = std::visit([](const auto& blocks) { return blocks_of(blocks); }, model.scene);
     scene.gravity.acceleration = model.gravity.value_or(scene.gravity.acceleration);
-    stiffen(scene,
-            study.settings.value_or(RelaxationNumerics{}).stiffness_ratio.value_or(quality_of(study).stiffness_ratio));
+    stiffen(scene, stiffness_ratio_of(study));
     if (model.tilting) {
         apply_tilting(scene, *model.tilting);
     }
-    for (const BlockForce& force : model.force) {
+    for (const ForceOnBlock& force : model.force) {
         scene.force.push_back({index_of(force.block), {force.x, force.y}, {force.horizontal, force.vertical}});
     }
     for (const WaterPressure& pressure : model.pressure) {

@@ -136,6 +136,8 @@ struct RelaxationStudy {
 
 RelaxationScene relaxation_scene(const RelaxationStudy& study);
 RelaxationSettings relaxation_settings(const RelaxationStudy& study);
+// That of the settings, or of their quality. Joints that give their own stiffness do not follow it.
+double stiffness_ratio_of(const RelaxationStudy& study);
 
 struct EnergyAnswer {
     double applied;
@@ -228,6 +230,9 @@ struct RelaxationRun {
 RelaxationRun run(const RelaxationStudy& study, const RelaxationWatch& watch = {});
 
 RelaxationAnswer answer_of(const RelaxationResult& result);
+
+// rad; of the final bracket, at most
+double bracket_width(const CriticalRequest& request);
 
 // The search of `critical`, which must be there.
 CriticalValue find_critical(const RelaxationStudy& study, const RelaxationWatch& watch = {});
