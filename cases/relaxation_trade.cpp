@@ -76,10 +76,10 @@ using Corner = std::vector<std::pair<std::string_view, double>>;
 // where they hurt most and least, thresholds of onset at both ends of the stiffness.
 std::vector<Corner> corners() {
     std::vector<Corner> list;
-    for (const double ratio : {1e4, 1e5, 1e6, 1e7, 1e8}) {
+    for (const double ratio : {1e4, 1e5, 1e6, 1e7}) {
         list.push_back({{stiffness_ratio, ratio}, {step_fraction, 0.6}, {equilibrium_ratio, 1e-4}});
     }
-    for (const double ratio : {1e5, 1e6, 1e7, 1e8}) {
+    for (const double ratio : {1e5, 1e6, 1e8}) {
         list.push_back({{stiffness_ratio, ratio}, {step_fraction, 0.2}, {equilibrium_ratio, 1e-7}});
     }
     for (const double viscous : {0.0, 0.2}) {
@@ -88,12 +88,15 @@ std::vector<Corner> corners() {
     for (const double local : {0.3, 0.8}) {
         list.push_back({{local_damping, local}, {viscous_damping, 0}});
     }
-    for (const double ratio : {1e4, 1e8}) {
+    // Stiff blocks that are dropped, ramped or followed far take longer than all others together.
+    for (const double ratio : {1e4, 1e6}) {
         list.push_back({{stiffness_ratio, ratio}, {start, dropped}});
-        list.push_back({{stiffness_ratio, ratio}, {start, ramped}});
-        list.push_back({{stiffness_ratio, ratio}, {onset_threshold, 1e-3}});
         list.push_back({{stiffness_ratio, ratio}, {onset_threshold, 0.1}});
     }
+    for (const double ratio : {1e4, 1e6, 1e8}) {
+        list.push_back({{stiffness_ratio, ratio}, {onset_threshold, 1e-3}});
+    }
+    list.push_back({{stiffness_ratio, 1e4}, {start, ramped}});
     list.push_back({{start, dropped}, {local_damping, 0.8}});
     list.push_back({{start, dropped}, {kinetic_damping, kinetic_on}});
     return list;
@@ -115,7 +118,7 @@ RelaxationStudy of_quality(RelaxationStudy study, RelaxationQuality quality) {
 }
 
 std::vector<TradeSetting> trade_settings(const RelaxationStudy& study, const std::vector<TradeKnob>& knobs) {
-    std::vector<TradeSetting> settings = one_at_a_time(knobs);
+    std::vector<TradeSetting> settings = {own_setting(knobs)};
     for (std::size_t index = 0; index < enum_names(RelaxationQuality{}).size(); ++index) {
         const auto quality = static_cast<RelaxationQuality>(index);
         const RelaxationStudy preset = of_quality(study, quality);
@@ -125,6 +128,7 @@ std::vector<TradeSetting> trade_settings(const RelaxationStudy& study, const std
                      {stiffness_ratio, stiffness_ratio_of(preset)},
                      {equilibrium_ratio, numbers.equilibrium_ratio}});
     }
+    add_levels(settings, knobs);
     for (const Corner& corner : corners()) {
         add_setting(settings, knobs, "corner", corner);
     }

@@ -1,5 +1,6 @@
 #include "cases/trade_report.hpp"
 
+#include "dynamic_relaxation/relaxation_study.hpp"
 #include "fitting/words.hpp"
 #include "plots/text.hpp"
 #include "plots/trade_figure.hpp"
@@ -14,13 +15,17 @@ namespace {
 
 constexpr Dimension angle = Dimension::angle;
 
+bool is_quality(const std::string& group) {
+    const auto names = enum_names(RelaxationQuality{});
+    return std::find(names.begin(), names.end(), group) != names.end();
+}
+
 std::string setting_in_words(const std::vector<TradeKnob>& knobs, const TradeSetting& setting) {
     const std::string change = change_in_words(knobs, setting);
     if (change.empty()) {
         return "as in the case";
     }
-    const bool named = setting.group == "draft" || setting.group == "standard" || setting.group == "reference";
-    return named ? setting.group + ": " + change : change;
+    return is_quality(setting.group) ? setting.group + ": " + change : change;
 }
 
 double middle(const TradeAnswer& answer) {
@@ -126,14 +131,12 @@ Json json_of(const std::vector<TradeKnob>& knobs, const TradeRow& row) {
     return json;
 }
 
-// Groups in the order of their first setting, the case's own drawn last, on top.
+// Groups in the order of their first setting; the first two, the case's own and the qualities, are drawn last, on top.
 std::vector<TradeCloud> clouds_of(const TradeResult& result) {
     std::vector<TradeCloud> clouds;
     std::map<std::string, std::size_t> place;
     for (const TradeRow& row : result.rows) {
-        const bool preset =
-            row.setting.group == "draft" || row.setting.group == "standard" || row.setting.group == "reference";
-        const std::string group = preset                          ? "draft, standard, reference"
+        const std::string group = is_quality(row.setting.group)   ? "draft, standard, reference"
                                   : row.setting.group == "own"    ? "as in the case"
                                   : row.setting.group == "corner" ? "several knobs"
                                                                   : human_name(row.setting.group);
@@ -146,9 +149,7 @@ std::vector<TradeCloud> clouds_of(const TradeResult& result) {
                                                       in_display_unit(row.error_bound, angle));
         }
     }
-    if (!clouds.empty()) {
-        std::rotate(clouds.begin(), clouds.begin() + 1, clouds.end());
-    }
+    std::rotate(clouds.begin(), clouds.begin() + std::min<std::ptrdiff_t>(2, std::ssize(clouds)), clouds.end());
     return clouds;
 }
 
@@ -165,9 +166,7 @@ TradeDrawing drawing_of(const TradeResult& result, const TradeTruth& truth) {
         drawing.front.emplace_back(std::max(row.answer.cost, 1.0), in_display_unit(row.error_bound, angle));
     }
     for (const TradeRow& row : result.rows) {
-        const bool preset =
-            row.setting.group == "draft" || row.setting.group == "standard" || row.setting.group == "reference";
-        if (row.error && preset) {
+        if (row.error && is_quality(row.setting.group)) {
             drawing.labels.push_back({.at = {std::max(row.answer.cost, 1.0), in_display_unit(row.error_bound, angle)},
                                       .text = row.setting.group,
                                       .align = Label::Align::centre,

@@ -14,14 +14,6 @@ namespace delabole {
 
 namespace {
 
-TradeSetting own_setting(const std::vector<TradeKnob>& knobs) {
-    TradeSetting own{std::string(own_group), {}};
-    for (const TradeKnob& knob : knobs) {
-        own.values.push_back(knob.own);
-    }
-    return own;
-}
-
 // "1e7", "0.05": knobs range over so many decades that digits are hard to count.
 std::string in_few_characters(double value) {
     std::array<char, 32> buffer{};
@@ -92,14 +84,12 @@ void mark_front(std::vector<TradeRow>& rows) {
 
 }  // namespace
 
-std::vector<TradeSetting> one_at_a_time(const std::vector<TradeKnob>& knobs) {
-    std::vector<TradeSetting> settings = {own_setting(knobs)};
+TradeSetting own_setting(const std::vector<TradeKnob>& knobs) {
+    TradeSetting own{std::string(own_group), {}};
     for (const TradeKnob& knob : knobs) {
-        for (const double level : knob.levels) {
-            add_setting(settings, knobs, knob.name, {{knob.name, level}});
-        }
+        own.values.push_back(knob.own);
     }
-    return settings;
+    return own;
 }
 
 std::size_t add_setting(std::vector<TradeSetting>& settings, const std::vector<TradeKnob>& knobs,
@@ -120,6 +110,14 @@ std::size_t add_setting(std::vector<TradeSetting>& settings, const std::vector<T
         settings.push_back(std::move(setting));
     }
     return index;
+}
+
+void add_levels(std::vector<TradeSetting>& settings, const std::vector<TradeKnob>& knobs) {
+    for (const TradeKnob& knob : knobs) {
+        for (const double level : knob.levels) {
+            add_setting(settings, knobs, knob.name, {{knob.name, level}});
+        }
+    }
 }
 
 TradeResult trade(const TradeProblem& problem, const TradeProgress& progress, const std::atomic<bool>& interrupted) {

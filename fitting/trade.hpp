@@ -31,13 +31,16 @@ struct TradeSetting {
 
 inline constexpr std::string_view own_group = "own";
 
-// The case's own setting first, then every other level of each knob.
-std::vector<TradeSetting> one_at_a_time(const std::vector<TradeKnob>& knobs);
+// The case's own setting.
+TradeSetting own_setting(const std::vector<TradeKnob>& knobs);
 
 // The case's own setting with these knobs changed; names that are not among the knobs are passed over. A setting that
 // is there already is not added again. Returns its index.
 std::size_t add_setting(std::vector<TradeSetting>& settings, const std::vector<TradeKnob>& knobs,
                         const std::string& group, const std::vector<std::pair<std::string_view, double>>& changed);
+
+// Every level of each knob, the others as in the case, where it is not there already.
+void add_levels(std::vector<TradeSetting>& settings, const std::vector<TradeKnob>& knobs);
 
 // A bracket of the value that is searched.
 struct TradeAnswer {

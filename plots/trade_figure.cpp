@@ -25,9 +25,9 @@ constexpr std::array<Style, 11> styles{{{Colour::blue, Marker::filled_circle},
                                         {Colour::sky, Marker::filled_square},
                                         {Colour::vermilion, Marker::filled_triangle},
                                         {Colour::blue, Marker::filled_diamond},
-                                        {Colour::grey, Marker::cross},
-                                        {Colour::green, Marker::circle},
-                                        {Colour::black, Marker::circle}}};
+                                        {Colour::grey, Marker::circle},
+                                        {Colour::black, Marker::circle},
+                                        {Colour::black, Marker::filled_diamond}}};
 
 Point in_decades(const Point& point) {
     return {std::log10(point.x()), std::log10(point.y())};

@@ -25,7 +25,7 @@ Quality quality_of(const RelaxationStudy& study) {
     case RelaxationQuality::draft:
         return {0.5, 1e5, 1e-5};
     case RelaxationQuality::reference:
-        return {0.2, 3e7, 1e-7};
+        return {0.4, 1e8, 1e-7};
     case RelaxationQuality::standard:
         break;
     }

@@ -38,6 +38,12 @@ TradeProblem problem_of(const std::vector<TradeSetting>& settings) {
     return problem;
 }
 
+std::vector<TradeSetting> levels_alone() {
+    std::vector<TradeSetting> settings = {own_setting(knobs)};
+    add_levels(settings, knobs);
+    return settings;
+}
+
 // Every combination of the levels.
 std::vector<TradeSetting> full_grid() {
     std::vector<TradeSetting> settings;
@@ -54,7 +60,7 @@ std::vector<TradeSetting> full_grid() {
 const std::atomic<bool> never = false;
 
 TEST(Trade, DesignVariesOneKnobAtATimeAndRepeatsNothing) {
-    const std::vector<TradeSetting> settings = one_at_a_time(knobs);
+    const std::vector<TradeSetting> settings = levels_alone();
     ASSERT_EQ(settings.size(), 1 + 2 + 2 + 1);
     EXPECT_EQ(settings[0].group, own_group);
     EXPECT_EQ(settings[0].values, (std::vector<double>{1e4, 0.4, 0}));
@@ -72,7 +78,7 @@ TEST(Trade, DesignVariesOneKnobAtATimeAndRepeatsNothing) {
 }
 
 TEST(Trade, SettingThatIsThereIsFoundAgain) {
-    std::vector<TradeSetting> settings = one_at_a_time(knobs);
+    std::vector<TradeSetting> settings = levels_alone();
     const std::size_t count = settings.size();
     EXPECT_EQ(add_setting(settings, knobs, "corner", {{"stiffness", 1e4}, {"no such knob", 7}}), 0);
     EXPECT_EQ(settings.size(), count);
@@ -105,7 +111,7 @@ TEST(Trade, FrontIsWhatNothingBeats) {
 }
 
 TEST(Trade, ErrorBoundReachesToTheFarEndOfTheBracket) {
-    const TradeResult result = trade(problem_of(one_at_a_time(knobs)), {}, never);
+    const TradeResult result = trade(problem_of(levels_alone()), {}, never);
     const TradeRow& own = result.rows.front();
     // The middle is 10 / 1e4 below the truth, the bracket reaches 1e-4 farther; 18.4 is held to 4e-15.
     EXPECT_NEAR(own.error.value_or(0), -1e-3, 1e-14);
@@ -113,7 +119,7 @@ TEST(Trade, ErrorBoundReachesToTheFarEndOfTheBracket) {
 }
 
 TEST(Trade, WithoutATruthTheFinestSettingIsTheYardstickAndNotJudged) {
-    TradeProblem problem = problem_of(one_at_a_time(knobs));
+    TradeProblem problem = problem_of(levels_alone());
     problem.truth.reset();
     problem.finest = add_setting(problem.settings, knobs, "corner", {{"stiffness", 1e5}, {"step", 0.1}});
     const TradeResult result = trade(problem, {}, never);
@@ -145,7 +151,7 @@ TEST(Trade, ThreadsChangeNothing) {
 
 TEST(Trade, InterruptKeepsWhatIsFinished) {
     std::atomic<bool> interrupted = false;
-    TradeProblem problem = problem_of(one_at_a_time(knobs));
+    TradeProblem problem = problem_of(levels_alone());
     int begun = 0;
     problem.answer = [&](std::span<const double> values, const TradeWatch& watch) {
         interrupted = ++begun == 3;
@@ -158,7 +164,7 @@ TEST(Trade, InterruptKeepsWhatIsFinished) {
 }
 
 TEST(Trade, ProgressNeverFallsAndEndsWithEverything) {
-    const TradeProblem problem = problem_of(one_at_a_time(knobs));
+    const TradeProblem problem = problem_of(levels_alone());
     double last = 0;
     std::size_t last_finished = 0;
     trade(
