@@ -86,4 +86,16 @@ Analysis analyse_model(const CaseModel& model, const AnalysisWatch& watch) {
         model);
 }
 
+std::string failure_of(const CaseModel& model) {
+    return std::visit(
+        [](const auto& parameters) -> std::string {
+            if constexpr (requires { failure_without_run(parameters); }) {
+                return failure_without_run(parameters);
+            } else {
+                return analyse_case(parameters).failure;
+            }
+        },
+        model);
+}
+
 }  // namespace delabole

@@ -30,8 +30,9 @@ struct Analysis {
     std::string failure;  // name of the check that failed, empty where there is an answer
     std::vector<NamedOutput> outputs;
     std::vector<std::string> warnings;
-    std::string unfinished;  // why the outputs are no final answer, empty where they are
-    std::any drawn_from;     // what the model's figures are made of, where making it again would take long
+    std::string status = "ok";  // otherwise the word for what ended the work before it had a final answer,
+    std::string unfinished;     // and why, in words
+    std::any drawn_from;        // what the model's figures are made of, where making it again would take long
 
     const NamedOutput* find(std::string_view name) const;
 };
@@ -46,6 +47,9 @@ CaseModel with_conditions(const CaseModel& model, const std::vector<Condition>& 
 using AnalysisWatch = std::function<bool(double share, const std::string& what)>;
 
 Analysis analyse_model(const CaseModel& model, const AnalysisWatch& watch = {});
+
+// Analysis::failure alone, where that takes less.
+std::string failure_of(const CaseModel& model);
 
 // The model as the loops see it.
 ModelInterface interface_of(const CaseModel& model);

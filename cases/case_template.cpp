@@ -18,7 +18,7 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 42> examples{{
+constexpr std::array<ExampleNumber, 59> examples{{
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -55,8 +55,25 @@ constexpr std::array<ExampleNumber, 42> examples{{
     {"height", 2.0},
     {"depth_behind", 2.0},
     {"depth_in_front", 0.5},
-    {"block", 1.0},
     {"joint", 1.0},
+    {"edge", 1.0},
+    {"lower", degrees(10)},
+    {"upper", degrees(40)},
+    {"tolerance", degrees(0.005)},
+    {"final_tilt", degrees(20)},
+    {"interval", 0.1},
+    {"stiffness_ratio", 1e6},
+    {"step_fraction", 0.4},
+    {"time_step", 1e-4},
+    {"viscous_damping", 0.2},
+    {"local_damping", 0.2},
+    {"equilibrium_ratio", 1e-6},
+    {"onset_rotation", 0.01},
+    {"onset_slide", 0.01},
+    {"collapse_rotation", 0.5},
+    {"collapse_displacement", 1.0},
+    {"most_steps", 1e8},
+    {"overlap_limit", 0.05},
     {"lower_inclination", degrees(20)},
     {"upper_inclination", degrees(50)},
     {"lower_end_height", 5.0},

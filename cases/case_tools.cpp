@@ -18,9 +18,9 @@ namespace {
 
 // A case can be well formed and yet describe a slope that cannot be: the model has the last word.
 void check_model(const CaseFile& file) {
-    const Analysis analysis = analyse_model(file.model);
-    if (!analysis.failure.empty()) {
-        throw CaseError({impossible(file, analysis.failure)});
+    const std::string failure = failure_of(file.model);
+    if (!failure.empty()) {
+        throw CaseError({impossible(file, failure)});
     }
     if (file.fit) {
         fit_problem_of(file, 1, std::nullopt);

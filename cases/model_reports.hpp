@@ -21,6 +21,8 @@ Analysis analyse_case(const TiltedColumn<>& column);
 Analysis analyse_case(const KinematicsStudy& study);
 // The one model whose analysis takes long: reports how far it has come, and can be ended.
 Analysis analyse_case(const RelaxationStudy& study, const AnalysisWatch& watch);
+// Its failure alone, without the run.
+std::string failure_without_run(const RelaxationStudy& study);
 
 // Figures and tables that only this model has, in the report of `delabole run`. Called after analyse_case gave answers.
 void append_case_figures(const PlaneFailureStudy<>& study, const ResultFolder& folder, Report& report);

@@ -136,7 +136,7 @@ RelaxationStudy example_study() {
     RelaxationRow row{};
     row.tilt = degrees(10);
     row.density = 2700;
-    row.interface = {degrees(20), {}, {}, {}, {}, {}};
+    row.interface = {degrees(30), {}, {}, {}, {}, {}};
     row.base = {degrees(30), {}, {}, {}, {}, {}};
     row.block = {{1, 3, {}}, {1, 3, {}}};
     study.model.scene = row;

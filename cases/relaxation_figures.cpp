@@ -11,7 +11,6 @@ namespace delabole {
 
 namespace {
 
-constexpr std::size_t most_drawn_blocks = 1000;
 constexpr std::size_t most_rows = 60;
 
 DrawnMode drawn(BlockMovement movement) {
@@ -32,20 +31,6 @@ DrawnMode drawn(BlockMovement movement) {
     }
     return DrawnMode::plain;
 }
-
-// From the scene's frame, in which gravity is tilted, to one with gravity downwards.
-class Upright {
-  public:
-    explicit Upright(double tilt) : cosine_(std::cos(tilt)), sine_(std::sin(tilt)) {}
-
-    Point operator()(const PlanePoint<>& point) const {
-        return {cosine_ * point.x() - sine_ * point.y(), sine_ * point.x() + cosine_ * point.y()};
-    }
-
-  private:
-    double cosine_;
-    double sine_;
-};
 
 BlockDrawing drawing_of(const RelaxationRun& made, const std::vector<Motion>& motion, const Bodies& bodies, double tilt,
                         bool with_modes) {

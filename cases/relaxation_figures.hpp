@@ -5,7 +5,25 @@
 #include "dynamic_relaxation/relaxation_study.hpp"
 #include "plots/report.hpp"
 
+#include <cmath>
+
 namespace delabole {
+
+// From the scene's frame, in which gravity is tilted, to one with gravity downwards.
+class Upright {
+  public:
+    explicit Upright(double tilt) : cosine_(std::cos(tilt)), sine_(std::sin(tilt)) {}
+
+    Point operator()(const PlanePoint<>& point) const {
+        return {cosine_ * point.x() - sine_ * point.y(), sine_ * point.x() + cosine_ * point.y()};
+    }
+
+  private:
+    double cosine_;
+    double sine_;
+};
+
+inline constexpr std::size_t most_drawn_blocks = 1000;
 
 // Blocks at the start and at the end, velocities, contact forces, the table of blocks; nothing where there was no run.
 void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report);
@@ -13,5 +31,8 @@ void append_block_figures(const RelaxationRun& made, const ResultFolder& folder,
 // history.csv, movements.csv and their figures; nothing where the run kept no history.
 void append_history(const HistoryRequest& request, const RelaxationRun& made, const ResultFolder& folder,
                     Report& report);
+
+// The blocks in motion, in the report and as frames/ for ParaView; nothing where the run kept no frames.
+void append_frames(const RelaxationRun& made, const ResultFolder& folder, Report& report);
 
 }  // namespace delabole

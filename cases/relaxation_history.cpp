@@ -162,8 +162,11 @@ Figure curves(const RelaxationHistory& history, const std::vector<Column>& colum
     for (std::size_t index = 0; index < columns.size(); ++index) {
         Line line;
         line.legend = human_name(columns[index].name);
-        line.colour = curve_colours[index % curve_colours.size()];
-        line.dash = index < curve_colours.size() ? Dash::solid : Dash::dashed;
+        const bool again = index >= curve_colours.size();
+        line.colour = curve_colours[(again ? index - 1 : index) % curve_colours.size()];
+        line.dash = again ? Dash::dashed : Dash::solid;
+        // Where another curve covers it, both are seen.
+        line.width *= index == 0 ? 2 : 1;
         bool any = false;
         for (const HistoryLine& entry : history) {
             const double value = columns[index].value(entry);

@@ -56,7 +56,7 @@ std::string search_in_words(const CriticalRequest& request, const CriticalValue&
     case CriticalStatus::run_failed:
         return "the run at " + last + " was stopped: an overlap passed settings.overlap_limit";
     case CriticalStatus::interrupted:
-        return "interrupted";
+        return "the search ended in the run at " + last;
     case CriticalStatus::not_valid:
         return "the scene is not valid at " + last;
     }
@@ -74,7 +74,7 @@ std::string run_in_words(const RelaxationRun& made) {
                               : value_in_words(made.settings.duration, Dimension::time) + ": raise settings.duration")
                    : "";
     case RelaxationOutcome::interrupted:
-        return "interrupted at " + value_in_words(made.result.time, Dimension::time) + " of model time";
+        return "the run ended at " + value_in_words(made.result.time, Dimension::time) + " of model time";
     case RelaxationOutcome::overlap_too_large: {
         std::string text = "stopped because an overlap passed settings.overlap_limit";
         if (made.result.deepest) {
@@ -107,27 +107,36 @@ SceneFault fault_of(const RelaxationStudy& study) {
 
 }  // namespace
 
+std::string failure_without_run(const RelaxationStudy& study) {
+    const SceneFault fault = fault_of(study);
+    return fault.check == SceneCheck::valid ? "" : std::string(word_of(fault.check));
+}
+
 Analysis analyse_case(const RelaxationStudy& study, const AnalysisWatch& watch) {
     Analysis analysis;
     const double share = study.critical ? share_of_run : 1;
-    RelaxationRun made = run(study, [&](double done) { return !watch || watch(share * done, "dynamic relaxation"); });
+    const KeepFrames frames =
+        relaxation_scene(study).block.size() <= most_drawn_blocks ? KeepFrames::yes : KeepFrames::no;
+    RelaxationRun made = run(
+        study, [&](double done) { return !watch || watch(share * done, "dynamic relaxation"); }, frames);
     if (made.result.outcome == RelaxationOutcome::scene_not_valid) {
         analysis.failure = word_of(made.result.fault.check);
         return analysis;
     }
     append_outputs(analysis, answer_of(made.result));
-    analysis.unfinished = run_in_words(made);
+    const auto leave_unfinished = [&](std::string_view status, std::string why) {
+        if (analysis.unfinished.empty() && !why.empty()) {
+            analysis.status = status;
+            analysis.unfinished = std::move(why);
+        }
+    };
+    leave_unfinished(word_of(made.result.outcome), run_in_words(made));
     if (study.critical && made.result.outcome != RelaxationOutcome::interrupted) {
         const CriticalValue critical = find_critical(study, [&](double done) {
             return !watch || watch(share + (1 - share) * done, human_name(name_of_critical(study.critical->parameter)));
         });
         append_critical(analysis, *study.critical, critical);
-        if (analysis.unfinished.empty()) {
-            analysis.unfinished = search_in_words(*study.critical, critical);
-        }
-    }
-    if (!analysis.unfinished.empty()) {
-        analysis.warnings.push_back(analysis.unfinished);
+        leave_unfinished(word_of(critical.status), search_in_words(*study.critical, critical));
     }
     constexpr double large_residual = 0.02;
     const double residual = std::get<double>(analysis.find("energy.residual_share")->value);
@@ -143,6 +152,7 @@ void append_case_figures(const RelaxationStudy& study, const Analysis& analysis,
                          Report& report) {
     const auto& made = std::any_cast<const RelaxationRun&>(analysis.drawn_from);
     append_block_figures(made, folder, report);
+    append_frames(made, folder, report);
     if (study.history) {
         append_history(*study.history, made, folder, report);
     }

@@ -83,11 +83,12 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     if (!analysis.failure.empty()) {
         throw CaseError({impossible(file, analysis.failure)});
     }
-    const ResultFolder folder(options, stem_of(file), OnInterrupt::stop);
+    const ResultFolder folder(options, stem_of(file),
+                              analysis.unfinished.empty() ? OnInterrupt::stop : OnInterrupt::finish);
     const Json source = provenance(file, "run", options, watch.seconds());
 
     Json json;
-    json["status"] = analysis.unfinished.empty() ? "ok" : "not_converged";
+    json["status"] = analysis.status;
     json["title"] = file.title;
     json["model"] = std::string(model_name(file.model));
     json["results"] = json_of(analysis.outputs);
@@ -95,6 +96,10 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     json["provenance"] = source;
 
     Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    if (!analysis.unfinished.empty()) {
+        report.blocks.emplace_back(
+            Notice{NoticeKind::warning, interrupt_flag() ? "Interrupted" : "Not converged", {analysis.unfinished}});
+    }
     if (!analysis.warnings.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "Warnings", analysis.warnings});
     }
@@ -123,7 +128,12 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     } else if (!options.quiet) {
         print(file, analysis, folder);
     }
-    return analysis.unfinished.empty() ? ExitCode::ok : ExitCode::not_converged;
+    if (analysis.unfinished.empty()) {
+        return ExitCode::ok;
+    }
+    std::cerr << "delabole: " << (interrupt_flag() ? "interrupted: " : "not converged: ") << analysis.unfinished
+              << '\n';
+    return ExitCode::not_converged;
 }
 
 }  // namespace

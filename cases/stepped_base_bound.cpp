@@ -84,7 +84,7 @@ void add_contact_forces(BlockDrawing& drawing, const BoundState& state) {
     const std::size_t step = 1 + contacts.size() / (most_arrows + 1);
     for (std::size_t index = 0; index < contacts.size(); index += step) {
         const Contact& contact = contacts[index];
-        const ContactForce& force = state.programme.forces[index];
+        const BoundContactForce& force = state.programme.forces[index];
         drawing.forces.push_back({contact.start + force.position * contact.along(),
                                   force.normal() * contact.normal() + force.shear() * contact.along(),
                                   contact.other ? ForceKind::interblock : ForceKind::base_reaction});

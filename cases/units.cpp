@@ -103,6 +103,21 @@ std::optional<double> angle_factor(std::string_view unit) {
     return std::nullopt;
 }
 
+// "deg/s", "rad/min": an angle over a time, each as it would stand alone.
+std::optional<double> angular_speed_factor(std::string_view unit) {
+    const std::size_t slash = unit.find('/');
+    if (slash == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const std::optional<double> angle = angle_factor(trimmed(unit.substr(0, slash)));
+    const std::string_view time = trimmed(unit.substr(slash + 1));
+    if (!angle || time.empty() || !is_plain_unit(time)) {
+        return std::nullopt;
+    }
+    const UnitFactor seconds = unit_factor(time, Dimension::time);
+    return seconds.known && seconds.si_per_unit ? std::optional(*angle / *seconds.si_per_unit) : std::nullopt;
+}
+
 ParsedQuantity failure(QuantityStatus status, std::string message) {
     return {.status = status, .value = 0, .message = std::move(message)};
 }
@@ -189,6 +204,10 @@ ParsedQuantity parse_quantity(std::string_view text, Dimension dimension) {
     if (angle) {
         return dimension == Dimension::angle ? scaled(parts.number, *angle) : wrong_dimension(parts.unit, dimension);
     }
+    if (dimension == Dimension::angular_speed) {
+        const std::optional<double> speed = angular_speed_factor(parts.unit);
+        return speed ? scaled(parts.number, *speed) : wrong_dimension(parts.unit, dimension);
+    }
     if (!is_plain_unit(parts.unit)) {
         return unknown_unit(parts.unit, dimension);
     }
@@ -196,8 +215,7 @@ ParsedQuantity parse_quantity(std::string_view text, Dimension dimension) {
     if (!factor.known) {
         return unknown_unit(parts.unit, dimension);
     }
-    const bool of_angle = dimension == Dimension::angular_speed;
-    if (!factor.si_per_unit || dimension == Dimension::angle || mentions_angle(parts.unit) != of_angle) {
+    if (!factor.si_per_unit || dimension == Dimension::angle || mentions_angle(parts.unit)) {
         return wrong_dimension(parts.unit, dimension);
     }
     return scaled(parts.number, *factor.si_per_unit);

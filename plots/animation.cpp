@@ -19,7 +19,8 @@ namespace {
 
 constexpr double width = 640;  // px, as of the other figures
 constexpr double greatest_height = 560;
-constexpr double strip = 64;  // below the scene, for scale bar and legend
+constexpr double strip = 64;       // below the scene, for scale bar and legend
+constexpr std::size_t many = 100;  // blocks, of which one line would leave little white
 constexpr double degree = std::numbers::pi / 180;
 constexpr double length_share = 1e-4;  // of the diagonal of what is seen
 constexpr double angle_unit = 1e-4;    // rad
@@ -134,13 +135,15 @@ class Drawing {
                                  (animation_.outcome.empty() ? "" : ": " + animation_.outcome);
         std::string text = "<svg viewBox=\"0 0 " + fixed_point(width, 0) + " " + fixed_point(height_ + strip, 1) +
                            "\" width=\"100%\" role=\"img\" aria-label=\"" + escape_html(name) + "\">\n";
-        text += "<g class=\"scene\" stroke=\"#1b1b1b\" stroke-width=\"1.2\" stroke-linejoin=\"round\" transform=\"" +
-                turn_of(last) + "\">\n";
+        const std::string pen = animation_.blocks.size() > many ? "0.6" : "1.2";
+        text += "<g class=\"scene\" stroke=\"#1b1b1b\" stroke-width=\"" + pen +
+                "\" stroke-linejoin=\"round\" transform=\"" + turn_of(last) + "\">\n";
         for (std::size_t block = 0; block < animation_.blocks.size(); ++block) {
             text += group_of(block, state_of(last, block));
         }
+        // Hides what lies below the scene, with some to spare for rounded pixels.
         text += "</g>\n<rect y=\"" + fixed_point(height_, 1) + "\" width=\"" + fixed_point(width, 0) + "\" height=\"" +
-                fixed_point(strip, 0) + "\" fill=\"#fff\"/>\n";
+                fixed_point(2 * strip, 0) + "\" fill=\"#fff\"/>\n";
         return text + scale_bar() + legend() + "</svg>\n";
     }
 

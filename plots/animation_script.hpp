@@ -5,7 +5,8 @@
 
 namespace delabole {
 
-inline constexpr std::string_view animation_style = R"css(.animation text { font: 17px system-ui, sans-serif; fill: #1b1b1b; }
+inline constexpr std::string_view animation_style =
+    R"css(.animation text { font: 19px system-ui, sans-serif; fill: #1b1b1b; }
 .animation .label { text-anchor: middle; dominant-baseline: central; paint-order: stroke; stroke: #fff; stroke-width: .2em; stroke-linejoin: round; }
 .animation .moment, .animation .controls { max-width: 42rem; margin: .5rem auto 0; font-variant-numeric: tabular-nums; }
 .animation .controls { display: flex; flex-wrap: wrap; gap: .5rem; align-items: center; }

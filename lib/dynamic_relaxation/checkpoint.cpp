@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view mark =
     "\x89"
     "DlbRlx\n";
-constexpr std::uint64_t checkpoint_version = 1;
+constexpr std::uint64_t checkpoint_version = 2;
 constexpr std::size_t header_size = 32;
 constexpr std::size_t checksum_size = 8;
 
@@ -184,7 +184,6 @@ bool fits(const RelaxationState& state, const RelaxationScene& scene) {
     const ContactList& list = state.contacts;
     const std::size_t contacts = list.contact.size();
     return list.memory.size() == contacts && list.force.size() == contacts &&
-           list.worst < std::max<std::size_t>(contacts, 1) &&
            std::all_of(list.contact.begin(), list.contact.end(),
                        [&](const RelaxationContact& contact) {
                            return is_of(contact.corner, contact.block) && is_of(contact.edge, contact.other) &&

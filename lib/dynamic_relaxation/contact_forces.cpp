@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace delabole {
 
-ContactForces::ContactForces(const Bodies& bodies, std::vector<double> unnoticed)
+ContactForces::ContactForces(const Bodies& bodies, std::vector<double> unnoticed, Team& team)
     : bodies_(bodies),
+      team_(team),
       unnoticed_(std::move(unnoticed)),
       force_(bodies.size()),
       moved_(bodies.size(), 0),
@@ -31,7 +33,26 @@ void ContactForces::renew(const ContactList& list) {
         of_block_[next[list.contact[index].other]++] = index;
     }
     evaluated_.assign(list.contact.size(), round_);
+    divide(list);
     sum_all(list);
+}
+
+// Contacts of one pair of blocks follow each other and read each other's memories when a corner hands over: they stay
+// in one part.
+void ContactForces::divide(const ContactList& list) {
+    const auto same_pair = [&](std::size_t index) {
+        const RelaxationContact& one = list.contact[index - 1];
+        const RelaxationContact& two = list.contact[index];
+        return std::minmax(one.block, one.other) == std::minmax(two.block, two.other);
+    };
+    part_begin_.assign(team_.size() + 1, list.contact.size());
+    for (std::size_t part = 0; part < team_.size(); ++part) {
+        std::size_t begin = part_begin(list.contact.size(), part, team_.size());
+        while (begin > 0 && begin < list.contact.size() && same_pair(begin)) {
+            ++begin;
+        }
+        part_begin_[part] = begin;
+    }
 }
 
 void ContactForces::notice(const std::vector<Motion>& motion, std::vector<SeenPose>& seen) {
@@ -58,18 +79,28 @@ void ContactForces::evaluate(std::size_t index, const std::vector<Motion>& motio
                         motion[contact.block], motion[contact.other], step);
 }
 
+std::size_t ContactForces::evaluate_all(const std::vector<Motion>& motion, double step, ContactList& list) {
+    std::vector<std::size_t> counts(team_.size(), 0);
+    team_.run([&](std::size_t part) {
+        std::size_t count = 0;
+        for (std::size_t index = part_begin_[part]; index < part_begin_[part + 1]; ++index) {
+            if (moved_[list.contact[index].block] != 0 || moved_[list.contact[index].other] != 0) {
+                evaluate(index, motion, step, list);
+                ++count;
+            }
+        }
+        counts[part] = count;
+    });
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
 std::size_t ContactForces::apply(const std::vector<Motion>& motion, double step, std::vector<SeenPose>& seen,
                                  ContactList& list) {
     ++round_;
     notice(motion, seen);
     std::size_t count = 0;
     if (2 * moved_blocks_.size() > bodies_.size()) {
-        for (std::size_t index = 0; index < list.contact.size(); ++index) {
-            if (moved_[list.contact[index].block] != 0 || moved_[list.contact[index].other] != 0) {
-                evaluate(index, motion, step, list);
-                ++count;
-            }
-        }
+        count = evaluate_all(motion, step, list);
         sum_all(list);
         return count;
     }
@@ -93,10 +124,19 @@ std::size_t ContactForces::apply(const std::vector<Motion>& motion, double step,
 }
 
 void ContactForces::sum_all(const ContactList& list) {
+    if (team_.size() > 1) {
+        team_.run([&](std::size_t part) {
+            for (std::size_t block = part_begin(bodies_.size(), part, team_.size());
+                 block < part_begin(bodies_.size(), part + 1, team_.size()); ++block) {
+                force_[block] = sum_of(block, list);
+            }
+        });
+        return;
+    }
     std::fill(force_.begin(), force_.end(), BlockForce{});
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         const RelaxationContact& contact = list.contact[index];
-        const ForceOnCorner& force = list.force[index];
+        const ContactForce& force = list.force[index];
         BlockForce& own = force_[contact.block];
         own.x += force.x;
         own.y += force.y;
@@ -109,13 +149,16 @@ void ContactForces::sum_all(const ContactList& list) {
 }
 
 void ContactForces::sum_block(std::size_t block, const ContactList& list) {
-    if (std::exchange(summed_[block], round_) == round_) {
-        return;
+    if (std::exchange(summed_[block], round_) != round_) {
+        force_[block] = sum_of(block, list);
     }
+}
+
+BlockForce ContactForces::sum_of(std::size_t block, const ContactList& list) const {
     BlockForce sum;
     for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
         const RelaxationContact& contact = list.contact[of_block_[entry]];
-        const ForceOnCorner& force = list.force[of_block_[entry]];
+        const ContactForce& force = list.force[of_block_[entry]];
         if (contact.block == block) {
             sum.x += force.x;
             sum.y += force.y;
@@ -126,7 +169,7 @@ void ContactForces::sum_block(std::size_t block, const ContactList& list) {
             sum.moment += force.other_moment;
         }
     }
-    force_[block] = sum;
+    return sum;
 }
 
 }  // namespace delabole

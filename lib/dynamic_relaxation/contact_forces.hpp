@@ -7,6 +7,7 @@
 
 #include "dynamic_relaxation/bodies.hpp"
 #include "dynamic_relaxation/contacts.hpp"
+#include "dynamic_relaxation/team.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -28,7 +29,7 @@ struct SeenPose {
 class ContactForces {
   public:
     // `unnoticed`: way of each block that its contacts may disregard, m.
-    ContactForces(const Bodies& bodies, std::vector<double> unnoticed);
+    ContactForces(const Bodies& bodies, std::vector<double> unnoticed, Team& team);
 
     // To be called whenever the list of contacts is new.
     void renew(const ContactList& list);
@@ -42,10 +43,14 @@ class ContactForces {
   private:
     void notice(const std::vector<Motion>& motion, std::vector<SeenPose>& seen);
     void evaluate(std::size_t index, const std::vector<Motion>& motion, double step, ContactList& list) const;
+    std::size_t evaluate_all(const std::vector<Motion>& motion, double step, ContactList& list);
     void sum_all(const ContactList& list);
     void sum_block(std::size_t block, const ContactList& list);
+    BlockForce sum_of(std::size_t block, const ContactList& list) const;
+    void divide(const ContactList& list);
 
     const Bodies& bodies_;
+    Team& team_;
     std::vector<double> unnoticed_;
     std::vector<BlockForce> force_;
     std::vector<char> moved_;
@@ -53,6 +58,7 @@ class ContactForces {
     // Contacts of each block in the order of the list: begin_[block] to begin_[block + 1] in of_block_.
     std::vector<std::uint32_t> begin_ = {};
     std::vector<std::uint32_t> of_block_ = {};
+    std::vector<std::size_t> part_begin_ = {};   // contacts of each member; twins stay together
     std::vector<std::uint64_t> evaluated_ = {};  // round in which a contact was last evaluated
     std::vector<std::uint64_t> summed_ = {};     // round in which a block's forces were last added up
     std::uint64_t round_ = 0;

@@ -60,19 +60,41 @@ inline ContactPosition locate(const RelaxationContact& contact, const Motion& bl
     return at;
 }
 
-inline double contact_weight(const RelaxationContact& contact, double position) {
-    const double at_start = contact.start_weight + position * contact.inverse_blend;
-    const double at_end = contact.end_weight + (contact.edge_length - position) * contact.inverse_blend;
-    return std::clamp(std::min(at_start, at_end), 0.0, 1.0);
+inline double contact_weight(const RelaxationContact& contact, double position, double overlap) {
+    // A ramp is no steeper than the overlap allows: a weight that changed faster would be a stiffer spring.
+    const auto ramp = [&](double depth) {
+        return depth * contact.inverse_blend > 0.5 ? 0.5 / depth : contact.inverse_blend;
+    };
+    const double rate = ramp(overlap);
+    const double at_start = contact.start_weight + position * rate;
+    const double at_end = contact.end_weight + (contact.edge_length - position) * rate;
+    double weight = std::min(at_start, at_end);
+    if (contact.rival != 0) {
+        // With t the way from the common end, the rival's overlap and the way along it.
+        const double t = contact.rival > 0 ? position : contact.edge_length - position;
+        const double other_overlap = t * contact.rival_sine - overlap * contact.rival_cosine;
+        const double other_way = t * contact.rival_cosine + overlap * contact.rival_sine;
+        weight = std::min(weight,
+                          0.5 + ramp(std::min(overlap, other_overlap)) * std::max(other_overlap - overlap, -other_way));
+    }
+    return std::clamp(weight, 0.0, 1.0);
 }
 
 // Advances the memory by one step and gives the force at its end. Velocities are those that led here, half a step ago.
-inline ForceOnCorner advance_contact(const RelaxationContact& contact, ContactMemory& memory, const ContactMemory* twin,
-                                     const Motion& block, const Motion& other, double step) {
+inline ContactForce advance_contact(const RelaxationContact& contact, ContactMemory& memory, const ContactMemory* twin,
+                                    const Motion& block, const Motion& other, double step) {
     const ContactPosition at = locate(contact, block, other);
     const double overlap = -at.gap;
-    if (overlap <= 0 && !memory.touching) {
-        return {};
+    if (!memory.touching) {
+        if (overlap <= 0) {
+            memory.beneath = false;
+            return {};
+        }
+        // A twin hands over where both are about as deep.
+        if (memory.beneath && (twin == nullptr || !twin->touching || overlap > 1.5 * twin->overlap)) {
+            return {};
+        }
+        memory.beneath = false;
     }
     const double velocity_x = (block.vx - other.vx) - (block.spin * at.arm_y - other.spin * at.other_arm_y);
     const double velocity_y = (block.vy - other.vy) + (block.spin * at.arm_x - other.spin * at.other_arm_x);
@@ -82,13 +104,19 @@ inline ForceOnCorner advance_contact(const RelaxationContact& contact, ContactMe
     memory.damping -= step / 2 * (memory.normal_drag * opening + memory.shear_drag * shearing);
     memory.normal_drag = memory.shear_drag = 0;
     const bool bonded = contact.tension > 0 && !memory.broken;
-    if (overlap <= 0 && !bonded) {
+    const double weight = contact_weight(contact, at.position, overlap);
+    const auto open = [&] {
+        // What the springs held is lost: of the shear spring much, where friction is great.
+        memory.friction += weight * contact.shear_stiffness * memory.shear * memory.shear / 2;
         memory.touching = memory.sliding = false;
         memory.broken = true;
         memory.shear = 0;
+    };
+    if (weight == 0 || (overlap <= 0 && !bonded)) {
+        open();
+        memory.beneath = overlap > 0 && contact.rival == 0;
         return {};
     }
-    const double weight = contact_weight(contact, at.position);
     const double force_before = contact.shear_stiffness * std::abs(memory.shear);
     if (!memory.touching) {
         memory.touching = true;
@@ -97,12 +125,11 @@ inline ForceOnCorner advance_contact(const RelaxationContact& contact, ContactMe
         memory.shear += at.slide - memory.place;
     }
     memory.place = at.slide;
+    memory.overlap = overlap;
     double normal = contact.normal_stiffness * overlap;
     if (normal < -contact.tension) {
         memory.friction += weight * normal * overlap / 2;
-        memory.touching = memory.sliding = false;
-        memory.broken = true;
-        memory.shear = 0;
+        open();
         return {};
     }
     double shear = -contact.shear_stiffness * memory.shear;
@@ -129,7 +156,7 @@ inline ForceOnCorner advance_contact(const RelaxationContact& contact, ContactMe
     memory.normal_drag = weight * (damped - normal);
     memory.damping -= step / 2 * (memory.normal_drag * opening + memory.shear_drag * shearing);
     normal = damped;
-    ForceOnCorner force;
+    ContactForce force;
     force.x = weight * (at.normal_x * normal + at.along_x() * shear);
     force.y = weight * (at.normal_y * normal + at.along_y() * shear);
     force.moment = at.arm_x * force.y - at.arm_y * force.x;
@@ -144,7 +171,7 @@ inline double elastic_energy(const RelaxationContact& contact, const ContactMemo
         return 0;
     }
     const ContactPosition at = locate(contact, block, other);
-    return contact_weight(contact, at.position) *
+    return contact_weight(contact, at.position, -at.gap) *
            (contact.normal_stiffness * at.gap * at.gap + contact.shear_stiffness * memory.shear * memory.shear) / 2;
 }
 

@@ -16,6 +16,8 @@ constexpr double lean = 0.35;
 // The weight of a contact changes over this way around an edge's end, in shortest edges. Far above any overlap, so that
 // a change of overlap hardly changes a weight, and far below what an eye or a lever arm would see.
 constexpr double blend_way = 1e-3;
+// A joint drawn open by less than this, in shortest edges, is closed.
+constexpr double closed = 1e-3;
 // Deeper corners belong to the block's other side.
 constexpr double deepest = 0.25;
 
@@ -65,9 +67,8 @@ class Search {
         // The face of the corner's block that lies on the edge is the one nearer to its direction.
         const std::size_t face = std::abs(to_next.dot(normal)) < std::abs(to_previous.dot(normal)) ? corner : before;
         list.contact.push_back(make(corner, edge, face, blend, {to_next.dot(along), to_previous.dot(along)}));
-        if (gap < list.worst_gap && contact_weight(list.contact.back(), position) > 0) {
-            list.worst_gap = gap;
-            list.worst = list.contact.size() - 1;
+        if (-gap > list.worst_overlap * shortest && contact_weight(list.contact.back(), position) > 0) {
+            list.worst_overlap = -gap / shortest;
         }
     }
 
@@ -181,15 +182,19 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
     pair_twins(bodies, motion, list);
     list.memory.resize(list.contact.size());
     list.force.resize(list.contact.size());
-    if (!previous.contact.empty()) {
-        const ContactIndex known(previous.contact);
-        for (std::size_t index = 0; index < list.contact.size(); ++index) {
-            const std::size_t before = known.find(list.contact[index].corner, list.contact[index].edge);
-            if (before != no_twin) {
-                // Slip and energies have been booked; what is left is what the contact goes on with.
-                list.memory[index] = previous.memory[before];
-                list.memory[index].slip = list.memory[index].friction = list.memory[index].damping = 0;
-            }
+    const ContactIndex known(previous.contact);
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const RelaxationContact& contact = list.contact[index];
+        ContactMemory& memory = list.memory[index];
+        const std::size_t before = known.find(contact.corner, contact.edge);
+        if (before != no_twin) {
+            // Slip and energies have been booked; what is left is what the contact goes on with.
+            memory = previous.memory[before];
+            memory.slip = memory.friction = memory.damping = 0;
+        } else {
+            const double shortest = std::min(bodies.shortest_edge[contact.block], bodies.shortest_edge[contact.other]);
+            memory.broken = !(options.first && contact.gap <= closed * shortest);
+            memory.touching = !memory.broken && (contact.tension > 0 || contact.gap < 0);
         }
     }
     return list;

@@ -31,6 +31,11 @@ struct RelaxationContact {
     double start_weight;  // weight of the contact where the corner is at the edge's start
     double end_weight;
     double inverse_blend;  // 1 / length over which the weight changes
+    // 1 or -1 where the corner could bear as well on the edge beyond this one's start or end: it bears on the one that
+    // it is less deep in. 0 where not.
+    double rival;
+    double rival_sine;  // of the interior angle between the two
+    double rival_cosine;
     double normal_stiffness;
     double shear_stiffness;
     double normal_dashpot;
@@ -45,6 +50,7 @@ struct RelaxationContact {
 struct ContactMemory {
     double shear = 0;        // displacement of the shear spring, along the edge
     double place = 0;        // of the corner along the edge when last evaluated, since the drawing
+    double overlap = 0;      // m, when last evaluated while touching
     double slip = 0;         // sum of plastic displacement along the edge, with its sign
     double friction = 0;     // J/m, dissipated so far, with broken bonds
     double damping = 0;      // J/m
@@ -53,9 +59,12 @@ struct ContactMemory {
     bool touching = false;
     bool sliding = false;
     bool broken = false;  // peak strength, cohesion and tensile strength are gone
+    // Below the line of the edge without having come there over the edge, for instance past its end: no overlap of this
+    // edge, and none to bear with, until the corner has been above.
+    bool beneath = false;
 };
 
-struct ForceOnCorner {
+struct ContactForce {
     double x = 0;  // on the corner's block, N/m; the other gets the opposite
     double y = 0;
     double moment = 0;        // N, about the centroid of the corner's block
@@ -65,15 +74,17 @@ struct ForceOnCorner {
 struct ContactList {
     std::vector<RelaxationContact> contact = {};
     std::vector<ContactMemory> memory = {};
-    std::vector<ForceOnCorner> force = {};  // when last evaluated
-    double margin = 0;                      // the list holds until blocks have moved by half of this
-    double worst_gap = 0;                   // least gap found, negative for overlap
-    std::size_t worst = 0;                  // contact of the worst gap; meaningful where any
+    std::vector<ContactForce> force = {};  // when last evaluated
+    double margin = 0;                     // the list holds until blocks have moved by half of this
+    double worst_overlap = 0;              // greatest found, in shortest edges of the two blocks
 };
 
 struct SearchOptions {
     double margin;
     double viscous_damping;
+    // Joints that are closed in the drawing are whole: they have their peak strengths. Those that come about later, or
+    // were open, have lost them.
+    bool first;
 };
 
 // Contacts in an order that depends on positions alone. `previous` gives its memory to those that were contacts

@@ -3,6 +3,7 @@
 #include "dynamic_relaxation/contact_law.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace delabole {
 
@@ -21,9 +22,45 @@ std::vector<CornerForce> corner_forces(const Bodies& bodies, const RelaxationSta
         forces.push_back(
             {contact.block, contact.other, moved_corner(bodies, state.motion, contact.corner),
              PlanePoint<>(at.normal_x * normal + at.along_x() * shear, at.normal_y * normal + at.along_y() * shear),
-             normal, -at.gap});
+             normal, shear, -at.gap, memory.sliding});
     }
     return forces;
+}
+
+namespace {
+
+MotionFrame frame_of(const Simulation& simulation) {
+    const RelaxationState& state = simulation.state();
+    return {state.time, simulation.tilt(), state.motion,
+            block_outcomes(simulation.bodies(), state, simulation.settings()),
+            corner_forces(simulation.bodies(), state)};
+}
+
+}  // namespace
+
+void MotionRecord::look(const Simulation& simulation) {
+    const RelaxationState& state = simulation.state();
+    if (state.time < next_) {
+        return;
+    }
+    constexpr double first_interval_in_steps = 20;
+    interval_ = interval_ > 0 ? interval_ : first_interval_in_steps * state.step;
+    if (frames_.size() == most_frames) {
+        std::vector<MotionFrame> kept;
+        for (std::size_t index = 0; index < frames_.size(); index += 2) {
+            kept.push_back(std::move(frames_[index]));
+        }
+        frames_ = std::move(kept);
+        interval_ *= 2;
+    }
+    frames_.push_back(frame_of(simulation));
+    next_ = state.time + interval_;
+}
+
+void MotionRecord::add_last(const Simulation& simulation) {
+    if (frames_.empty() || frames_.back().time < simulation.state().time) {
+        frames_.push_back(frame_of(simulation));
+    }
 }
 
 HistoryLine history_line(const HistoryRequest& request, const Simulation& simulation) {

@@ -78,10 +78,36 @@ struct CornerForce {
     PlanePoint<> at;     // in the drawing's frame, moved
     PlanePoint<> force;  // N/m, on `block`
     double normal;       // N/m, pressing
+    double shear;        // N/m, along the edge
     double overlap;      // m
+    bool sliding;
 };
 
 // Spring forces of all corners that press, in equilibrium the whole of the forces.
 std::vector<CornerForce> corner_forces(const Bodies& bodies, const RelaxationState& state);
+
+struct MotionFrame {
+    double time = 0;
+    double tilt = 0;
+    std::vector<Motion> motion = {};
+    std::vector<BlockOutcome> outcome = {};
+    std::vector<CornerForce> force = {};
+};
+
+// Frames spread evenly over a run whose length nobody knows beforehand: every second one is dropped, and the interval
+// doubled, whenever there are too many.
+class MotionRecord {
+  public:
+    void look(const Simulation& simulation);
+    void add_last(const Simulation& simulation);
+    const std::vector<MotionFrame>& frames() const { return frames_; }
+
+  private:
+    static constexpr std::size_t most_frames = 120;
+
+    std::vector<MotionFrame> frames_ = {};
+    double interval_ = 0;
+    double next_ = 0;
+};
 
 }  // namespace delabole

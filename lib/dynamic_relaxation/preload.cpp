@@ -63,6 +63,8 @@ Response respond(const RelaxationContact& contact, const ContactPosition& at, Co
     return response;
 }
 
+// Rotations and moments are counted at the block's radius: all unknowns are lengths, so that scenes of every size lead
+// to the same equations.
 class Preload {
   public:
     Preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
@@ -80,6 +82,36 @@ class Preload {
         if (free_blocks_.empty()) {
             return 0;
         }
+        double ratio = approach(motion, list);
+        // Peak strength goes one joint after the other, wherever it is reached.
+        while (ratio <= settings_.tolerance && break_spent(motion, list)) {
+            ratio = approach(motion, list);
+        }
+        return ratio;
+    }
+
+  private:
+    // Contacts with a peak that carry all they can slip, and have their residual strength from then on.
+    bool break_spent(const std::vector<Motion>& motion, ContactList& list) const {
+        constexpr double nearly = 1 - 1e-9;
+        bool any = false;
+        for (std::size_t index = 0; index < list.contact.size(); ++index) {
+            const RelaxationContact& contact = list.contact[index];
+            ContactMemory& memory = list.memory[index];
+            if (!memory.touching || memory.broken ||
+                (contact.cohesion == 0 && contact.friction == contact.residual_friction)) {
+                continue;
+            }
+            const double overlap = -locate(contact, motion[contact.block], motion[contact.other]).gap;
+            const double strength =
+                contact.normal_stiffness * std::max(overlap, 0.0) * contact.friction + contact.cohesion;
+            memory.broken = contact.shear_stiffness * std::abs(memory.shear) >= nearly * strength;
+            any |= memory.broken;
+        }
+        return any;
+    }
+
+    double approach(std::vector<Motion>& motion, ContactList& list) {
         const std::vector<Motion> start = motion;
         double stiffest = 0;
         for (const RelaxationContact& contact : list.contact) {
@@ -120,14 +152,15 @@ class Preload {
         return best;
     }
 
-  private:
     // Forces and tangents; the greatest unbalanced force over its block's load.
     double assemble(const std::vector<Motion>& motion, ContactList& list) {
         constexpr double hair = 1e-9;  // of the shortest edge
         const Eigen::Index count = 3 * static_cast<Eigen::Index>(free_blocks_.size());
         unbalanced_ = Eigen::VectorXd::Zero(count);
         for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
-            unbalanced_.segment<3>(3 * static_cast<Eigen::Index>(index)) = loads_[free_blocks_[index]];
+            const std::size_t block = free_blocks_[index];
+            unbalanced_.segment<3>(3 * static_cast<Eigen::Index>(index)) =
+                loads_[block].cwiseProduct(lengths_of(block));
         }
         entries_.clear();
         for (std::size_t index = 0; index < list.contact.size(); ++index) {
@@ -143,18 +176,24 @@ class Preload {
             const std::size_t block = free_blocks_[index];
             const Eigen::Vector3d net = unbalanced_.segment<3>(3 * static_cast<Eigen::Index>(index));
             const double load = std::max(loads_[block].head<2>().norm(), std::numeric_limits<double>::min());
-            ratio = std::max(ratio, (net.head<2>().norm() + std::abs(net(2)) / bodies_.radius[block]) / load);
+            ratio = std::max(ratio, (net.head<2>().norm() + std::abs(net(2))) / load);
         }
         return ratio;
     }
 
+    Eigen::Vector3d lengths_of(std::size_t block) const { return {1, 1, 1 / bodies_.radius[block]}; }
+
     void add(const RelaxationContact& contact, const Response& response) {
         const std::array<Eigen::Index, 2> at{unknown_[contact.block], unknown_[contact.other]};
+        Direction lengths;
+        lengths << lengths_of(contact.block), lengths_of(contact.other);
+        const Direction force = response.force.cwiseProduct(lengths);
+        const Eigen::Matrix<double, 6, 6> stiffness = lengths.asDiagonal() * response.stiffness * lengths.asDiagonal();
         for (Eigen::Index row = 0; row < 2; ++row) {
             if (at[static_cast<std::size_t>(row)] == none) {
                 continue;
             }
-            unbalanced_.segment<3>(at[static_cast<std::size_t>(row)]) += response.force.segment<3>(3 * row);
+            unbalanced_.segment<3>(at[static_cast<std::size_t>(row)]) += force.segment<3>(3 * row);
             for (Eigen::Index column = 0; column < 2; ++column) {
                 if (at[static_cast<std::size_t>(column)] == none) {
                     continue;
@@ -163,7 +202,7 @@ class Preload {
                     for (Eigen::Index j = 0; j < 3; ++j) {
                         entries_.emplace_back(at[static_cast<std::size_t>(row)] + i,
                                               at[static_cast<std::size_t>(column)] + j,
-                                              response.stiffness(3 * row + i, 3 * column + j));
+                                              stiffness(3 * row + i, 3 * column + j));
                     }
                 }
             }
@@ -172,9 +211,7 @@ class Preload {
 
     Eigen::VectorXd solve_linear(double resistance) {
         for (Eigen::Index unknown = 0; unknown < unbalanced_.size(); ++unknown) {
-            const double arm =
-                unknown % 3 == 2 ? bodies_.radius[free_blocks_[static_cast<std::size_t>(unknown / 3)]] : 1;
-            entries_.emplace_back(unknown, unknown, resistance * arm * arm);
+            entries_.emplace_back(unknown, unknown, resistance);
         }
         Eigen::SparseMatrix<double> matrix(unbalanced_.size(), unbalanced_.size());
         matrix.setFromTriplets(entries_.begin(), entries_.end());
@@ -187,11 +224,12 @@ class Preload {
 
     void move(const Eigen::VectorXd& change, std::vector<Motion>& motion) const {
         for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
-            Motion& moved = motion[free_blocks_[index]];
+            const std::size_t block = free_blocks_[index];
+            Motion& moved = motion[block];
             const Eigen::Index at = 3 * static_cast<Eigen::Index>(index);
             moved.x += change(at);
             moved.y += change(at + 1);
-            moved.set_angle(moved.angle + change(at + 2));
+            moved.set_angle(moved.angle + change(at + 2) / bodies_.radius[block]);
         }
     }
 

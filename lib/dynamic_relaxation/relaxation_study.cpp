@@ -48,6 +48,11 @@ Prediction predict(RelaxationStudy study, std::span<const Assignment> assignment
     case RelaxationOutcome::onset:
     case RelaxationOutcome::collapse:
         break;
+    case RelaxationOutcome::undecided:
+        if (!run_at.settings.stop_at_equilibrium) {
+            break;  // told to run for so long
+        }
+        return {word_of(run_at.result.outcome), {}, {}};
     case RelaxationOutcome::scene_not_valid:
         return {word_of(run_at.result.fault.check), {}, {}};
     default:
@@ -66,8 +71,9 @@ Prediction predict(RelaxationStudy study, std::span<const Assignment> assignment
 
 }  // namespace
 
-RelaxationRun run(const RelaxationStudy& study, const RelaxationWatch& watch) {
+RelaxationRun run(const RelaxationStudy& study, const RelaxationWatch& watch, KeepFrames frames) {
     RelaxationRun made{relaxation_scene(study), relaxation_settings(study), {}, {}};
+    MotionRecord record;
     made.result.fault = check_scene(made.scene);
     if (made.result.fault.check == SceneCheck::valid) {
         made.result.fault = check_start(made.scene);
@@ -84,6 +90,9 @@ RelaxationRun run(const RelaxationStudy& study, const RelaxationWatch& watch) {
             made.history.push_back(history_line(*study.history, simulation));
             next_line = (std::floor(state.time / study.history->interval) + 1) * study.history->interval;
         }
+        if (frames == KeepFrames::yes) {
+            record.look(simulation);
+        }
         if (watch && state.steps % steps_between_reports == 0) {
             interrupted = !watch(state.time / made.settings.duration);
         }
@@ -93,6 +102,10 @@ RelaxationRun run(const RelaxationStudy& study, const RelaxationWatch& watch) {
     }
     if (study.history) {
         made.history.push_back(history_line(*study.history, simulation));
+    }
+    if (frames == KeepFrames::yes) {
+        record.add_last(simulation);
+        made.frames = record.frames();
     }
     made.result = simulation.result();
     if (interrupted) {

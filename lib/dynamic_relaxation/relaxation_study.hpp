@@ -225,11 +225,15 @@ struct RelaxationRun {
     RelaxationSettings settings;
     RelaxationResult result;
     RelaxationHistory history;             // empty where none is asked for
+    std::vector<MotionFrame> frames = {};  // empty where none are kept
     std::optional<RelaxationState> end{};  // absent where the scene is not valid
 };
 
+// Frames take room and time: for pictures of moving blocks only.
+enum class KeepFrames { no, yes };
+
 // The run at the case's own values.
-RelaxationRun run(const RelaxationStudy& study, const RelaxationWatch& watch = {});
+RelaxationRun run(const RelaxationStudy& study, const RelaxationWatch& watch = {}, KeepFrames frames = KeepFrames::no);
 
 RelaxationAnswer answer_of(const RelaxationResult& result);
 
@@ -243,8 +247,8 @@ CriticalValue find_critical(const RelaxationStudy& study, const RelaxationWatch&
 std::string_view name_of_critical(CriticalParameter parameter);
 
 // Inputs: every number of the study's model. Outputs: every number of RelaxationAnswer and, where it is asked for, the
-// critical value. A run that was stopped or stayed undecided is a failed prediction under the name of its outcome, a
-// critical value that was not found under that of its status.
+// critical value. A run that was stopped, or stayed undecided though it was to find equilibrium, is a failed prediction
+// under the name of its outcome; so is a critical value that was not found, under that of its status.
 ModelInterface model_interface(const RelaxationStudy& study);
 
 }  // namespace delabole

@@ -42,7 +42,7 @@ struct RelaxationBlock {
 // Gravity is acceleration (-sin tilt, -cos tilt): the scene is seen in the frame of a base that dips towards -x by
 // `tilt`.
 struct Gravity {
-    double acceleration = 9.80665;  // m/s2
+    double acceleration = 9.80665;  // m/s2, at least 0
     double tilt = 0;                // at first
     double final_tilt = 0;          // reached at `rate`, in increments; equal to `tilt`: constant
     double rate = 0;                // rad/s, at least 0
@@ -61,8 +61,8 @@ struct PointForce {
 struct FacePressure {
     std::size_t block;
     std::size_t edge;
-    double at_first;   // Pa
-    double at_second;  // Pa
+    double at_first;   // Pa, at least 0
+    double at_second;  // Pa, at least 0
 };
 
 struct TimedVector {
@@ -113,10 +113,12 @@ enum class SceneCheck {
     unknown_edge,
     times_not_increasing,
     motion_of_free_block,
-    overlap_at_start,  // more than 10 times that under the block's own weight: it would explode
+    overlap_at_start,   // more than 10 times that under the block's own weight: it would explode
+    load_out_of_range,  // gravity, rates, durations and water pressures are not negative
+    setting_out_of_range,
 };
 
-constexpr std::array<std::string_view, 18> enum_names(SceneCheck) {
+constexpr std::array<std::string_view, 20> enum_names(SceneCheck) {
     return {"valid",
             "no_free_block",
             "number_not_finite",
@@ -134,7 +136,9 @@ constexpr std::array<std::string_view, 18> enum_names(SceneCheck) {
             "unknown_edge",
             "times_not_increasing",
             "motion_of_free_block",
-            "overlap_at_start"};
+            "overlap_at_start",
+            "load_out_of_range",
+            "setting_out_of_range"};
 }
 
 struct SceneFault {

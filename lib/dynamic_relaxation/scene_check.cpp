@@ -1,6 +1,7 @@
 #include "dynamic_relaxation/scene_check.hpp"
 
 #include "dynamic_relaxation/contact_law.hpp"
+#include "dynamic_relaxation/neighbours.hpp"
 #include "parameters/fields.hpp"
 
 #include <algorithm>
@@ -16,6 +17,7 @@ constexpr double shortest_edge_in_radii = 1e-6;
 constexpr double softest = 10;     // stiffness over the weight of a block and its length
 constexpr double stiffest = 1e13;  // likewise; beyond it an overlap has less than three digits
 constexpr double greatest_friction = 89.95;
+constexpr double straight = 1e-9;  // sine of a corner's turn
 
 bool finite(const PlanePoint<>& point) {
     return std::isfinite(point.x()) && std::isfinite(point.y());
@@ -50,10 +52,11 @@ SceneCheck check_outline(const Polygon<>& outline) {
         const PlanePoint<> edge = outline[(vertex + 1) % count] - outline[vertex];
         const PlanePoint<> next = outline[(vertex + 2) % count] - outline[(vertex + 1) % count];
         const double cross = edge.x() * next.y() - edge.y() * next.x();
-        if (cross < 0) {
+        // A corner in the middle of a straight face may be off it by rounding.
+        if (cross < -straight * edge.norm() * next.norm()) {
             return SceneCheck::outline_not_convex;
         }
-        turning += std::atan2(cross, edge.dot(next));
+        turning += std::atan2(std::abs(cross), edge.dot(next));
         longest = std::max(longest, edge.norm());
         shortest = std::min(shortest, edge.norm());
     }
@@ -167,6 +170,9 @@ SceneFault check_loads(const RelaxationScene& scene) {
         if (!std::isfinite(pressure.at_first) || !std::isfinite(pressure.at_second)) {
             return {SceneCheck::number_not_finite, index};
         }
+        if (pressure.at_first < 0 || pressure.at_second < 0) {
+            return {SceneCheck::load_out_of_range, index};
+        }
     }
     for (std::size_t index = 0; index < scene.motion.size(); ++index) {
         const PrescribedMotion& motion = scene.motion[index];
@@ -183,6 +189,9 @@ SceneFault check_loads(const RelaxationScene& scene) {
         if (!increasing(motion.velocity)) {
             return {SceneCheck::times_not_increasing, index};
         }
+        if (motion.duration < 0) {
+            return {SceneCheck::load_out_of_range, index};
+        }
     }
     for (std::size_t index = 0; index < scene.removal.size(); ++index) {
         if (scene.removal[index].block >= count) {
@@ -198,7 +207,46 @@ SceneFault check_loads(const RelaxationScene& scene) {
     return increasing(scene.shaking) ? SceneFault{} : SceneFault{SceneCheck::times_not_increasing, 0};
 }
 
+// Greatest distance by which a line along an edge of either block parts them; negative: least way out of an overlap.
+double distance_between(const Bodies& bodies, std::size_t first, std::size_t second) {
+    double greatest = -std::numeric_limits<double>::infinity();
+    for (const auto& [block, other] : {std::pair(first, second), std::pair(second, first)}) {
+        const PlanePoint<> between = bodies.centroid[block] - bodies.centroid[other];
+        for (std::size_t edge = bodies.range[other].begin; edge < bodies.range[other].end; ++edge) {
+            double least = std::numeric_limits<double>::infinity();
+            for (std::size_t corner = bodies.range[block].begin; corner < bodies.range[block].end; ++corner) {
+                least =
+                    std::min(least, bodies.normal(edge).dot(between + (bodies.corner[corner] - bodies.corner[edge])));
+            }
+            greatest = std::max(greatest, least);
+        }
+    }
+    return greatest;
+}
+
+double softest_joint(const RelaxationScene& scene, const Bodies& bodies, std::size_t block) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t edge = bodies.range[block].begin; edge < bodies.range[block].end; ++edge) {
+        least = std::min(least, scene.material[bodies.material[edge]].normal_stiffness);
+    }
+    return least;
+}
+
 }  // namespace
+
+SceneFault check_settings(const RelaxationSettings& settings) {
+    const auto within = [](double value, double least, double most) { return value >= least && value <= most; };
+    const auto not_negative = [](double value) { return value >= 0 && std::isfinite(value); };
+    const bool valid = within(settings.step_fraction, 0.01, 1) &&
+                       (!settings.time_step || (*settings.time_step > 0 && std::isfinite(*settings.time_step))) &&
+                       within(settings.viscous_damping, 0, 2) && settings.local_damping >= 0 &&
+                       settings.local_damping < 1 && not_negative(settings.ramp_time) &&
+                       not_negative(settings.consolidation_time) && settings.equilibrium_ratio > 0 &&
+                       settings.onset_rotation > 0 && settings.onset_slide > 0 && settings.collapse_rotation > 0 &&
+                       settings.collapse_displacement > 0 && settings.duration >= 0 && settings.overlap_limit > 0 &&
+                       settings.threads > 0;
+    return valid ? SceneFault{} : SceneFault{SceneCheck::setting_out_of_range, 0};
+}
 
 SceneFault check_scene(const RelaxationScene& scene) {
     const Gravity& gravity = scene.gravity;
@@ -207,6 +255,9 @@ SceneFault check_scene(const RelaxationScene& scene) {
         if (!std::isfinite(number)) {
             return {SceneCheck::number_not_finite, 0};
         }
+    }
+    if (gravity.acceleration < 0 || gravity.rate < 0 || gravity.interval < 0) {
+        return {SceneCheck::load_out_of_range, 0};
     }
     if (scene.material.empty()) {
         return {SceneCheck::unknown_material, 0};
@@ -231,15 +282,25 @@ SceneFault check_start(const RelaxationScene& scene) {
     const Bodies bodies = make_bodies(scene);
     const std::vector<Motion> unmoved(bodies.size());
     const double margin = 1e-9 * *std::min_element(bodies.shortest_edge.begin(), bodies.shortest_edge.end());
-    const ContactList list =
-        find_contacts(scene, bodies, unmoved, std::vector<char>(bodies.size(), 0), {margin, 0}, {});
+    const std::vector<char> none_removed(bodies.size(), 0);
     const double gravity = scene.gravity.acceleration > 0 ? scene.gravity.acceleration : 1;
+    const auto allowed = [&](std::size_t block, std::size_t other, double stiffness) {
+        const double lighter = 1 / std::max(bodies.inverse_mass[block], bodies.inverse_mass[other]);
+        return deepest_in_settlements * lighter * gravity / stiffness + margin;
+    };
+    const ContactList list = find_contacts(scene, bodies, unmoved, none_removed, {margin, 0, true}, {});
     for (const RelaxationContact& contact : list.contact) {
         const ContactPosition at = locate(contact, unmoved[contact.block], unmoved[contact.other]);
-        const double lighter = 1 / std::max(bodies.inverse_mass[contact.block], bodies.inverse_mass[contact.other]);
-        const double settlement = lighter * gravity / contact.normal_stiffness;
-        if (contact_weight(contact, at.position) > 0 && -at.gap > deepest_in_settlements * settlement + margin) {
+        if (contact_weight(contact, at.position) > 0 &&
+            -at.gap > allowed(contact.block, contact.other, contact.normal_stiffness)) {
             return {SceneCheck::overlap_at_start, contact.block, contact.other};
+        }
+    }
+    // Blocks that cross, or lie deep in each other, have no contacts.
+    for (const auto& [first, second] : neighbouring_blocks(bodies, unmoved, none_removed, margin)) {
+        const double softest = std::min(softest_joint(scene, bodies, first), softest_joint(scene, bodies, second));
+        if (-distance_between(bodies, first, second) > allowed(first, second, softest)) {
+            return {SceneCheck::overlap_at_start, first, second};
         }
     }
     return {};

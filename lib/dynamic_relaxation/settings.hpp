@@ -20,9 +20,8 @@ constexpr std::array<std::string_view, 3> enum_names(RelaxationStart) {
 }
 
 struct RelaxationSettings {
-    // Share of the greatest stable step of the undamped system. Above 0.6 the dashpots, which lag by half a step, can
-    // destabilise it.
-    double step_fraction = 0.4;         // 0.01 to 1
+    // Share of the greatest stable step of the blocks on springs and dashpots.
+    double step_fraction = 0.6;         // 0.01 to 1
     std::optional<double> time_step{};  // s; instead of the share. Divided where more than the share of the stable step
 
     double viscous_damping = 0.2;  // contact dashpots, share of critical; 0 to 2

@@ -56,7 +56,8 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
     : scene_(std::move(scene)),
       settings_(settings),
       bodies_(make_bodies(scene_)),
-      contact_forces_(bodies_, unnoticed_ways(scene_, bodies_)) {
+      team_(std::max<std::size_t>(settings_.threads, 1)),
+      contact_forces_(bodies_, unnoticed_ways(scene_, bodies_), team_) {
     state_.motion.resize(bodies_.size());
     state_.removed.resize(bodies_.size(), 0);
     state_.base_slip.resize(bodies_.size(), 0);
@@ -71,7 +72,8 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, Relax
       settings_(settings),
       bodies_(make_bodies(scene_)),
       state_(std::move(state)),
-      contact_forces_(bodies_, unnoticed_ways(scene_, bodies_)) {
+      team_(std::max<std::size_t>(settings_.threads, 1)),
+      contact_forces_(bodies_, unnoticed_ways(scene_, bodies_), team_) {
     prepare();
     contact_forces_.renew(state_.contacts);
 }
@@ -96,7 +98,7 @@ void Simulation::begin() {
         // Blocks that only jam once they have leaned a little move farther here than between two searches of the run.
         const double reach = 10 * margin_;
         state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
-                                        {reach, settings_.viscous_damping}, state_.contacts);
+                                        {reach, settings_.viscous_damping, true}, state_.contacts);
         apply_loads();
         std::vector<Eigen::Vector3d> loads;
         for (const BlockForce& load : load_) {
@@ -140,6 +142,7 @@ double Simulation::tilt() const {
 void Simulation::follow_schedules() {
     for (const Removal& removal : scene_.removal) {
         if (state_.removed[removal.block] == 0 && state_.time >= removal.time) {
+            book_springs_of_removed(removal.block);
             state_.removed[removal.block] = 1;
             state_.motion[removal.block].vx = state_.motion[removal.block].vy = state_.motion[removal.block].spin = 0;
             state_.travelled = std::numeric_limits<double>::infinity();
@@ -148,6 +151,16 @@ void Simulation::follow_schedules() {
     hold_blocks();
     for (const PrescribedMotion& motion : scene_.motion) {
         prescribe(motion, bodies_, state_.time, state_.motion[motion.block]);
+    }
+}
+
+void Simulation::book_springs_of_removed(std::size_t block) {
+    for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
+        const RelaxationContact& contact = state_.contacts.contact[index];
+        if (contact.block == block || contact.other == block) {
+            state_.ledger.friction += elastic_energy(contact, state_.contacts.memory[index],
+                                                     state_.motion[contact.block], state_.motion[contact.other]);
+        }
     }
 }
 
@@ -163,7 +176,7 @@ void Simulation::find_contacts_where_due() {
         add_base_slip(bodies_, state_.motion, contact, memory, state_.base_slip);
     }
     state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
-                                    {margin_, settings_.viscous_damping}, state_.contacts);
+                                    {margin_, settings_.viscous_damping, state_.searches == 0}, state_.contacts);
     contact_forces_.renew(state_.contacts);
     state_.seen.assign(bodies_.size(), never_seen());
     state_.travelled = 0;
@@ -176,7 +189,7 @@ void Simulation::find_contacts_where_due() {
     if (settings_.time_step) {
         state_.step = *settings_.time_step / std::max(1.0, std::ceil(*settings_.time_step / largest));
     }
-    if (-state_.contacts.worst_gap > settings_.overlap_limit * shortest_edge(bodies_)) {
+    if (state_.contacts.worst_overlap > settings_.overlap_limit) {
         state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::overlap_too_large);
     }
 }
@@ -209,72 +222,36 @@ void Simulation::apply_loads() {
 }
 
 void Simulation::integrate() {
-    const double kick = (state_.last_step + state_.step) / 2;
-    const double gravity = scene_.gravity.acceleration > 0 ? scene_.gravity.acceleration : 1;
-    double fastest = 0;
-    double unbalanced = 0;
-    double applied = 0;
-    double damped = 0;
-    for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        Motion& motion = state_.motion[block];
-        if (held_[block] != 0) {
-            const BlockForce& force = contact_forces_.on_blocks()[block];
-            // What the others do to a moved block, it does to them.
-            state_.ledger.prescribed -=
-                (force.x * motion.vx + force.y * motion.vy + force.moment * motion.spin) * state_.step;
-        } else {
-            const BlockForce& load = load_[block];
-            BlockForce net = contact_forces_.on_blocks()[block];
-            net.x += load.x;
-            net.y += load.y;
-            net.moment += load.moment;
-            const double force = std::sqrt(net.x * net.x + net.y * net.y);
-            const double out_of_balance =
-                (force + std::abs(net.moment) / bodies_.radius[block]) * bodies_.inverse_mass[block] / gravity;
-            unbalanced = std::max(unbalanced, out_of_balance);
-            if (rests(state_.calm[block])) {
-                if (out_of_balance <= 4 * rest_ratio()) {
-                    continue;
-                }
-                state_.calm[block] = 0;
-            }
-            BlockForce brake;
-            if (settings_.local_damping > 0) {
-                const double speed = std::sqrt(motion.vx * motion.vx + motion.vy * motion.vy);
-                const double share = speed > 0 ? settings_.local_damping * force / speed : 0;
-                brake = {-share * motion.vx, -share * motion.vy,
-                         -std::copysign(settings_.local_damping * std::abs(net.moment), motion.spin)};
-                if (motion.spin == 0) {
-                    brake.moment = 0;
-                }
-            }
-            const double vx = motion.vx + (net.x + brake.x) * bodies_.inverse_mass[block] * kick;
-            const double vy = motion.vy + (net.y + brake.y) * bodies_.inverse_mass[block] * kick;
-            const double spin = motion.spin + (net.moment + brake.moment) * bodies_.inverse_inertia[block] * kick;
-            const double way_x = (motion.vx + vx) / 2 * kick;
-            const double way_y = (motion.vy + vy) / 2 * kick;
-            const double turn = (motion.spin + spin) / 2 * kick;
-            applied += load.x * way_x + load.y * way_y + load.moment * turn;
-            damped -= brake.x * way_x + brake.y * way_y + brake.moment * turn;
-            motion.vx = vx;
-            motion.vy = vy;
-            motion.spin = spin;
-            if (out_of_balance > rest_ratio() ||
-                std::abs(vx) + std::abs(vy) + std::abs(spin) * bodies_.radius[block] > calm_speed_[block]) {
-                state_.calm[block] = 0;
+    // Sums are taken over the same groups of blocks in the same order, whoever adds up a group.
+    constexpr std::size_t group_size = 256;
+    const std::size_t groups = (bodies_.size() + group_size - 1) / group_size;
+    std::vector<StepSums> sums(groups);
+    const auto move_groups = [&](std::size_t part) {
+        for (std::size_t group = part_begin(groups, part, team_.size());
+             group < part_begin(groups, part + 1, team_.size()); ++group) {
+            const std::size_t end = std::min((group + 1) * group_size, bodies_.size());
+            for (std::size_t block = group * group_size; block < end; ++block) {
+                move_block(block, sums[group]);
             }
         }
-        motion.x += motion.vx * state_.step;
-        motion.y += motion.vy * state_.step;
-        if (motion.spin != 0) {
-            motion.set_angle(motion.angle + motion.spin * state_.step);
-        }
-        fastest = std::max(fastest,
-                           std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * bodies_.radius[block]);
+    };
+    if (groups > 1) {
+        team_.run(move_groups);
+    } else {
+        std::for_each(sums.begin(), sums.end(), [&](StepSums& all) {
+            for (std::size_t block = 0; block < bodies_.size(); ++block) {
+                move_block(block, all);
+            }
+        });
     }
-    state_.ledger.applied += applied;
-    state_.ledger.local_damping += damped;
-    state_.unbalanced = std::max(state_.unbalanced, unbalanced);
+    double fastest = 0;
+    for (const StepSums& group : sums) {
+        state_.ledger.applied += group.applied;
+        state_.ledger.prescribed += group.prescribed;
+        state_.ledger.local_damping += group.damped;
+        state_.unbalanced = std::max(state_.unbalanced, group.unbalanced);
+        fastest = std::max(fastest, group.fastest);
+    }
     state_.travelled += fastest * state_.step;
     state_.time += state_.step;
     state_.last_step = state_.step;
@@ -282,6 +259,69 @@ void Simulation::integrate() {
     if (settings_.kinetic_damping) {
         take_velocities_away_at_peaks();
     }
+}
+
+void Simulation::move_block(std::size_t block, StepSums& sums) {
+    Motion& motion = state_.motion[block];
+    if (held_[block] != 0) {
+        const BlockForce& force = contact_forces_.on_blocks()[block];
+        // What the others do to a moved block, it does to them.
+        sums.prescribed -= (force.x * motion.vx + force.y * motion.vy + force.moment * motion.spin) * state_.step;
+    } else if (!kick_block(block, sums)) {
+        return;
+    }
+    motion.x += motion.vx * state_.step;
+    motion.y += motion.vy * state_.step;
+    if (motion.spin != 0) {
+        motion.set_angle(motion.angle + motion.spin * state_.step);
+    }
+    sums.fastest = std::max(sums.fastest,
+                            std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * bodies_.radius[block]);
+}
+
+bool Simulation::kick_block(std::size_t block, StepSums& sums) {
+    const double kick = (state_.last_step + state_.step) / 2;
+    const double gravity = scene_.gravity.acceleration > 0 ? scene_.gravity.acceleration : 1;
+    Motion& motion = state_.motion[block];
+    const BlockForce& load = load_[block];
+    BlockForce net = contact_forces_.on_blocks()[block];
+    net.x += load.x;
+    net.y += load.y;
+    net.moment += load.moment;
+    const double force = std::sqrt(net.x * net.x + net.y * net.y);
+    const double out_of_balance =
+        (force + std::abs(net.moment) / bodies_.radius[block]) * bodies_.inverse_mass[block] / gravity;
+    sums.unbalanced = std::max(sums.unbalanced, out_of_balance);
+    if (rests(state_.calm[block])) {
+        if (out_of_balance <= 4 * rest_ratio()) {
+            return false;
+        }
+        state_.calm[block] = 0;
+    }
+    BlockForce brake;
+    if (settings_.local_damping > 0) {
+        const double speed = std::sqrt(motion.vx * motion.vx + motion.vy * motion.vy);
+        const double share = speed > 0 ? settings_.local_damping * force / speed : 0;
+        const double turning = motion.spin != 0 ? std::copysign(1.0, motion.spin) : 0;
+        brake = {-share * motion.vx, -share * motion.vy, -turning * settings_.local_damping * std::abs(net.moment)};
+    }
+    const double vx = motion.vx + (net.x + brake.x) * bodies_.inverse_mass[block] * kick;
+    const double vy = motion.vy + (net.y + brake.y) * bodies_.inverse_mass[block] * kick;
+    const double spin = motion.spin + (net.moment + brake.moment) * bodies_.inverse_inertia[block] * kick;
+    // The work of a force over the kick is exact with the mean of both velocities.
+    const double way_x = (motion.vx + vx) / 2 * kick;
+    const double way_y = (motion.vy + vy) / 2 * kick;
+    const double turn = (motion.spin + spin) / 2 * kick;
+    sums.applied += load.x * way_x + load.y * way_y + load.moment * turn;
+    sums.damped -= brake.x * way_x + brake.y * way_y + brake.moment * turn;
+    motion.vx = vx;
+    motion.vy = vy;
+    motion.spin = spin;
+    if (out_of_balance > rest_ratio() ||
+        std::abs(vx) + std::abs(vy) + std::abs(spin) * bodies_.radius[block] > calm_speed_[block]) {
+        state_.calm[block] = 0;
+    }
+    return true;
 }
 
 void Simulation::take_velocities_away_at_peaks() {
@@ -394,6 +434,10 @@ RelaxationResult Simulation::result() const {
 RelaxationResult relax(const RelaxationScene& scene, const RelaxationSettings& settings,
                        const std::function<bool(const Simulation&)>& watch) {
     RelaxationResult refused;
+    refused.fault = check_settings(settings);
+    if (refused.fault.check != SceneCheck::valid) {
+        return refused;
+    }
     refused.fault = check_scene(scene);
     if (refused.fault.check != SceneCheck::valid) {
         return refused;

@@ -44,15 +44,27 @@ class Simulation {
     static bool rests(std::uint32_t calm) { return calm >= looks_before_rest; }
     static constexpr std::uint32_t looks_before_rest = 4;
 
+    struct StepSums {
+        double fastest = 0;     // m/s
+        double unbalanced = 0;  // share of the weight
+        double applied = 0;     // J/m
+        double prescribed = 0;  // J/m
+        double damped = 0;      // J/m
+    };
+
     bool out_of_time() const { return state_.time >= settings_.duration || state_.steps >= settings_.most_steps; }
     void prepare();
     void begin();
     void hold_blocks();
     void follow_schedules();
+    void book_springs_of_removed(std::size_t block);
     void find_contacts_where_due();
     void apply_contact_forces();
     void apply_loads();
     void integrate();
+    void move_block(std::size_t block, StepSums& sums);
+    // False for a block at rest.
+    bool kick_block(std::size_t block, StepSums& sums);
     void look();
     void let_calm_blocks_rest();
     void take_velocities_away_at_peaks();
@@ -62,6 +74,7 @@ class Simulation {
     Bodies bodies_;
     RelaxationState state_ = {};
     double margin_ = 0;
+    Team team_;
     ContactForces contact_forces_;
     std::vector<BlockForce> load_ = {};    // of the step
     std::vector<double> calm_speed_ = {};  // m/s, below which a block may be calm

@@ -16,7 +16,7 @@ struct EnergyLedger {
     double prescribed = 0;       // work of moved fixed blocks on the others
     double kinetic = 0;          // at this time
     double elastic = 0;          // at this time, above that of the start
-    double friction = 0;         // dissipated by slip and broken bonds
+    double friction = 0;         // dissipated by slip, broken bonds and springs of removed blocks
     double dashpots = 0;         // dissipated
     double local_damping = 0;    // dissipated
     double kinetic_damping = 0;  // taken out at peaks
@@ -37,8 +37,8 @@ struct RelaxationState {
     std::uint64_t contacts_evaluated = 0;
     double travelled = 0;  // m, bound on any point's way since the last search
     std::vector<Motion> motion = {};
-    std::vector<Motion> origin = {};      // at the start, after preloading
-    std::vector<SeenPose> seen = {};      // where contacts were last evaluated for
+    std::vector<Motion> origin = {};       // at the start, after preloading
+    std::vector<SeenPose> seen = {};       // where contacts were last evaluated for
     std::vector<std::uint32_t> calm = {};  // looks in a row without anything to move a block; see Simulation::rests
     std::vector<char> removed = {};
     std::vector<double> base_slip = {};  // m, of each block over fixed ones; negative towards -x

@@ -10,12 +10,28 @@
 
 namespace delabole {
 
+namespace {
+
+// Sums over the contacts of a block, for its two displacements and its rotation.
+struct Sums {
+    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d damping = Eigen::Matrix3d::Zero();
+};
+
+double greatest_eigenvalue(const Eigen::Matrix3d& matrix) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues()(2);
+}
+
+}  // namespace
+
 double stable_step(const Bodies& bodies, const std::vector<Motion>& motion, const ContactList& list) {
-    std::vector<Eigen::Matrix3d> stiffness(bodies.size(), Eigen::Matrix3d::Zero());
+    std::vector<Sums> sums(bodies.size());
     const auto add = [&](std::size_t block, const Eigen::Vector3d& normal, const Eigen::Vector3d& along,
                          const RelaxationContact& contact, double share) {
-        stiffness[block] += share * (contact.normal_stiffness * normal * normal.transpose() +
-                                     contact.shear_stiffness * along * along.transpose());
+        const Eigen::Matrix3d across = share * normal * normal.transpose();
+        const Eigen::Matrix3d in_shear = share * along * along.transpose();
+        sums[block].stiffness += contact.normal_stiffness * across + contact.shear_stiffness * in_shear;
+        sums[block].damping += contact.normal_dashpot * across + contact.shear_dashpot * in_shear;
     };
     for (const RelaxationContact& contact : list.contact) {
         const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
@@ -30,15 +46,17 @@ double stable_step(const Bodies& bodies, const std::vector<Motion>& motion, cons
         add(contact.other, row(at.normal_x, at.normal_y, at.other_arm_x, at.other_arm_y),
             row(at.along_x(), at.along_y(), at.other_arm_x, at.other_arm_y), contact, share);
     }
-    double greatest = 0;
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         const Eigen::Vector3d scale(std::sqrt(bodies.inverse_mass[block]), std::sqrt(bodies.inverse_mass[block]),
                                     std::sqrt(bodies.inverse_inertia[block]));
-        const Eigen::Matrix3d scaled = scale.asDiagonal() * stiffness[block] * scale.asDiagonal();
-        greatest = std::max(
-            greatest, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scaled, Eigen::EigenvaluesOnly).eigenvalues()(2));
+        const double stiffness = greatest_eigenvalue(scale.asDiagonal() * sums[block].stiffness * scale.asDiagonal());
+        const double damping = greatest_eigenvalue(scale.asDiagonal() * sums[block].damping * scale.asDiagonal());
+        if (stiffness > 0) {
+            least = std::min(least, 2 / (damping / 2 + std::sqrt(damping * damping / 4 + stiffness)));
+        }
     }
-    return greatest > 0 ? 2 / std::sqrt(greatest) : std::numeric_limits<double>::infinity();
+    return least;
 }
 
 }  // namespace delabole

@@ -7,9 +7,11 @@
 
 namespace delabole {
 
-// s; 2 / (bound on the greatest circular frequency). The bound is the greatest eigenvalue over all blocks of
-// (mass matrix)^-1 (sum of the stiffnesses of all contacts of the list), those with free blocks counted twice: no
-// system of such blocks can be stiffer, whichever of the contacts close. Infinite without contacts.
+// s; the least over all blocks of the greatest step that leap-frog with dashpots half a step behind bears,
+//   step^2 stiffness / 4 + step damping / 2 = 1,
+// where stiffness and damping are the greatest eigenvalues of (mass matrix)^-1 (sum over all contacts of the list),
+// those with free blocks counted twice: no system of such blocks can be stiffer, whichever of the contacts close.
+// Without damping it is 2 / (circular frequency). Infinite without contacts.
 double stable_step(const Bodies& bodies, const std::vector<Motion>& motion, const ContactList& list);
 
 }  // namespace delabole

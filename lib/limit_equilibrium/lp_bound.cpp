@@ -102,13 +102,13 @@ class Programme {
     int iterations() const { return glp_get_it_cnt(problem_.get()); }
     double factor() const { return glp_get_col_prim(problem_.get(), 1); }
 
-    std::vector<ContactForce> forces() const {
-        std::vector<ContactForce> forces;
+    std::vector<BoundContactForce> forces() const {
+        std::vector<BoundContactForce> forces;
         int column = 2;
         const auto next = [&] { return scales_.force * glp_get_col_prim(problem_.get(), column++); };
         for (const Contact& contact : assembly_.contacts) {
             const double friction = friction_of(contact, strength_);
-            ContactForce force{};
+            BoundContactForce force{};
             for (EndForce* end : {&force.at_start, &force.at_end}) {
                 const double forward = next();
                 const double backward = next();
@@ -278,7 +278,7 @@ LpBound solve(const Assembly& assembly, const Scales& scales, const Sought& soug
     detail::set_static_residuals(assembly, scales, sought, strength, bound);
     detail::set_mechanism_residuals(assembly, sought, strength, bound);
     double largest_normal = 0;
-    for (const ContactForce& force : bound.forces) {
+    for (const BoundContactForce& force : bound.forces) {
         largest_normal = std::max(largest_normal, force.normal() / scales.force);
     }
     // A face that the mechanism closes by mistake does work with the force on it, by which the values differ.

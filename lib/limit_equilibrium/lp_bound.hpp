@@ -45,7 +45,7 @@ struct EndForce {
     double shear;   // on `body`, along the way from start to end, N/m
 };
 
-struct ContactForce {
+struct BoundContactForce {
     EndForce at_start;
     EndForce at_end;
     double position;  // of the resultant, from the start, m; the middle where there is no normal force
@@ -72,9 +72,9 @@ struct LpResiduals {
 struct LpBound {
     LpStatus status = LpStatus::not_converged;
     AssemblyCheck check = AssemblyCheck::valid;
-    double value = 0;                        // meaning with each function; 0 unless optimal
-    std::vector<ContactForce> forces{};      // of every contact; empty unless optimal
-    std::vector<VirtualMotion> mechanism{};  // of every body; empty unless optimal, and where none limits the value
+    double value = 0;                         // meaning with each function; 0 unless optimal
+    std::vector<BoundContactForce> forces{};  // of every contact; empty unless optimal
+    std::vector<VirtualMotion> mechanism{};   // of every body; empty unless optimal, and where none limits the value
     LpResiduals residuals{};
     int iterations = 0;  // of the simplex method, all programmes together
 };

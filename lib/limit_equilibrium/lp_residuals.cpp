@@ -14,7 +14,7 @@ void set_static_residuals(const Assembly& assembly, const Scales& scales, const 
     }
     for (std::size_t index = 0; index < assembly.contacts.size(); ++index) {
         const Contact& contact = assembly.contacts[index];
-        const ContactForce& force = bound.forces[index];
+        const BoundContactForce& force = bound.forces[index];
         const double friction = std::tan(friction_of(contact, strength));
         const double cohesion = strength * contact.cohesion * contact.length() / 2;
         const auto add = [&](std::size_t body, const Point& point, const Point& vector) {

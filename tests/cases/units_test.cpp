@@ -32,6 +32,14 @@ TEST(Units, UnitsOfRockMechanics) {
     EXPECT_DOUBLE_EQ(si("400 kN/m", Dimension::force_per_length), 400e3);
     EXPECT_DOUBLE_EQ(si("5 kN m/m", Dimension::moment_per_length), 5e3);
     EXPECT_DOUBLE_EQ(si("3 m²", Dimension::area), 3);
+    EXPECT_DOUBLE_EQ(si("2.7 t/m3", Dimension::density), 2700);
+    EXPECT_DOUBLE_EQ(si("2e6 N/m/m", Dimension::stiffness), 2e6);
+    EXPECT_DOUBLE_EQ(si("3 ms", Dimension::time), 3e-3);
+    EXPECT_DOUBLE_EQ(si("36 km/h", Dimension::speed), 10);
+    EXPECT_DOUBLE_EQ(si("9.81 m/s2", Dimension::acceleration), 9.81);
+    EXPECT_DOUBLE_EQ(si("60 deg/min", Dimension::angular_speed), degrees(1));
+    EXPECT_DOUBLE_EQ(si("2 rad / s", Dimension::angular_speed), 2);
+    EXPECT_DOUBLE_EQ(si("5 kJ/m", Dimension::energy_per_length), 5e3);
     EXPECT_DOUBLE_EQ(si("50 %", Dimension::ratio), 0.5);
     EXPECT_DOUBLE_EQ(si("0.2 m/m", Dimension::ratio), 0.2);
     EXPECT_EQ(si("90 deg", Dimension::angle), degrees(90));
@@ -52,6 +60,9 @@ TEST(Units, WhatIsWrongIsTold) {
     EXPECT_EQ(status("12 deg", Dimension::length), QuantityStatus::wrong_dimension);
     EXPECT_EQ(status("12 %", Dimension::angle), QuantityStatus::wrong_dimension);
     EXPECT_EQ(status("12 m", Dimension::angle), QuantityStatus::wrong_dimension);
+    for (const std::string_view text : {"12 deg", "12 1/s", "12 Hz", "12 m/s", "12 deg/m", "12 deg/", "12 deg/s/s"}) {
+        EXPECT_EQ(status(text, Dimension::angular_speed), QuantityStatus::wrong_dimension) << text;
+    }
     EXPECT_EQ(status("inf m", Dimension::length), QuantityStatus::not_finite);
     EXPECT_EQ(status("nan m", Dimension::length), QuantityStatus::not_finite);
     EXPECT_EQ(status("1e999 m", Dimension::length), QuantityStatus::not_finite);
@@ -76,7 +87,9 @@ TEST(Units, NothingHidesInAUnit) {
 TEST(Units, WrittenQuantitiesReadBackIdentically) {
     for (const Dimension dimension :
          {Dimension::ratio, Dimension::angle, Dimension::length, Dimension::area, Dimension::stress,
-          Dimension::unit_weight, Dimension::force_per_length, Dimension::moment_per_length}) {
+          Dimension::unit_weight, Dimension::force_per_length, Dimension::moment_per_length,
+          Dimension::energy_per_length, Dimension::density, Dimension::stiffness, Dimension::time, Dimension::speed,
+          Dimension::acceleration, Dimension::angular_speed}) {
         double value = 1.2345678e-7;
         for (int count = 0; count < 200; ++count, value *= 1.37) {
             const std::string text = written_quantity(value, dimension);

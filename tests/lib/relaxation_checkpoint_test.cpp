@@ -48,6 +48,13 @@ Case eight_columns() {
     return {"eight columns", column_scene(blocks_of(columns, 30, 21.8))};
 }
 
+// Stable: the blocks come to rest, and their contacts are evaluated no more.
+Case resting_blocks() {
+    Case result{"resting blocks", row_scene(blocks_of({{1, 3}, {1, 3}}, 20, 10))};
+    result.settings.stop_at_equilibrium = false;
+    return result;
+}
+
 // What the others leave out: a peak, cohesion, consolidation, a removal, a base that is turned, kinetic damping, a
 // start on loose springs.
 Case eventful() {
@@ -81,7 +88,7 @@ void advance(Simulation& simulation, int steps) {
 TEST(RelaxationCheckpoint, GoesOnToTheLastBit) {
     constexpr int steps = 2000;
     std::mt19937 random(4);
-    for (const Case& one : {two_blocks(), eight_columns(), eventful()}) {
+    for (const Case& one : {two_blocks(), eight_columns(), resting_blocks(), eventful()}) {
         // Step 0 as well: preloaded, not yet moved.
         std::vector<int> stops{0};
         for (int stop = 0; stop < 5; ++stop) {
@@ -125,6 +132,15 @@ TEST(RelaxationCheckpoint, ContactsAreSearchedAnewOnTheWay) {
         EXPECT_GT(run.state().searches, 1U) << one.name;
         EXPECT_GT(run.ledger().friction, 0) << one.name;
     }
+}
+
+TEST(RelaxationCheckpoint, RestingBlocksCostLess) {
+    const Case one = resting_blocks();
+    Simulation run(one.scene, one.settings);
+    advance(run, 1500);
+    const std::uint64_t before = run.state().contacts_evaluated;
+    advance(run, 500);
+    EXPECT_LT(run.state().contacts_evaluated - before, 500 * run.state().contacts.contact.size() / 2);
 }
 
 // Bytes between the members of a struct hold anything.

@@ -1,12 +1,15 @@
 // Dynamic relaxation against equations of motion, limit equilibrium, and the books of energy and momentum.
+#include "dynamic_relaxation/checkpoint.hpp"
 #include "dynamic_relaxation/scenes.hpp"
 #include "dynamic_relaxation/simulation.hpp"
 #include "parameters/fields.hpp"
+#include "tests/support/brick_pack.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+#include <string>
 
 namespace delabole {
 namespace {
@@ -341,6 +344,28 @@ TEST(Books, BalanceInRandomisedDoubleBlocks) {
     RecordProperty("worst_energy_error", std::to_string(worst));
 }
 
+// Dashpots lag by half a step: a step chosen from the springs alone would let strong ones chatter for ever.
+TEST(Damping, LetsBlocksRestHoweverStrong) {
+    for (const double viscous : {0.0, 0.2, 0.5, 1.0, 2.0}) {
+        for (const double local : {0.0, 0.2, 0.7}) {
+            if (viscous == 0 && local == 0) {
+                continue;
+            }
+            Row row;
+            row.count = 2;
+            row.stiffness_ratio = 1e4;
+            row.base_friction = row.interface_friction = 0.35;
+            row.tilt = 0.17;
+            RelaxationSettings settings;
+            settings.start = RelaxationStart::dropped;
+            settings.viscous_damping = viscous;
+            settings.local_damping = local;
+            const RelaxationResult result = relax(scene_of(row), settings);
+            EXPECT_EQ(result.outcome, RelaxationOutcome::equilibrium) << "viscous " << viscous << ", local " << local;
+        }
+    }
+}
+
 TEST(Tilting, InSmallIncrementsReachesTheStaticLimit) {
     Row row;
     row.tilt = degrees(18);
@@ -357,27 +382,8 @@ TEST(Tilting, InSmallIncrementsReachesTheStaticLimit) {
 }
 
 TEST(Pack, DoesNotCreep) {
-    // Bricks of 1 x 2 on a plane of 20 deg, friction 40 deg, held at the toe.
-    RelaxationScene scene;
-    constexpr int rows = 8;
-    constexpr int bricks = 6;
-    scene.material = {joint(1e5 * density * gravity * 2, degrees(40))};
-    for (int row = 0; row < rows; ++row) {
-        const double shift = row % 2 == 0 ? 0 : 1;
-        if (shift > 0) {
-            scene.block.push_back({rectangle(0, row, 1, 1), density});
-        }
-        for (int brick = 0; brick < bricks; ++brick) {
-            const double left = shift + 2 * brick;
-            scene.block.push_back({rectangle(left, row, std::min(2.0, 2.0 * bricks - left), 1), density});
-        }
-    }
-    const std::size_t count = scene.block.size();
-    for (const Polygon<>& outline : {rectangle(-3, -2, 2 * bricks + 6, 2), rectangle(-3, 0, 3, rows + 2)}) {
-        scene.block.push_back({outline, density});
-        scene.block.back().fixed = true;
-    }
-    scene.gravity.tilt = scene.gravity.final_tilt = degrees(20);
+    const RelaxationScene scene = brick_pack_scene({8, 6, 1e5, degrees(40), degrees(20)});
+    const std::size_t count = scene.block.size() - 2;
     RelaxationSettings settings;
     settings.stop_at_equilibrium = false;
     settings.duration = 10;
@@ -399,6 +405,26 @@ TEST(Pack, DoesNotCreep) {
     const std::uint64_t evaluated = simulation.state().contacts_evaluated;
     simulation.step();
     EXPECT_EQ(simulation.state().contacts_evaluated, evaluated);
+}
+
+// Same bytes for any number of threads, while everything moves and after most has come to rest.
+TEST(Pack, MovesAlikeWithAnyNumberOfThreads) {
+    const RelaxationScene scene = brick_pack_scene({12, 25, 1e4, degrees(30), degrees(20)});
+    ASSERT_GT(scene.block.size(), 256U);  // more than one group of blocks
+    RelaxationSettings settings;
+    settings.start = RelaxationStart::dropped;
+    settings.most_steps = 400;
+    std::string alone;
+    for (const std::size_t threads : {1U, 2U, 3U}) {
+        settings.threads = threads;
+        Simulation simulation(scene, settings);
+        while (simulation.running()) {
+            simulation.step();
+        }
+        const std::string bytes = checkpoint_of(scene, settings, simulation.state());
+        alone = alone.empty() ? bytes : alone;
+        EXPECT_TRUE(bytes == alone) << threads << " threads";
+    }
 }
 
 }  // namespace

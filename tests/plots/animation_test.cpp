@@ -214,7 +214,7 @@ TEST(Animation, WhatIsNotFiniteIsNotShown) {
                         {infinite, infinite, {{{0, 0}, 0, -1}, {{1, 0}, 0, nan}, {{1, 0}, 0, 2}}}};
     const std::string html = animation_html(animation);
     const std::string data = between(html, "<script type=\"application/json\">", "</script>");
-    EXPECT_NO_THROW(Json::parse(data));
+    EXPECT_TRUE(Json::accept(data));
     for (const char* word : {"nan", "NaN", "inf\"", "inf,", "inf ", "e+"}) {
         EXPECT_EQ(data.find(word), std::string::npos) << word;
         EXPECT_EQ(between(html, "<svg", "</svg>").find(word), std::string::npos) << word;
@@ -247,7 +247,8 @@ BlockAnimation busy(std::size_t blocks, std::size_t frames, std::size_t at_rest)
     BlockAnimation animation;
     const std::size_t columns = 40;
     for (std::size_t block = 0; block < blocks; ++block) {
-        animation.blocks.push_back(square(static_cast<double>(block % columns), static_cast<double>(block / columns)));
+        const std::size_t row = block / columns;
+        animation.blocks.push_back(square(static_cast<double>(block % columns), static_cast<double>(row)));
     }
     for (std::size_t index = 0; index < frames; ++index) {
         const double share = static_cast<double>(index) / static_cast<double>(frames);

@@ -162,6 +162,38 @@ bad_of row.toml "friction of a wall" '0,/^friction_angle/s/^friction_angle = "[^
 bad_of row.toml "weightless block" '0,/^unit_weight/s/^unit_weight = "[^"]*"/unit_weight = "0 kN\/m3"/' \
     'block[1].unit_weight = "0 kN/m3": must be more than 0 kN/m3'
 
+title "dynamic relaxation: blocks that overlap, run clockwise, are all fixed, too soft or not there"
+delabole init relaxation --out relaxation.toml
+expect_status 0
+cat >blocks.toml <<'CASE'
+schema = 1
+model = "relaxation"
+[scene]
+kind = "blocks"
+tilt = "5 deg"
+[[scene.joint]]
+friction_angle = "30 deg"
+[[scene.block]]
+density = "2700 kg/m3"
+vertex = [{ x = "0 m", y = "0 m" }, { x = "1 m", y = "0 m" }, { x = "0 m", y = "1 m" }]
+[[scene.block]]
+density = "2700 kg/m3"
+hold = "fixed"
+vertex = [{ x = "-2 m", y = "-1 m" }, { x = "3 m", y = "-1 m" }, { x = "3 m", y = "0 m" }, { x = "-2 m", y = "0 m" }]
+CASE
+delabole check relaxation.toml blocks.toml
+expect_status 0
+bad_of blocks.toml "blocks that overlap" '10s/y = "0 m"/y = "-0.1 m"/g' \
+    'case.toml:10:10: scene.block[1].vertex: block 1 and block 2 overlap in the drawing'
+bad_of blocks.toml "corners clockwise" '10s/"1 m", y = "0 m"/"-1 m", y = "0 m"/' \
+    'case.toml:10:10: scene.block[1].vertex: block 1 is not convex, or its corners run clockwise'
+bad_of blocks.toml "nothing free" '9s/$/\nhold = "fixed"/' 'every block is fixed: nothing can move'
+bad_of blocks.toml "joint that is not there" '9s/$/\njoint = 2/' \
+    'case.toml:10:9: scene.block[1].joint = 2: must be the number of a [[scene.joint]], 1 to 1'
+bad_of blocks.toml "joint like a cushion" '/^friction/s/$/\nnormal_stiffness = "1 N\/m\/m"/' \
+    'block 1 would sink into its joint by more than a tenth of its size: raise the stiffness'
+bad_of relaxation.toml "density without its unit" '/^density/s/"[^"]*"/2700/' 'scene.density = 2700: has no unit: a density is expected'
+
 title "what the message allows is accepted"
 sed '/^water_depth/s/3 m/4.34798 m/' good.toml >case.toml
 delabole check case.toml

@@ -129,6 +129,20 @@ expect_status 4
 expect_error 'delabole: interrupted, 0 of 3 cases were analysed'
 expect "the others were not begun" refuse test -e results/case2
 
+title "Ctrl-C in a long run of blocks: what it has, and its mark"
+setsid "$program" run "$source_folder/cases/relaxation/single_block.toml" --set scene.tilt="5 deg" \
+    --set settings.stop=collapse --set settings.duration="100000 s" --out blocks \
+    >"$scratch/out" 2>"$scratch/err" </dev/null &
+child=$!
+sleep 2
+kill -s INT "$child"
+wait_for_child
+expect_status 4
+expect_error 'delabole: interrupted: the run ended at '
+expect_complete_results blocks
+expect "marked in result.json" test "$(json_value blocks/result.json status)" == '"interrupted"'
+expect "marked in the report" contains blocks/report.html 'Interrupted'
+
 title "Ctrl-C in the linear programmes of a single long run, which says beforehand that it is long"
 {
     printf 'schema = 1\nmodel = "stepped_base"\ntitle = "Many columns"\n[columns]\nkind = "blocks"\njoint_dip = "70 deg"\n'

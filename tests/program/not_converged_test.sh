@@ -37,4 +37,15 @@ delabole fit good_fit.toml --out results
 expect_status 0
 expect_silence err
 
+title "a run of blocks that neither rest nor fail in the time they have"
+delabole init relaxation --out blocks.toml
+printf '\n[settings]\nduration = "0.01 s"\n' >>blocks.toml
+delabole run blocks.toml --set scene.tilt="35 deg" --out undecided
+expect_status 4
+expect_error 'delabole: not converged: the blocks neither came to rest nor failed within 0.01 s: raise settings.duration'
+expect_one_line_of_error
+expect_complete_results undecided
+expect "in result.json" test "$(json_value undecided/result.json status)" == '"undecided"'
+expect "in the report" contains undecided/report.html 'Not converged'
+
 finish

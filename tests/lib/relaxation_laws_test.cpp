@@ -1,0 +1,372 @@
+// The laws of contacts and loads at their thresholds, against limit equilibrium and the equation of motion.
+#include "relaxation_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+namespace delabole {
+namespace {
+
+using namespace relaxation_scenes;
+
+// A flat block: its corners bear the same to a hundredth, and reach their strengths together.
+OnPlane flat(double friction, double tilt = 0) {
+    OnPlane plane;
+    plane.height_to_width = 0.01;
+    plane.friction = degrees(friction);
+    plane.tilt = tilt;
+    plane.stiffness_ratio = 1e6;
+    return plane;
+}
+
+// Stands at 0.99 times the load or tilt of limit equilibrium, fails at 1.01.
+void expect_threshold(const std::function<RelaxationScene(double)>& scene_at, const std::string& what,
+                      const RelaxationSettings& settings = until_onset()) {
+    EXPECT_EQ(relax(scene_at(0.99), settings).outcome, RelaxationOutcome::equilibrium) << what;
+    const RelaxationResult fails = relax(scene_at(1.01), settings);
+    EXPECT_EQ(fails.outcome, RelaxationOutcome::onset) << what;
+    EXPECT_LT(energy_error(fails, 1e-6 * density * gravity), 0.02) << what;
+}
+
+// Root of an increasing function between 0 and 89 deg.
+double root(const std::function<double(double)>& function) {
+    double low = 0;
+    double high = degrees(89);
+    for (int round = 0; round < 60; ++round) {
+        const double middle = (low + high) / 2;
+        (function(middle) < 0 ? low : high) = middle;
+    }
+    return low;
+}
+
+TEST(Cohesion, HoldsUntilItsLengthIsSpent) {
+    for (const double friction : {0.0, 20.0}) {
+        for (const double share : {0.1, 0.5}) {  // c b / W
+            const OnPlane plane = flat(friction);
+            const double tangent = std::tan(plane.friction);
+            const double limit = root([&](double tilt) { return std::sin(tilt) - std::cos(tilt) * tangent - share; });
+            expect_threshold(
+                [&](double part) {
+                    OnPlane tilted = plane;
+                    tilted.tilt = part * limit;
+                    RelaxationScene scene = scene_of(tilted);
+                    scene.material[0].cohesion = share * plane.weight() / plane.width;
+                    return scene;
+                },
+                "friction " + std::to_string(friction) + ", c b/W " + std::to_string(share));
+        }
+    }
+}
+
+// The heel of a tall block, with less weight on it, slips first; where the toe cannot take over what it loses, the
+// block goes at W sin = (W cos - (a/b) W sin) tan(phi) + c b, below what both corners could bear at once.
+TEST(Cohesion, OfATallBlockFailsFromTheHeel) {
+    OnPlane plane;
+    plane.friction = degrees(20);
+    const double limit = root([&](double tilt) {
+        return std::sin(tilt) - (std::cos(tilt) - std::sin(tilt)) * std::tan(plane.friction) - 0.5;
+    });
+    expect_threshold(
+        [&](double part) {
+            OnPlane tilted = plane;
+            tilted.tilt = part * limit;
+            RelaxationScene scene = scene_of(tilted);
+            scene.material[0].cohesion = 0.5 * plane.weight() / plane.width;
+            return scene;
+        },
+        "tall");
+}
+
+TEST(Cohesion, IsNotFoundAgainAfterAFall) {
+    OnPlane plane = flat(10, degrees(20));
+    for (const double height : {0.0, 0.01}) {
+        RelaxationScene scene = scene_of(plane);
+        scene.material[0].cohesion = scene.material[0].tensile_strength = 10 * plane.weight() / plane.width;
+        for (PlanePoint<>& vertex : scene.block[0].outline) {
+            vertex.y() += height;
+        }
+        RelaxationSettings settings;
+        settings.start = RelaxationStart::dropped;
+        const RelaxationResult result = relax(scene, settings);
+        EXPECT_EQ(result.outcome, height > 0 ? RelaxationOutcome::collapse : RelaxationOutcome::equilibrium) << height;
+    }
+}
+
+TEST(TensileStrength, CarriesAHangingBlock) {
+    OnPlane plane;
+    for (const double slenderness : {0.1, 1.0, 5.0}) {
+        plane.height_to_width = slenderness;
+        expect_threshold(
+            [&](double part) {
+                RelaxationScene scene;
+                scene.block = {{rectangle(0, -slenderness, 1, slenderness), density},
+                               fixed_block(rectangle(-1, 0, 3, 1))};
+                scene.material = {joint(plane.stiffness(), degrees(30))};
+                scene.material[0].tensile_strength = plane.weight() / plane.width / part;
+                return scene;
+            },
+            "a/b " + std::to_string(slenderness));
+    }
+}
+
+TEST(TensileStrength, HoldsTheHeelOfATiltedBlock) {
+    // Heel pulls: (W sin a/2 - W cos b/2) / b = t b / 2 (the corner stands for half of the base). Nothing presses on
+    // it: its shear is borne by cohesion.
+    OnPlane plane;
+    plane.height_to_width = 3;
+    plane.friction = degrees(60);
+    const double strength = 0.5;  // t b / W
+    const double limit = root([&](double tilt) { return 3 * std::sin(tilt) - std::cos(tilt) - strength; });
+    expect_threshold(
+        [&](double part) {
+            OnPlane tilted = plane;
+            tilted.tilt = part * limit;
+            RelaxationScene scene = scene_of(tilted);
+            scene.material[0].tensile_strength = strength * plane.weight() / plane.width;
+            scene.material[0].cohesion = 10 * scene.material[0].tensile_strength;
+            return scene;
+        },
+        "tilted");
+}
+
+TEST(PeakFriction, DropsToTheResidualWithTheFirstSlip) {
+    const auto scene_at = [](double tilt, bool shaken) {
+        RelaxationScene scene = scene_of(flat(35, degrees(tilt)));
+        scene.material[0].residual_friction_angle = degrees(25);
+        if (shaken) {
+            scene.shaking = {{0.1, {0, 0}}, {0.15, {3, 0}}, {0.2, {0, 0}}};
+        }
+        return scene;
+    };
+    expect_threshold([&](double part) { return scene_at(35 * part, false); }, "peak");
+    // Shaken once beyond the peak, it goes on where it stood before.
+    EXPECT_EQ(relax(scene_at(30, false), until_onset()).outcome, RelaxationOutcome::equilibrium);
+    EXPECT_EQ(relax(scene_at(30, true), until_onset()).outcome, RelaxationOutcome::onset);
+    // Below the residual it comes to rest again, a few centimetres on.
+    EXPECT_EQ(relax(scene_at(24, true), RelaxationSettings()).outcome, RelaxationOutcome::equilibrium);
+    // And slides under the residual.
+    RelaxationSettings settings = unlimited(0.5);
+    settings.local_damping = 0;
+    const RelaxationResult slides = relax(scene_at(40, false), settings);
+    const double acceleration = gravity * (std::sin(degrees(40)) - std::cos(degrees(40)) * std::tan(degrees(25)));
+    // The first slip waits until the springs are stretched: some 1e-3 s.
+    EXPECT_NEAR(slides.block[0].displacement, acceleration * slides.time * slides.time / 2,
+                0.005 * slides.block[0].displacement);
+}
+
+// W sin + V = (W cos - U) tan(phi): uplift under the base, even or falling off to the toe, thrust on the upper face.
+TEST(WaterPressure, LowersTheTiltAtWhichABlockSlides) {
+    OnPlane plane = flat(35);
+    plane.height_to_width = 0.2;
+    struct Water {
+        double at_toe;  // under the base, over W/b
+        double at_heel;
+        double at_crack_foot;  // on the upper face, over W/b, falling off to nothing at the top
+    };
+    for (const Water& water : {Water{0.3, 0.3, 0}, Water{0, 0.4, 0}, Water{0, 0.4, 1.0}, Water{0, 0, 1.0}}) {
+        const double uplift = (water.at_toe + water.at_heel) / 2;
+        const double thrust = water.at_crack_foot * plane.height_to_width / 2;
+        const double limit = root([&](double tilt) {
+            return std::sin(tilt) + thrust - (std::cos(tilt) - uplift) * std::tan(plane.friction);
+        });
+        expect_threshold(
+            [&](double part) {
+                OnPlane tilted = plane;
+                tilted.tilt = part * limit;
+                RelaxationScene scene = scene_of(tilted);
+                const double unit = plane.weight() / plane.width;
+                scene.pressure = {{0, 0, water.at_toe * unit, water.at_heel * unit},
+                                  {0, 1, water.at_crack_foot * unit, 0}};
+                return scene;
+            },
+            "uplift " + std::to_string(uplift) + ", thrust " + std::to_string(thrust));
+    }
+}
+
+TEST(PointForce, AtTheThresholdOfSliding) {
+    const OnPlane plane = flat(30);
+    for (const double dip : {-20.0, 0.0, 20.0}) {
+        // F cos = (W + F sin) tan(phi)
+        const double tangent = std::tan(plane.friction);
+        const double limit = plane.weight() * tangent / (std::cos(degrees(dip)) - std::sin(degrees(dip)) * tangent);
+        for (const double sense : {-1.0, 1.0}) {
+            expect_threshold(
+                [&](double part) {
+                    RelaxationScene scene = scene_of(plane);
+                    scene.force = {
+                        {0,
+                         {0.5, 0.0},
+                         {sense * part * limit * std::cos(degrees(dip)), -part * limit * std::sin(degrees(dip))}}};
+                    return scene;
+                },
+                "dip " + std::to_string(dip));
+        }
+    }
+}
+
+TEST(Shaking, ByAConstantAccelerationSlidesBeyondFriction) {
+    const OnPlane plane = flat(25);
+    for (const double sense : {-1.0, 1.0}) {
+        const auto scene_at = [&](double part) {
+            RelaxationScene scene = scene_of(plane);
+            scene.shaking = {{0, {sense * part * gravity * std::tan(plane.friction), 0}}};
+            return scene;
+        };
+        expect_threshold(scene_at, "shaking");
+        // The ground leaves the block behind.
+        EXPECT_LT(sense * relax(scene_at(1.5), until_onset()).block[0].base_slip, 0);
+    }
+}
+
+TEST(PrescribedMotion, CarriesABlockByFriction) {
+    const OnPlane plane = flat(20);
+    const double friction = gravity * std::tan(plane.friction);
+    for (const double share : {0.5, 0.95, 1.5}) {
+        for (const double sense : {-1.0, 1.0}) {
+            RelaxationScene scene = scene_of(plane);
+            const double acceleration = sense * share * friction;
+            PrescribedMotion motion{1, {{0, {0, 0}}, {10, {10 * acceleration, 0}}}};
+            scene.motion = {motion};
+            RelaxationSettings settings = unlimited(0.5);
+            settings.local_damping = 0;  // it would hold the block back against the drawing
+            const RelaxationResult result = relax(scene, settings);
+            const double expected = sense * std::min(share, 1.0) * friction * result.time * result.time / 2;
+            Simulation simulation(scene, settings);
+            while (simulation.running()) {
+                simulation.step();
+            }
+            // Shear springs stretch first, by some 1e-6 of the width; the base's velocity is that of the step's start.
+            EXPECT_NEAR(simulation.state().motion[0].x, expected, 0.002 * std::abs(expected)) << share;
+            EXPECT_LT(energy_error(result, 0), 0.02) << share;
+        }
+    }
+}
+
+TEST(PrescribedMotion, TurningTheBaseFindsTheAngleOfFriction) {
+    expect_threshold(
+        [](double part) {
+            RelaxationScene scene = scene_of(flat(20));
+            PrescribedMotion motion{1, {}};
+            motion.angular_velocity = degrees(20);  // slow: w^2 b / g is 0.01
+            motion.duration = part * 20 / 20;
+            scene.motion = {motion};
+            return scene;
+        },
+        "turned base",
+        [] {
+            RelaxationSettings settings = until_onset();
+            settings.onset_rotation = 1;  // turns with the base
+            settings.onset_slide = 1.2;   // moves with it by up to 0.5 tan(20 deg) and more
+            settings.collapse_displacement = 100;
+            return settings;
+        }());
+}
+
+TEST(Removal, OfASupportLetsABlockFall) {
+    RelaxationScene scene = scene_of({});
+    scene.block[0] = {rectangle(0, 0, 1, 1), density};
+    scene.block.push_back({rectangle(0.1, 1, 0.8, 1), density});
+    scene.removal = {{0, 0.25}};
+    RelaxationSettings settings = unlimited(0.55);
+    settings.local_damping = 0;
+    const RelaxationResult result = relax(scene, settings);
+    EXPECT_EQ(result.block[0].movement, BlockMovement::removed);
+    const double fall = result.time - 0.25;
+    // The moment of removal is that of the next step, 1e-4 s later at most.
+    EXPECT_NEAR(result.block[2].displacement, gravity * fall * fall / 2, 2e-3 * result.block[2].displacement);
+    EXPECT_NEAR(result.block[2].rotation, 0, 1e-9);
+    EXPECT_LT(energy_error(result, 0), 0.02);
+    // It lands and comes to rest, a block's height lower.
+    settings = RelaxationSettings();
+    settings.collapse_displacement = settings.collapse_rotation = 100;
+    const RelaxationResult lands = relax(scene, settings);
+    EXPECT_EQ(lands.outcome, RelaxationOutcome::equilibrium);
+    EXPECT_NEAR(lands.block[2].displacement, 1, 1e-5);
+    EXPECT_LT(energy_error(lands, 0), 0.02);
+}
+
+TEST(Consolidation, HeldBlocksGoWhenReleased) {
+    for (const double tilt : {15.0, 25.0}) {
+        RelaxationScene scene;
+        scene.block = {{rectangle(0, 0, 1, 1), density}, {rectangle(1, 0, 1, 1), density}};
+        scene.block[0].held_at_first = true;
+        scene.block.push_back(fixed_block(rectangle(-3, -1, 8, 1)));
+        scene.material = {joint(1e6 * density * gravity, degrees(20))};
+        scene.gravity.tilt = scene.gravity.final_tilt = degrees(tilt);
+        RelaxationSettings settings = until_onset();
+        settings.consolidation_time = 0.4;
+        double moved_while_held = 0;
+        const RelaxationResult result = relax(scene, settings, [&](const Simulation& simulation) {
+            const RelaxationState& state = simulation.state();
+            if (state.time <= settings.consolidation_time) {
+                const Motion& held = state.motion[0];
+                moved_while_held =
+                    std::max(moved_while_held, std::abs(held.x) + std::abs(held.y) + std::abs(held.angle));
+                // What leans on it has moved no more than springs give.
+                EXPECT_LT(std::abs(state.motion[1].x), 1e-4);
+            }
+            return true;
+        });
+        EXPECT_EQ(moved_while_held, 0);
+        EXPECT_GE(result.time, settings.consolidation_time);
+        EXPECT_EQ(result.outcome, tilt > 20 ? RelaxationOutcome::onset : RelaxationOutcome::equilibrium) << tilt;
+    }
+}
+
+TEST(Start, RampedAndDroppedSettleWherePreloadedStarts) {
+    OnPlane plane;
+    plane.height_to_width = 2;
+    plane.friction = degrees(40);
+    plane.tilt = degrees(10);
+    plane.stiffness_ratio = 1e4;
+    const auto settled = [&](RelaxationStart start) {
+        RelaxationSettings settings;
+        settings.start = start;
+        settings.ramp_time = 0.5;
+        settings.equilibrium_ratio = 1e-8;
+        Simulation simulation(scene_of(plane), settings);
+        while (simulation.running()) {
+            simulation.step();
+        }
+        EXPECT_EQ(simulation.outcome(), RelaxationOutcome::equilibrium);
+        return simulation.state().motion[0];
+    };
+    const Motion preloaded = settled(RelaxationStart::preloaded);
+    const double settlement = plane.width / plane.stiffness_ratio;
+    ASSERT_LT(preloaded.y, -0.4 * settlement);
+    for (const auto start : {RelaxationStart::ramped, RelaxationStart::dropped}) {
+        const Motion other = settled(start);
+        // Unbalanced by 1e-8 of the weight or less, over springs of which none has slipped.
+        EXPECT_NEAR(other.y, preloaded.y, 1e-6 * settlement);
+        EXPECT_NEAR(other.angle, preloaded.angle, 1e-6 * settlement);
+        if (start == RelaxationStart::ramped) {
+            // Corners that are hardly pressed yet slip a little as the first loads come.
+            EXPECT_NEAR(other.x, preloaded.x, 1e-3 * settlement);
+        }
+    }
+}
+
+TEST(KineticDamping, FindsTheSameThreshold) {
+    OnPlane plane;
+    plane.height_to_width = 3;
+    plane.friction = degrees(60);
+    RelaxationSettings settings = until_onset();
+    settings.local_damping = 0;
+    settings.kinetic_damping = true;
+    const double law = 1 / 3.0 - std::sqrt(1 + 1 / 9.0) / plane.stiffness_ratio;
+    for (const auto start : {RelaxationStart::preloaded, RelaxationStart::ramped}) {
+        settings.start = start;
+        settings.ramp_time = 1;
+        for (const bool fails : {false, true}) {
+            plane.tilt = std::atan((fails ? 1.005 : 0.995) * law);
+            const RelaxationResult result = relax(scene_of(plane), settings);
+            EXPECT_EQ(result.outcome, fails ? RelaxationOutcome::onset : RelaxationOutcome::equilibrium);
+            EXPECT_LT(energy_error(result, 1e-6 * plane.weight()), 0.02);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace delabole

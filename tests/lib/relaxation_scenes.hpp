@@ -1,0 +1,74 @@
+// Scenes that the tests of dynamic relaxation share.
+#pragma once
+
+#include "dynamic_relaxation/simulation.hpp"
+#include "parameters/fields.hpp"
+
+#include <cmath>
+
+namespace delabole::relaxation_scenes {
+
+constexpr double gravity = 9.80665;
+constexpr double density = 2700;
+
+inline Polygon<> rectangle(double left, double bottom, double width, double height) {
+    return {{left, bottom}, {left + width, bottom}, {left + width, bottom + height}, {left, bottom + height}};
+}
+
+inline JointMaterial joint(double stiffness, double friction_angle) {
+    return {stiffness, stiffness, friction_angle};
+}
+
+inline RelaxationBlock fixed_block(Polygon<> outline) {
+    RelaxationBlock block{std::move(outline), density};
+    block.fixed = true;
+    return block;
+}
+
+// A block of width b on a wide fixed plane, drawn level; gravity is tilted.
+struct OnPlane {
+    double height_to_width = 1;
+    double width = 1;
+    double stiffness_ratio = 1e6;  // k b / W
+    double friction = degrees(30);
+    double tilt = 0;
+    double density = relaxation_scenes::density;
+
+    double mass() const { return density * height_to_width * width * width; }
+    double weight() const { return mass() * gravity; }
+    double stiffness() const { return stiffness_ratio * density * gravity * height_to_width * width; }
+};
+
+inline RelaxationScene scene_of(const OnPlane& plane) {
+    RelaxationScene scene;
+    const double b = plane.width;
+    scene.block = {{rectangle(0, 0, b, plane.height_to_width * b), plane.density}};
+    scene.block.push_back(fixed_block(rectangle(-3 * b, -b, 7 * b, b)));
+    scene.material = {joint(plane.stiffness(), plane.friction)};
+    scene.gravity.tilt = scene.gravity.final_tilt = plane.tilt;
+    return scene;
+}
+
+inline RelaxationSettings until_onset() {
+    RelaxationSettings settings;
+    settings.stop_at_onset = true;
+    return settings;
+}
+
+// For blocks that move far without that being a failure.
+inline RelaxationSettings unlimited(double duration) {
+    RelaxationSettings settings;
+    settings.onset_rotation = settings.onset_slide = 1e3;
+    settings.collapse_rotation = settings.collapse_displacement = 1e6;
+    settings.stop_at_equilibrium = false;
+    settings.duration = duration;
+    return settings;
+}
+
+// Share of the energy turned over that the books cannot account for. A start in equilibrium turns over next to nothing:
+// below `scale`, J/m, it is all rounding.
+inline double energy_error(const RelaxationResult& result, double scale) {
+    return std::abs(result.ledger.residual()) / (result.ledger.turnover() + scale);
+}
+
+}  // namespace delabole::relaxation_scenes

@@ -1,0 +1,255 @@
+#include "dynamic_relaxation/relaxation_study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+namespace {
+
+constexpr double gravity = 9.80665;
+
+RelaxationStudy one_block(double tilt, double friction, double width, double height) {
+    RelaxationRow row{};
+    row.tilt = tilt;
+    row.density = 2700;
+    row.interface = row.base = RelaxationJoint{friction, {}, {}, {}, {}, {}};
+    row.block = {{width, height, {}}};
+    RelaxationStudy study{};
+    study.model.scene = row;
+    return study;
+}
+
+RelaxationNumerics undamped(double duration) {
+    RelaxationNumerics settings{};
+    settings.viscous_damping = 0;
+    settings.local_damping = 0;
+    settings.stop = RelaxationStop::collapse;
+    settings.collapse_displacement = 100;
+    settings.duration = duration;
+    return settings;
+}
+
+double answer(const RelaxationStudy& study, std::string_view name) {
+    const ModelInterface model = model_interface(study);
+    const auto found = std::ranges::find(model.outputs, name, &Quantity::name);
+    const Prediction prediction = model.predict({});
+    EXPECT_EQ(prediction.failure, "") << name;
+    return prediction.outputs.at(static_cast<std::size_t>(found - model.outputs.begin()));
+}
+
+RelaxationOutcome outcome_of(const RelaxationStudy& study) {
+    return run(study).result.outcome;
+}
+
+TEST(RelaxationScene, StiffnessIsOfTheHeaviestBlockUnlessGiven) {
+    RelaxationStudy study = one_block(0, degrees(30), 1, 3);
+    auto& row = std::get<RelaxationRow>(study.model.scene);
+    row.block.push_back({1, 5, {}});
+    study.settings.emplace().stiffness_ratio = 1e5;
+    row.base.normal_stiffness = 4e9;
+    row.base.shear_stiffness = 2e9;
+    const RelaxationScene scene = relaxation_scene(study);
+    // k b = 1e5 W of the second block; doubles round a few times on the way.
+    EXPECT_NEAR(scene.material[0].normal_stiffness / (1e5 * 2700 * gravity * 5), 1, 1e-14);
+    EXPECT_EQ(scene.material[0].shear_stiffness, scene.material[0].normal_stiffness);
+    EXPECT_EQ(scene.material[1].normal_stiffness, 4e9);
+    EXPECT_EQ(scene.material[1].shear_stiffness, 2e9);
+}
+
+TEST(RelaxationScene, TheSameBlocksAsARowAndAsPolygonsBehaveAlike) {
+    const RelaxationStudy row = one_block(degrees(18.6), degrees(40), 1, 3);
+    RelaxationPolygons polygons{};
+    polygons.tilt = degrees(18.6);
+    polygons.joint = {{degrees(40), {}, {}, {}, {}, {}}};
+    polygons.block = {{2700, {}, {}, {{0, 0, {}}, {1, 0, {}}, {1, 3, {}}, {0, 3, {}}}},
+                      {2700, BlockHold::fixed, {}, {{-3, -1, {}}, {4, -1, {}}, {4, 0, {}}, {-3, 0, {}}}}};
+    RelaxationStudy drawn{};
+    drawn.model.scene = polygons;
+    const RelaxationResult one = run(row).result;
+    const RelaxationResult other = run(drawn).result;
+    EXPECT_EQ(one.outcome, RelaxationOutcome::collapse);
+    EXPECT_EQ(other.outcome, RelaxationOutcome::collapse);
+    EXPECT_EQ(one.time, other.time);
+    EXPECT_EQ(one.block[0].rotation, other.block[0].rotation);
+}
+
+TEST(RelaxationStudy, ABlockSlidesFreelyAsTheEquationOfMotionSays) {
+    RelaxationStudy study = one_block(degrees(25), 0, 2, 1);
+    constexpr double duration = 0.4;
+    study.settings = undamped(duration);
+    const double time = answer(study, "time");
+    // The run ends with the step that passes the duration; that step is exact for constant acceleration.
+    EXPECT_NEAR(answer(study, "block[1].displacement"), gravity * std::sin(degrees(25)) * time * time / 2, 1e-9);
+    EXPECT_NEAR(answer(study, "energy.residual_share"), 0, 1e-9);  // rounding of some thousand steps
+}
+
+TEST(RelaxationStudy, GravityTurnedReachesTheTiltAtWhichTheBlockOverturns) {
+    RelaxationStudy study = one_block(degrees(18), degrees(40), 1, 3);
+    study.model.tilting =
+        Tilting{TiltingFrame::gravity, degrees(20), degrees(0.5), std::nullopt, std::nullopt, std::nullopt, {}};
+    study.settings.emplace().stop = RelaxationStop::onset;
+    // Onset is 0.01 rad past the limit of 18.435 deg and takes a second or two, in which the tilt grows by a degree.
+    const double tilt = answer(study, "tilt");
+    EXPECT_GT(tilt, degrees(18.43));
+    EXPECT_LT(tilt, degrees(19.7));
+    study.model.tilting->final_tilt = degrees(18.4);
+    EXPECT_EQ(outcome_of(study), RelaxationOutcome::equilibrium);
+}
+
+TEST(RelaxationStudy, ABaseThatTurnsTakesItsBlockAlong) {
+    RelaxationStudy study = one_block(degrees(15), degrees(40), 1, 3);
+    // So slow that the block, which goes on when the base stops, has a hundredth of the energy it takes to overturn.
+    study.model.tilting =
+        Tilting{TiltingFrame::base, degrees(17), degrees(0.5), std::nullopt, std::nullopt, std::nullopt, {}};
+    const RelaxationResult standing = run(study).result;
+    EXPECT_EQ(standing.outcome, RelaxationOutcome::equilibrium);
+    // Anticlockwise: the base dips more towards -x. Springs give by about 1e-6 of the block.
+    EXPECT_NEAR(standing.block[0].rotation, degrees(2), 1e-5);
+    study.model.tilting->final_tilt = degrees(19);
+    EXPECT_EQ(outcome_of(study), RelaxationOutcome::collapse);
+}
+
+TEST(RelaxationStudy, WaterUnderTheBaseLiftsTheBlockOffAtItsOwnWeight) {
+    RelaxationStudy study = one_block(0, degrees(30), 1, 1);
+    const double weight_over_width = 2700 * gravity;
+    const auto outcome_at = [&](double share) {
+        study.model.pressure = {{1, 1, share * weight_over_width, share * weight_over_width}};
+        return outcome_of(study);
+    };
+    EXPECT_EQ(outcome_at(0.99), RelaxationOutcome::equilibrium);
+    EXPECT_EQ(outcome_at(1.01), RelaxationOutcome::collapse);
+}
+
+TEST(RelaxationStudy, APointForceTurnsTheBlockOverWhenItsMomentExceedsThatOfTheWeight) {
+    RelaxationStudy study = one_block(0, degrees(60), 1, 3);
+    const double weight = 2700 * gravity * 3;
+    // A push at the top: F h = W b / 2.
+    const double limit = weight / 6;
+    const auto outcome_at = [&](double force) {
+        study.model.force = {{1, 1, 3, -force, 0}};
+        return outcome_of(study);
+    };
+    EXPECT_EQ(outcome_at(0.99 * limit), RelaxationOutcome::equilibrium);
+    EXPECT_EQ(outcome_at(1.01 * limit), RelaxationOutcome::collapse);
+}
+
+TEST(RelaxationStudy, ShakingMovesABlockOnceItExceedsFriction) {
+    RelaxationStudy study = one_block(0, degrees(20), 2, 1);
+    const double limit = gravity * std::tan(degrees(20));
+    const auto slip_at = [&](double acceleration) {
+        study.model.shaking = {{0, acceleration, 0}, {0.5, acceleration, 0}, {0.501, 0, 0}};
+        return run(study).result.block[0].base_slip;
+    };
+    EXPECT_NEAR(slip_at(0.9 * limit), 0, 1e-5);  // the give of the springs
+    // Ground that accelerates into the slope leaves the block behind, towards -x: first 0.1 limit 0.5^2 / 2, then
+    // friction brings it to rest within a tenth of that. Local damping holds it back by up to a fifth of what moves it.
+    const double way = 0.1 * limit * 0.125 * 1.1;
+    const double slip = slip_at(1.1 * limit);
+    EXPECT_LT(slip, -0.5 * way);
+    EXPECT_GT(slip, -1.1 * way);
+}
+
+TEST(RelaxationStudy, WhatStoodOnARemovedBlockFalls) {
+    RelaxationPolygons polygons{};
+    polygons.joint = {{degrees(30), {}, {}, {}, {}, {}}};
+    polygons.block = {{2700, {}, {}, {{0, 1, {}}, {1, 1, {}}, {1, 2, {}}, {0, 2, {}}}},
+                      {2700, {}, {}, {{0, 0, {}}, {1, 0, {}}, {1, 1, {}}, {0, 1, {}}}},
+                      {2700, BlockHold::fixed, {}, {{-3, -1, {}}, {4, -1, {}}, {4, 0, {}}, {-3, 0, {}}}}};
+    RelaxationStudy study{};
+    study.model.scene = polygons;
+    EXPECT_EQ(outcome_of(study), RelaxationOutcome::equilibrium);
+    study.model.removal = {{2, 0.1}};
+    const RelaxationResult result = run(study).result;
+    EXPECT_EQ(result.block[1].movement, BlockMovement::removed);
+    EXPECT_EQ(result.outcome, RelaxationOutcome::collapse);
+    EXPECT_GT(result.block[0].displacement, 0.5);
+}
+
+TEST(RelaxationStudy, CriticalValuesAreThoseOfLimitingEquilibrium) {
+    RelaxationStudy study = one_block(degrees(10), degrees(40), 1, 3);
+    study.critical = CriticalRequest{CriticalParameter::tilt, degrees(10), degrees(30), degrees(0.001)};
+    // tan(tilt) = b/a - W/(k b) sqrt(1 + (b/a)^2) with k b / W = 1e6, and half the bracket. (simulation.hpp)
+    const double slender = 1.0 / 3;
+    EXPECT_NEAR(find_critical(study).value(), std::atan(slender - 1e-6 * std::hypot(1, slender)), degrees(0.001));
+    // On a tilt of 10 deg a squat block needs 10 deg of friction.
+    RelaxationStudy squat = one_block(degrees(10), degrees(40), 2, 1);
+    squat.critical = CriticalRequest{CriticalParameter::friction, degrees(5), degrees(15), degrees(0.01)};
+    EXPECT_NEAR(find_critical(squat).value(), degrees(10), degrees(0.02));
+}
+
+TEST(RelaxationStudy, ARunThatIsToldToEndIsInterrupted) {
+    RelaxationStudy study = one_block(degrees(10), degrees(40), 1, 3);
+    study.settings.emplace().stop = RelaxationStop::collapse;
+    int calls = 0;
+    const RelaxationRun made = run(study, [&](double share) {
+        EXPECT_GE(share, 0);
+        EXPECT_LE(share, 1);
+        return ++calls < 4;
+    });
+    EXPECT_EQ(made.result.outcome, RelaxationOutcome::interrupted);
+    EXPECT_EQ(calls, 4);
+    study.critical = CriticalRequest{CriticalParameter::tilt, degrees(10), degrees(30), {}};
+    EXPECT_EQ(find_critical(study, [](double) { return false; }).status, CriticalStatus::interrupted);
+}
+
+TEST(RelaxationStudy, HistoryFollowsTheMotionAndItsEnergies) {
+    RelaxationStudy study = one_block(degrees(25), 0, 2, 1);
+    study.settings = undamped(0.4);
+    study.history = HistoryRequest{0.1, {{1}}, {{1, 2}}};
+    const RelaxationRun made = run(study);
+    ASSERT_EQ(made.history.size(), 5U);
+    const double weight = 2700 * 2 * gravity;
+    for (const HistoryLine& line : made.history) {
+        const double way = gravity * std::sin(degrees(25)) * line.time * line.time / 2;
+        EXPECT_NEAR(line.block[0].x, -way, 1e-9);
+        EXPECT_NEAR(line.base_slip[0], -way, gravity * line.time * made.result.cost.step);  // a step behind
+        // Preloaded: the normal force is there from the start and stays.
+        EXPECT_NEAR(line.contact[0].normal / (weight * std::cos(degrees(25))), 1, 1e-6);
+        EXPECT_NEAR(line.contact[0].vertical / line.contact[0].normal, 1, 1e-6);  // on block 1, upwards
+        // Velocities are half a step behind positions.
+        const double fallen = weight * std::sin(degrees(25)) * way;
+        EXPECT_NEAR(line.energy.kinetic, fallen, line.time > 0 ? 1.01 * fallen * made.result.cost.step / line.time : 0);
+    }
+}
+
+TEST(RelaxationStudy, QualitiesSetStepStiffnessAndEquilibriumUnlessGiven) {
+    RelaxationStudy study = one_block(degrees(10), degrees(40), 1, 3);
+    double stiffness = 0;
+    double step = 1;
+    double ratio = 1;
+    for (const RelaxationQuality quality :
+         {RelaxationQuality::draft, RelaxationQuality::standard, RelaxationQuality::reference}) {
+        study.settings.emplace().quality = quality;
+        const RelaxationSettings settings = relaxation_settings(study);
+        const double now = relaxation_scene(study).material[0].normal_stiffness;
+        EXPECT_GT(now, stiffness);
+        EXPECT_LT(settings.step_fraction, step);
+        EXPECT_LT(settings.equilibrium_ratio, ratio);
+        stiffness = now;
+        step = settings.step_fraction;
+        ratio = settings.equilibrium_ratio;
+    }
+    study.settings->step_fraction = 0.33;
+    EXPECT_EQ(relaxation_settings(study).step_fraction, 0.33);
+}
+
+TEST(RelaxationStudy, PredictionsFailByName) {
+    RelaxationStudy study = one_block(degrees(10), degrees(40), 1, 3);
+    const ModelInterface model = model_interface(study);
+    const auto input = [&](std::string_view name) {
+        return static_cast<std::size_t>(std::ranges::find(model.inputs, name, &Quantity::name) - model.inputs.begin());
+    };
+    const std::vector<Assignment> negative{{input("scene.density"), -1}};
+    EXPECT_EQ(model.predict(negative).failure, "input_out_of_range");
+    const std::vector<Assignment> sliver{{input("scene.block[1].width"), 1e-8}};
+    EXPECT_NE(model.predict(sliver).failure, "");
+    const std::vector<Assignment> steep{{input("scene.tilt"), degrees(25)}};
+    const Prediction prediction = model.predict(steep);
+    EXPECT_EQ(prediction.failure, "");
+    EXPECT_EQ(prediction.outputs.size(), model.outputs.size());
+}
+
+}  // namespace
+}  // namespace delabole
