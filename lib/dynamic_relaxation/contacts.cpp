@@ -18,6 +18,8 @@ constexpr double lean = 0.35;
 constexpr double blend_way = 1e-3;
 // A joint drawn open by less than this, in shortest edges, is closed.
 constexpr double closed = 1e-3;
+// A corner that is found below an edge came there over the edge if it is no deeper than this, in margins.
+constexpr double came_over = 0.01;
 // Deeper corners belong to the block's other side.
 constexpr double deepest = 0.25;
 
@@ -64,11 +66,21 @@ class Search {
         if (to_next.dot(normal) < -lean || to_previous.dot(normal) < -lean) {
             return;
         }
+        // The edge beyond the nearer end, if the corner could bear there too.
+        const bool at_start = position < bodies_.length[edge] / 2;
+        const std::size_t beyond = at_start ? bodies_.range[other].before(edge) : bodies_.range[other].after(edge);
+        const PlanePoint<> beyond_normal = motion_[other].turned(bodies_.normal(beyond));
+        const bool rival = to_next.dot(beyond_normal) >= -lean && to_previous.dot(beyond_normal) >= -lean;
         // The face of the corner's block that lies on the edge is the one nearer to its direction.
         const std::size_t face = std::abs(to_next.dot(normal)) < std::abs(to_previous.dot(normal)) ? corner : before;
         list.contact.push_back(make(corner, edge, face, blend, {to_next.dot(along), to_previous.dot(along)}));
-        if (-gap > list.worst_overlap * shortest && contact_weight(list.contact.back(), position) > 0) {
-            list.worst_overlap = -gap / shortest;
+        if (rival) {
+            RelaxationContact& contact = list.contact.back();
+            const PlanePoint<>& one = bodies_.along[edge];
+            const PlanePoint<>& two = bodies_.along[beyond];
+            contact.rival = at_start ? 1 : -1;
+            contact.rival_sine = std::abs(one.x() * two.y() - one.y() * two.x());
+            contact.rival_cosine = -one.dot(two);
         }
     }
 
@@ -167,6 +179,25 @@ void pair_twins(const Bodies& bodies, const std::vector<Motion>& motion, Contact
     }
 }
 
+double gap_of(const RelaxationContact& contact, const std::vector<Motion>& motion) {
+    return locate(contact, motion[contact.block], motion[contact.other]).gap;
+}
+
+// In the drawing, below the line of the edge but outside another edge of the same block.
+bool beside(const Bodies& bodies, const RelaxationContact& contact, double shortest) {
+    if (contact.gap >= 0) {
+        return false;
+    }
+    const PlanePoint<> between = bodies.centroid[contact.block] - bodies.centroid[contact.other];
+    const CornerRange& range = bodies.range[contact.other];
+    for (std::size_t edge = range.begin; edge < range.end; ++edge) {
+        if (bodies.normal(edge).dot(between + (contact.arm - bodies.corner[edge])) > blend_way * shortest) {
+            return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, const std::vector<Motion>& motion,
@@ -194,7 +225,21 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
         } else {
             const double shortest = std::min(bodies.shortest_edge[contact.block], bodies.shortest_edge[contact.other]);
             memory.broken = !(options.first && contact.gap <= closed * shortest);
-            memory.touching = !memory.broken && (contact.tension > 0 || contact.gap < 0);
+            memory.beneath = options.first
+                                 ? beside(bodies, contact, shortest)
+                                 : contact.rival == 0 && gap_of(contact, motion) < -came_over * options.margin;
+            memory.touching = !memory.broken && !memory.beneath && (contact.tension > 0 || contact.gap < 0);
+        }
+    }
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const RelaxationContact& contact = list.contact[index];
+        if (list.memory[index].beneath) {
+            continue;
+        }
+        const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
+        const double shortest = std::min(bodies.shortest_edge[contact.block], bodies.shortest_edge[contact.other]);
+        if (-at.gap > list.worst_overlap * shortest && contact_weight(contact, at.position, -at.gap) > 0) {
+            list.worst_overlap = -at.gap / shortest;
         }
     }
     return list;

@@ -81,9 +81,11 @@ std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const RelaxationS
 
 std::optional<ContactName> deepest_contact(const Bodies& bodies, const RelaxationState& state) {
     std::optional<ContactName> deepest;
-    for (const RelaxationContact& contact : state.contacts.contact) {
+    for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
+        const RelaxationContact& contact = state.contacts.contact[index];
         const ContactPosition at = locate(contact, state.motion[contact.block], state.motion[contact.other]);
-        if (contact_weight(contact, at.position) > 0 && -at.gap > (deepest ? deepest->overlap : 0)) {
+        if (!state.contacts.memory[index].beneath && contact_weight(contact, at.position, -at.gap) > 0 &&
+            -at.gap > (deepest ? deepest->overlap : 0)) {
             deepest = ContactName{contact.block, contact.corner - bodies.range[contact.block].begin, contact.other,
                                   contact.edge - bodies.range[contact.other].begin, -at.gap};
         }

@@ -36,13 +36,14 @@ Response respond(const RelaxationContact& contact, const ContactPosition& at, Co
     const bool bonded = contact.tension > 0 && !memory.broken && memory.touching;
     memory.shear += at.slide - memory.place;
     memory.place = at.slide;
-    memory.touching = overlap > 0 || bonded;
+    memory.overlap = overlap;
+    memory.touching = (overlap > 0 && !memory.beneath) || bonded;
     memory.sliding = false;
-    if (overlap < -hair && !bonded) {
+    if (memory.beneath || (overlap < -hair && !bonded)) {
         memory.shear = 0;
         return response;
     }
-    const double weight = contact_weight(contact, at.position);
+    const double weight = contact_weight(contact, at.position, overlap);
     const Direction normal = direction(at.normal_x, at.normal_y, at);
     const Direction along = direction(at.along_x(), at.along_y(), at);
     const double pressing = contact.normal_stiffness * std::max(overlap, 0.0);

@@ -289,17 +289,18 @@ SceneFault check_start(const RelaxationScene& scene) {
         return deepest_in_settlements * lighter * gravity / stiffness + margin;
     };
     const ContactList list = find_contacts(scene, bodies, unmoved, none_removed, {margin, 0, true}, {});
-    for (const RelaxationContact& contact : list.contact) {
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const RelaxationContact& contact = list.contact[index];
         const ContactPosition at = locate(contact, unmoved[contact.block], unmoved[contact.other]);
-        if (contact_weight(contact, at.position) > 0 &&
+        if (!list.memory[index].beneath && contact_weight(contact, at.position, -at.gap) > 0 &&
             -at.gap > allowed(contact.block, contact.other, contact.normal_stiffness)) {
             return {SceneCheck::overlap_at_start, contact.block, contact.other};
         }
     }
     // Blocks that cross, or lie deep in each other, have no contacts.
     for (const auto& [first, second] : neighbouring_blocks(bodies, unmoved, none_removed, margin)) {
-        const double softest = std::min(softest_joint(scene, bodies, first), softest_joint(scene, bodies, second));
-        if (-distance_between(bodies, first, second) > allowed(first, second, softest)) {
+        const double stiffness = std::min(softest_joint(scene, bodies, first), softest_joint(scene, bodies, second));
+        if (-distance_between(bodies, first, second) > allowed(first, second, stiffness)) {
             return {SceneCheck::overlap_at_start, first, second};
         }
     }

@@ -150,7 +150,12 @@ void Simulation::follow_schedules() {
     }
     hold_blocks();
     for (const PrescribedMotion& motion : scene_.motion) {
-        prescribe(motion, bodies_, state_.time, state_.motion[motion.block]);
+        Motion& moved = state_.motion[motion.block];
+        const Motion before = moved;
+        prescribe(motion, bodies_, state_.time, moved);
+        state_.travelled += (std::abs(moved.vx - before.vx) + std::abs(moved.vy - before.vy) +
+                             std::abs(moved.spin - before.spin) * bodies_.radius[motion.block]) *
+                            state_.step;
     }
 }
 
@@ -164,8 +169,18 @@ void Simulation::book_springs_of_removed(std::size_t block) {
     }
 }
 
+double Simulation::fastest() const {
+    double speed = 0;
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        const Motion& motion = state_.motion[block];
+        speed =
+            std::max(speed, std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * bodies_.radius[block]);
+    }
+    return speed;
+}
+
 void Simulation::find_contacts_where_due() {
-    if (state_.travelled <= margin_ / 2) {
+    if (state_.travelled <= state_.contacts.margin / 2) {
         return;
     }
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
@@ -175,20 +190,26 @@ void Simulation::find_contacts_where_due() {
         state_.ledger.dashpots += memory.damping;
         add_base_slip(bodies_, state_.motion, contact, memory, state_.base_slip);
     }
+    // Whatever moves fast is seen coming some steps before it touches.
+    constexpr double steps_ahead = 8;
+    const double speed = fastest();
+    const double slowest = std::sqrt(shortest_edge(bodies_) / std::max(scene_.gravity.acceleration, 1e-3)) / 20;
+    const double last = state_.contacts.contact.empty() ? slowest : std::min(state_.step, slowest);
+    const double margin = std::max(margin_, steps_ahead * speed * last);
     state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
-                                    {margin_, settings_.viscous_damping, state_.searches == 0}, state_.contacts);
+                                    {margin, settings_.viscous_damping, state_.searches == 0}, state_.contacts);
     contact_forces_.renew(state_.contacts);
     state_.seen.assign(bodies_.size(), never_seen());
-    state_.travelled = 0;
     ++state_.searches;
     const double stable = stable_step(bodies_, state_.motion, state_.contacts);
     // Blocks in free flight still have to follow gravity and their neighbours-to-be.
-    const double slowest = std::sqrt(shortest_edge(bodies_) / std::max(scene_.gravity.acceleration, 1e-3)) / 20;
-    const double largest = std::min(settings_.step_fraction * stable, slowest);
+    const double seen_ahead = speed > 0 ? margin / (steps_ahead * speed) : slowest;
+    const double largest = std::min({settings_.step_fraction * stable, slowest, seen_ahead});
     state_.step = largest;
     if (settings_.time_step) {
         state_.step = *settings_.time_step / std::max(1.0, std::ceil(*settings_.time_step / largest));
     }
+    state_.travelled = speed * state_.step;
     if (state_.contacts.worst_overlap > settings_.overlap_limit) {
         state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::overlap_too_large);
     }

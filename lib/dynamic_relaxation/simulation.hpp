@@ -58,6 +58,7 @@ class Simulation {
     void hold_blocks();
     void follow_schedules();
     void book_springs_of_removed(std::size_t block);
+    double fastest() const;  // m/s, no point of any block is faster
     void find_contacts_where_due();
     void apply_contact_forces();
     void apply_loads();

@@ -35,7 +35,7 @@ struct RelaxationState {
     std::uint64_t steps = 0;
     std::uint64_t searches = 0;
     std::uint64_t contacts_evaluated = 0;
-    double travelled = 0;  // m, bound on any point's way since the last search
+    double travelled = 0;  // m, bound on any point's way since the last search, the next step's included
     std::vector<Motion> motion = {};
     std::vector<Motion> origin = {};       // at the start, after preloading
     std::vector<SeenPose> seen = {};       // where contacts were last evaluated for

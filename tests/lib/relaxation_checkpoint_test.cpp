@@ -150,7 +150,7 @@ TEST(RelaxationCheckpoint, PaddingDoesNotShow) {
     advance(run, 500);
     const RelaxationState& state = run.state();
     ASSERT_FALSE(state.contacts.memory.empty());
-    static_assert(sizeof(ContactMemory) > 7 * sizeof(double) + 3 * sizeof(bool), "it has padding");
+    static_assert(sizeof(ContactMemory) > 8 * sizeof(double) + 4 * sizeof(bool), "it has padding");
     RelaxationState copy = state;
     for (std::size_t index = 0; index < copy.contacts.memory.size(); ++index) {
         const ContactMemory& from = state.contacts.memory[index];
@@ -158,6 +158,7 @@ TEST(RelaxationCheckpoint, PaddingDoesNotShow) {
         std::memset(to, 0x5a, sizeof(ContactMemory));
         auto* memory = new (to) ContactMemory;
         memory->shear = from.shear;
+        memory->overlap = from.overlap;
         memory->slip = from.slip;
         memory->friction = from.friction;
         memory->damping = from.damping;
@@ -167,6 +168,7 @@ TEST(RelaxationCheckpoint, PaddingDoesNotShow) {
         memory->touching = from.touching;
         memory->sliding = from.sliding;
         memory->broken = from.broken;
+        memory->beneath = from.beneath;
     }
     EXPECT_EQ(checkpoint_of(one.scene, one.settings, copy), saved(run));
 }
