@@ -43,7 +43,7 @@ struct CriticalValue {
 struct CriticalProbe {
     RelaxationOutcome outcome;  // equilibrium stands; onset and collapse fail
     std::uint64_t steps;
-    std::uint64_t contacts_evaluated;
+    std::uint64_t contacts_evaluated = 0;
 };
 
 // Bisects between a bound at which the blocks should stand and one at which they should fail, either of which may be
