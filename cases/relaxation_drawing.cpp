@@ -141,12 +141,18 @@ Figure history_figure(const std::string& title, const std::string& y_title, cons
     figure.x.title = "cycle";
     figure.y.title = y_title;
     figure.y.unit = y_unit;
-    for (std::size_t index = 0; index < histories.size(); ++index) {
+    std::size_t colour = 0;
+    for (const HistoryOf& history : histories) {
         Line line;
-        line.legend = histories[index].legend;
-        line.colour = colours[index % colours.size()];
-        for (const HockingPrint& print : histories[index].result->prints) {
-            line.points.emplace_back(print.cycle, histories[index].value(print));
+        line.legend = history.legend;
+        if (history.clean && colour > 0) {
+            line.colour = colours[(colour - 1) % colours.size()];
+            line.dash = Dash::dashed;
+        } else {
+            line.colour = colours[colour++ % colours.size()];
+        }
+        for (const HockingPrint& print : history.result->prints) {
+            line.points.emplace_back(print.cycle, history.value(print));
         }
         figure.series.emplace_back(line);
     }

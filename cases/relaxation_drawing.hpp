@@ -33,6 +33,8 @@ struct HistoryOf {
     std::string legend = {};
     const HockingResult* result = nullptr;
     std::function<double(const HockingPrint&)> value = {};
+    // Of the clean engine: dashed, in the colour of the history before it.
+    bool clean = false;
 };
 
 Figure history_figure(const std::string& title, const std::string& y_title, const std::string& y_unit,

@@ -58,10 +58,25 @@ std::string difference_in_words(double difference) {
     return std::abs(difference) < 1e-9 ? "0" : number_in_words(difference);
 }
 
+namespace {
+
+bool names_clean_engine(const std::vector<PrintedRow>& rows) {
+    return std::ranges::any_of(rows, [](const PrintedRow& row) { return !row.clean.empty(); });
+}
+
+}  // namespace
+
 Table printed_table(const std::string& caption, const std::vector<PrintedRow>& rows) {
     Table table{caption, {{"quantity"}, {"printed", true}, {"computed", true}, {"difference", true}, {"remark"}}, {}};
+    const bool both = names_clean_engine(rows);
+    if (both) {
+        table.columns.insert(table.columns.begin() + 3, {"clean engine", true});
+    }
     for (const PrintedRow& row : rows) {
         table.rows.push_back({row.what, row.printed, row.computed, row.difference, row.remark});
+        if (both) {
+            table.rows.back().insert(table.rows.back().begin() + 3, row.clean);
+        }
     }
     return table;
 }
@@ -77,6 +92,25 @@ std::vector<std::pair<std::string, std::string>> reproducible() {
     return names;
 }
 
+namespace {
+
+std::vector<std::vector<std::string>> on_screen(const std::vector<PrintedRow>& rows) {
+    const bool both = names_clean_engine(rows);
+    std::vector<std::vector<std::string>> screen = {{"quantity", "printed", "computed", "difference"}};
+    if (both) {
+        screen.front().insert(screen.front().begin() + 3, "clean engine");
+    }
+    for (const PrintedRow& row : rows) {
+        screen.push_back({row.what, row.printed, row.computed, row.difference});
+        if (both) {
+            screen.back().insert(screen.back().begin() + 3, row.clean);
+        }
+    }
+    return screen;
+}
+
+}  // namespace
+
 ExitCode reproduce_command(const std::string& what, const Options& options) {
     const Stopwatch watch;
     const Chosen chosen = choose(what);
@@ -84,7 +118,7 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
     Report report{chosen.title, "The analysis of toppling failure using models and numerical methods", {}};
     Json json;
     json["status"] = "ok";
-    std::vector<std::vector<std::string>> screen = {{"quantity", "printed", "computed", "difference"}};
+    std::vector<PrintedRow> rows;
     for (const ReproductionItem* item : chosen.items) {
         Reproduction result;
         try {
@@ -96,9 +130,13 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
         }
         json[item->name] = result.json;
         for (const PrintedRow& row : result.rows) {
-            screen.push_back({row.what, row.printed, row.computed, row.difference});
-            json[item->name]["printed_and_computed"].push_back(
-                {{"what", row.what}, {"printed", row.printed}, {"computed", row.computed}, {"remark", row.remark}});
+            rows.push_back(row);
+            Json one = {
+                {"what", row.what}, {"printed", row.printed}, {"computed", row.computed}, {"remark", row.remark}};
+            if (!row.clean.empty()) {
+                one["clean_engine"] = row.clean;
+            }
+            json[item->name]["printed_and_computed"].push_back(one);
         }
     }
     Json source;
@@ -113,7 +151,7 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
     if (options.json) {
         std::cout << json_text(json);
     } else if (!options.quiet) {
-        std::cout << text_table(screen) << "report in " << (folder.path() / "report.html").string() << '\n';
+        std::cout << text_table(on_screen(rows)) << "report in " << (folder.path() / "report.html").string() << '\n';
     }
     return ExitCode::ok;
 }

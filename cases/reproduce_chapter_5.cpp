@@ -1,5 +1,6 @@
 // The thesis's chapter 5: what its items share, and single blocks. Rows of two in reproduce_double_blocks.cpp, the
 // blow-out in reproduce_blow_out.cpp, other rows and slopes in reproduce_block_rows.cpp.
+#include "cases/clean_chapter_5.hpp"
 #include "cases/relaxation_drawing.hpp"
 #include "cases/reproduction_chapter_5.hpp"
 #include "fitting/words.hpp"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace delabole {
 
@@ -28,43 +30,90 @@ std::string settled_in_words(const Chapter5Run& run, const HockingResult& result
     return pair_in_words(settled_cycles(result, 0));
 }
 
-HistoryOf history_of_x(const std::string& legend, const HockingResult& result) {
+HistoryOf history_of_x(const std::string& legend, const HockingResult& result, bool clean = false) {
     const double start = result.prints.front().blocks.front().centroid.x();
     return {legend, &result,
-            [start](const HockingPrint& print) { return (print.blocks.front().centroid.x() - start) * 1e6; }};
+            [start](const HockingPrint& print) { return (print.blocks.front().centroid.x() - start) * 1e6; }, clean};
 }
 
-// Histories of every twenty cycles, for figures.
-HockingResult fine_history(Chapter5Run run, int cycles) {
+// Marks the printed cycles after which CX no longer changes.
+Figure with_printed_rest(const std::vector<Chapter5Run>& runs, Figure figure) {
+    Points printed;
+    printed.legend = "printed: CX at rest";
+    printed.marker = Marker::filled_diamond;
+    printed.size = 1.6;
+    for (const Chapter5Run& run : runs) {
+        printed.points.emplace_back(run.printed_settled->x, 0);
+    }
+    figure.series.emplace_back(printed);
+    return figure;
+}
+
+// Every twenty cycles, for figures.
+Chapter5Run finely_printed(Chapter5Run run, int cycles) {
     run.settings.print_interval = 20;
     run.settings.cycles = cycles;
-    return delabole::run(run);
+    return run;
 }
+
+HockingResult fine_history(const Chapter5Run& run, int cycles) {
+    return delabole::run(finely_printed(run, cycles));
+}
+
+HockingResult fine_clean_history(const Chapter5Run& run, int cycles) {
+    return clean_history(finely_printed(run, cycles));
+}
+
+// Outcomes and counts of one block over shifted starts.
+struct ShiftedStarts {
+    int stand = 0;
+    int fail = 0;
+    int least = std::numeric_limits<int>::max();
+    int greatest = 0;
+
+    void include(const HockingResult& result) {
+        fail += result.outcome == HockingOutcome::failed ? 1 : 0;
+        if (result.outcome == HockingOutcome::settled) {
+            ++stand;
+            least = std::min(least, settled_cycles(result, 0).x);
+            greatest = std::max(greatest, settled_cycles(result, 0).x);
+        }
+    }
+    std::vector<std::string> words() const {
+        return {std::to_string(stand), std::to_string(fail),
+                stand > 0 ? std::to_string(least) + " to " + std::to_string(greatest) : ""};
+    }
+};
 
 // What the last typed digit of the coordinates does.
 Table last_digit_table() {
     constexpr unsigned starts = 50;
     Table table{"Single block, fixed inclination: coordinates shifted at random by one digit (1e-6 m), " +
                     std::to_string(starts) + " starts each",
-                {{"inclination"}, {"stand", true}, {"fail", true}, {"CX at rest", true}},
+                {{"inclination"},
+                 {"re-created: stand", true},
+                 {"fail", true},
+                 {"CX at rest", true},
+                 {"clean, dropped: stand", true},
+                 {"fail", true},
+                 {"CX at rest", true}},
                 {}};
     for (const Chapter5Run& run : fixed_inclination_runs()) {
         const std::vector<HockingBlock> blocks = make_blocks(run.columns);
-        int stand = 0;
-        int fail = 0;
-        int least = run.settings.cycles;
-        int greatest = 0;
+        ShiftedStarts recreated;
+        ShiftedStarts clean;
         for (unsigned seed = 1; seed <= starts; ++seed) {
-            const HockingResult result = run_hocking(perturbed(blocks, typed_digit, seed), run.settings);
-            fail += result.outcome == HockingOutcome::failed ? 1 : 0;
-            if (result.outcome == HockingOutcome::settled) {
-                ++stand;
-                least = std::min(least, settled_cycles(result, 0).x);
-                greatest = std::max(greatest, settled_cycles(result, 0).x);
+            const std::vector<HockingBlock> shifted = perturbed(blocks, typed_digit, seed);
+            recreated.include(run_hocking(shifted, run.settings));
+            clean.include(run_clean(run, shifted, RelaxationStart::dropped).history);
+        }
+        std::vector<std::string> row = {run.name};
+        for (const ShiftedStarts& one : {recreated, clean}) {
+            for (const std::string& word : one.words()) {
+                row.push_back(word);
             }
         }
-        table.rows.push_back({run.name, std::to_string(stand), std::to_string(fail),
-                              stand > 0 ? std::to_string(least) + " to " + std::to_string(greatest) : ""});
+        table.rows.push_back(row);
     }
     return table;
 }
@@ -84,7 +133,7 @@ Reproduction fixed_inclination(const ResultFolder& folder, Report& report) {
                                    pair_in_words(*run.printed_settled), pair_in_words(settled),
                                    std::to_string(settled.x - run.printed_settled->x) + " / " +
                                        std::to_string(settled.y - run.printed_settled->y),
-                                   ""});
+                                   "", settled_in_words(run, clean_history(run))});
         }
     }
     result.json["largest_difference_of_settled_cycles"] = largest;
@@ -99,10 +148,17 @@ Reproduction fixed_inclination(const ResultFolder& folder, Report& report) {
         {"Cycles after which CX / CY no longer change", "inclination", runs, printed_in_words, settled_in_words}));
     const HockingResult a = fine_history(runs[4], 6000);
     const HockingResult b = fine_history(runs[5], 6000);
-    report.blocks.emplace_back(
-        folder.draw(history_figure("Fig 5.7: transient oscillation", "CX, change since the start", "1e-6 m",
-                                   {history_of_x("18.1 deg", a), history_of_x("18.15 deg", b)}),
-                    "fig_5_7", "The first swing grows without limit as the critical inclination is approached."));
+    const HockingResult clean = fine_clean_history(runs[4], 6000);
+    report.blocks.emplace_back(folder.draw(
+        with_printed_rest(
+            {runs[4], runs[5]},
+            history_figure("Fig 5.7: transient oscillation", "CX, change since the start", "1e-6 m",
+                           {history_of_x("18.1 deg", a), history_of_x("18.1 deg, clean engine", clean, true),
+                            history_of_x("18.15 deg", b)})),
+        "fig_5_7",
+        "The first swing grows without limit as the critical inclination is approached. The clean engine's "
+        "own limit, dropped, is nearer to 18.1 deg, so that it swings farther there; at 18.15 deg it "
+        "falls."));
     const auto depth = [](const HockingResult& history) {
         double lowest = 0;
         for (const HockingPrint& print : history.prints) {
@@ -131,10 +187,16 @@ Reproduction fixed_inclination(const ResultFolder& folder, Report& report) {
         {"Fig 5.7: first swing at 18.15 deg over that at 18.1 deg", "almost twice", human_number(ratio, 3), "", ""});
     const HockingResult half = fine_history(runs[2], 3000);
     const HockingResult full = fine_history(runs[3], 3000);
-    report.blocks.emplace_back(
-        folder.draw(history_figure("Fig 5.8: effect of damping, 18 deg", "CX, change since the start", "1e-6 m",
-                                   {history_of_x("damping 0.5", half), history_of_x("damping 1", full)}),
-                    "fig_5_8", "Twice the damping halves the time to rest."));
+    const HockingResult clean_half = fine_clean_history(runs[2], 3000);
+    const HockingResult clean_full = fine_clean_history(runs[3], 3000);
+    report.blocks.emplace_back(folder.draw(
+        with_printed_rest(
+            {runs[2], runs[3]},
+            history_figure(
+                "Fig 5.8: effect of damping, 18 deg", "CX, change since the start", "1e-6 m",
+                {history_of_x("damping 0.5", half), history_of_x("damping 0.5, clean engine", clean_half, true),
+                 history_of_x("damping 1", full), history_of_x("damping 1, clean engine", clean_full, true)})),
+        "fig_5_8", "Twice the damping halves the time to rest."));
     return result;
 }
 
@@ -142,7 +204,11 @@ Reproduction fixed_inclination(const ResultFolder& folder, Report& report) {
 
 const std::vector<Scheme>& schemes() {
     static const std::vector<Scheme> all = {
-        {"re-created program", [](const Chapter5Run& one) { return delabole::run(one); }}};
+        {"re-created program", "", [](const Chapter5Run& one) { return delabole::run(one); }},
+        {"clean engine, dropped", "dropped", clean_history},
+        {"clean engine, preloaded", "preloaded",
+         [](const Chapter5Run& one) { return run_clean(one, exact_blocks(one), RelaxationStart::preloaded).history; }},
+    };
     return all;
 }
 
@@ -205,17 +271,28 @@ bool agrees(PrintedOutcome printed, const HockingResult& result) {
     return false;
 }
 
+void OutcomeCount::include(HockingOutcome outcome) {
+    ++runs;
+    stand += outcome == HockingOutcome::settled ? 1 : 0;
+    fail += outcome == HockingOutcome::failed ? 1 : 0;
+    blow_out += outcome == HockingOutcome::blown_out ? 1 : 0;
+    undecided += outcome == HockingOutcome::undecided ? 1 : 0;
+}
+
 OutcomeCount count_outcomes(const Chapter5Run& run, double unit, int runs) {
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);
     OutcomeCount count;
     for (int seed = 1; seed <= runs; ++seed) {
-        const HockingOutcome outcome =
-            run_hocking(perturbed(blocks, unit, static_cast<unsigned>(seed)), run.settings).outcome;
-        ++count.runs;
-        count.stand += outcome == HockingOutcome::settled ? 1 : 0;
-        count.fail += outcome == HockingOutcome::failed ? 1 : 0;
-        count.blow_out += outcome == HockingOutcome::blown_out ? 1 : 0;
-        count.undecided += outcome == HockingOutcome::undecided ? 1 : 0;
+        count.include(run_hocking(perturbed(blocks, unit, static_cast<unsigned>(seed)), run.settings).outcome);
+    }
+    return count;
+}
+
+OutcomeCount count_clean_outcomes(const Chapter5Run& run, RelaxationStart start, double unit, int runs) {
+    const std::vector<HockingBlock> blocks = make_blocks(run.columns);
+    OutcomeCount count;
+    for (int seed = 1; seed <= runs; ++seed) {
+        count.include(run_clean(run, perturbed(blocks, unit, static_cast<unsigned>(seed)), start).history.outcome);
     }
     return count;
 }
@@ -237,11 +314,20 @@ std::string in_words(const OutcomeCount& count) {
 void add_outcomes(const std::string& what, const std::vector<Chapter5Run>& runs, Reproduction& result) {
     for (const Chapter5Run& run : runs) {
         const HockingResult computed = delabole::run(run);
-        result.rows.push_back({what + ", " + run.name, in_words(run.printed), outcome_in_words(computed), "",
-                               statement(agrees(run.printed, computed))});
+        PrintedRow row = {what + ", " + run.name, in_words(run.printed), outcome_in_words(computed), "",
+                          statement(agrees(run.printed, computed))};
         result.json["outcomes"][what][run.name] = {{"printed", in_words(run.printed)},
                                                    {"computed", outcome_in_words(computed)},
                                                    {"agrees", agrees(run.printed, computed)}};
+        for (const Scheme& scheme : schemes()) {
+            const HockingResult other = scheme.compute(run);
+            result.json["outcomes_by_scheme"][scheme.name][what][run.name] = {{"computed", outcome_in_words(other)},
+                                                                              {"agrees", agrees(run.printed, other)}};
+            if (&scheme != &schemes().front()) {
+                row.clean += (row.clean.empty() ? "" : "; ") + scheme.brief + " " + outcome_in_words(other);
+            }
+        }
+        result.rows.push_back(row);
     }
 }
 
@@ -251,17 +337,22 @@ Reproduction reproduce_fig_5_5(const ResultFolder& folder, Report& report) {
                 {{"cycles for a degree", true},
                  {"gravity turned: by 1 deg", true},
                  {"by 10 deg", true},
+                 {"clean: by 1 deg", true},
+                 {"by 10 deg", true},
                  {"base turned: by 1 deg", true},
+                 {"by 10 deg", true},
+                 {"clean: by 1 deg", true},
                  {"by 10 deg", true}},
                 {}};
     for (const int cycles : {50, 100, 200, 500, 2000}) {
         std::vector<double> tilts;
         for (const TiltedPart part : {TiltedPart::gravity, TiltedPart::base}) {
             const Chapter5Run run = horizontal_start_run(part, cycles);
-            const HockingResult computed = delabole::run(run);
-            for (const double rotation : {1.0, 10.0}) {
-                const auto cycle = cycle_of_rotation(run, computed, 0, degrees(rotation));
-                tilts.push_back(cycle ? print_at(computed, *cycle).tilt / degrees(1) : std::nan(""));
+            for (const HockingResult& computed : {delabole::run(run), clean_history(run)}) {
+                for (const double rotation : {1.0, 10.0}) {
+                    const auto cycle = cycle_of_rotation(run, computed, 0, degrees(rotation));
+                    tilts.push_back(cycle ? print_at(computed, *cycle).tilt / degrees(1) : std::nan(""));
+                }
             }
         }
         std::vector<std::string> row = {std::to_string(cycles)};
@@ -269,11 +360,13 @@ Reproduction reproduce_fig_5_5(const ResultFolder& folder, Report& report) {
             row.push_back(human_number(tilt, 4));
         }
         table.rows.push_back(row);
-        result.json["tilt_deg_at_1_deg"][std::to_string(cycles)] = {{"gravity", tilts[0]}, {"base", tilts[2]}};
+        result.json["tilt_deg_at_1_deg"][std::to_string(cycles)] = {
+            {"gravity", tilts[0]}, {"base", tilts[4]}, {"clean_gravity", tilts[2]}, {"clean_base", tilts[6]}};
         result.rows.push_back(
             {"tilted from the horizontal, 1 deg in " + std::to_string(cycles) + " cycles: turned by 1 deg",
-             "very unstable", human_number(tilts[2], 4) + " deg (base turned)",
-             human_number(tilts[0], 4) + " deg (gravity turned)", "18.43 deg by equilibrium"});
+             "very unstable", human_number(tilts[4], 4) + " deg (base turned)",
+             human_number(tilts[0], 4) + " deg (gravity turned)", "18.43 deg by equilibrium",
+             human_number(tilts[6], 4) + " deg (base turned)"});
     }
     report.blocks.emplace_back(Heading{"Fig 5.5: tilting from the horizontal"});
     report.blocks.emplace_back(Paragraph{
@@ -285,10 +378,11 @@ Reproduction reproduce_fig_5_5(const ResultFolder& folder, Report& report) {
     report.blocks.emplace_back(table);
     const Chapter5Run shown = horizontal_start_run(TiltedPart::base, 100);
     const HockingResult computed = delabole::run(shown);
+    const HockingResult clean = clean_history(shown);
+    const auto rotation = [&](const HockingPrint& print) { return rotation_in(shown, print, 0) / degrees(1); };
     report.blocks.emplace_back(folder.draw(
-        history_figure(
-            "Fig 5.5: base turned by 1 deg in 100 cycles", "rotation relative to the base", "deg",
-            {{"", &computed, [&](const HockingPrint& print) { return rotation_in(shown, print, 0) / degrees(1); }}}),
+        history_figure("Fig 5.5: base turned by 1 deg in 100 cycles", "rotation relative to the base", "deg",
+                       {{"re-created program", &computed, rotation}, {"clean engine", &clean, rotation, true}}),
         "fig_5_5_history", "The block rocks long before its static limit."));
     report.blocks.emplace_back(folder.draw(
         frames_figure("Fig 5.5: base turned by 1 deg in 100 cycles", shown, computed, {0, 1000, 1500, 2000, 3300}),
@@ -330,11 +424,14 @@ ReproductionChapter chapter_5() {
             {"fig5.12", "two blocks of a/b = 3, 5, 10: when backward sliding begins", reproduce_fig_5_12},
             {"fig5.13", "two blocks of a/b = 7: why the program blew out at cycle 677", reproduce_fig_5_13},
             {"observations", "two blocks: stiffness, time step and damping", reproduce_observations},
+            {"thresholds", "stiffness, step, damping and start: at which tilt one and two blocks fail",
+             reproduce_thresholds},
             {"triple_blocks", "three blocks (i)-(iv) with Fig 5.14", reproduce_triple_blocks},
             {"quadruple_blocks", "four blocks, Tables 5.1 to 5.5, Fig 5.15, and how far they are reproducible",
              reproduce_quadruple_blocks},
             {"fig5.16", "nine columns on a plane base", reproduce_fig_5_16},
             {"fig5.17", "eight columns on a stepped base, five friction angles", reproduce_fig_5_17},
+            {"onset", "the stepped base well resolved: onset against stiffness", reproduce_onset},
         }};
 }
 

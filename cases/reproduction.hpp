@@ -16,6 +16,7 @@ struct PrintedRow {
     std::string computed;
     std::string difference;
     std::string remark;
+    std::string clean = {};  // by the clean engine, where `computed` is by the re-created program of chapter 5
 };
 
 struct Reproduction {

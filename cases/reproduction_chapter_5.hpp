@@ -3,6 +3,7 @@
 
 #include "cases/reproduction.hpp"
 #include "dynamic_relaxation/hocking/chapter_5.hpp"
+#include "dynamic_relaxation/settings.hpp"
 
 #include <functional>
 #include <string>
@@ -13,6 +14,7 @@ namespace delabole {
 // How a run of chapter 5 is computed; every table has a column for each scheme.
 struct Scheme {
     std::string name;
+    std::string brief;  // of the clean engine: how it starts
     std::function<HockingResult(const Chapter5Run&)> compute;
 };
 
@@ -41,9 +43,12 @@ struct OutcomeCount {
     int fail = 0;
     int blow_out = 0;
     int undecided = 0;
+
+    void include(HockingOutcome outcome);
 };
 
 OutcomeCount count_outcomes(const Chapter5Run& run, double unit, int runs);
+OutcomeCount count_clean_outcomes(const Chapter5Run& run, RelaxationStart start, double unit, int runs);
 std::string in_words(const OutcomeCount& count);
 
 // Every run's outcome beside the printed one, also for result.json.
@@ -56,6 +61,8 @@ Reproduction reproduce_double_blocks(const ResultFolder& folder, Report& report)
 Reproduction reproduce_fig_5_12(const ResultFolder& folder, Report& report);
 Reproduction reproduce_observations(const ResultFolder& folder, Report& report);
 
+Reproduction reproduce_thresholds(const ResultFolder& folder, Report& report);
+
 Reproduction reproduce_fig_5_13(const ResultFolder& folder, Report& report);
 
 Reproduction reproduce_triple_blocks(const ResultFolder& folder, Report& report);
@@ -63,5 +70,6 @@ Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& repo
 
 Reproduction reproduce_fig_5_16(const ResultFolder& folder, Report& report);
 Reproduction reproduce_fig_5_17(const ResultFolder& folder, Report& report);
+Reproduction reproduce_onset(const ResultFolder& folder, Report& report);
 
 }  // namespace delabole

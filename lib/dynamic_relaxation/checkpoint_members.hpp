@@ -31,7 +31,7 @@ DELABOLE_MEMBERS(RelaxationContact, block, other, corner, edge, arm, edge_start,
                  shear_stiffness, normal_dashpot, shear_dashpot, friction, residual_friction, cohesion, tension, twin)
 DELABOLE_MEMBERS(ContactMemory, shear, place, overlap, slip, friction, damping, normal_drag, shear_drag, touching,
                  sliding, broken, beneath)
-DELABOLE_MEMBERS(ContactForce, x, y, moment, other_moment)
+DELABOLE_MEMBERS(ForceOnCorner, x, y, moment, other_moment)
 DELABOLE_MEMBERS(ContactList, contact, memory, force, margin, worst_overlap)
 DELABOLE_MEMBERS(SeenPose, x, y, angle)
 DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, dashpots, local_damping,

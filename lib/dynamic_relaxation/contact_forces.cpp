@@ -136,7 +136,7 @@ void ContactForces::sum_all(const ContactList& list) {
     std::fill(force_.begin(), force_.end(), BlockForce{});
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         const RelaxationContact& contact = list.contact[index];
-        const ContactForce& force = list.force[index];
+        const ForceOnCorner& force = list.force[index];
         BlockForce& own = force_[contact.block];
         own.x += force.x;
         own.y += force.y;
@@ -158,7 +158,7 @@ BlockForce ContactForces::sum_of(std::size_t block, const ContactList& list) con
     BlockForce sum;
     for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
         const RelaxationContact& contact = list.contact[of_block_[entry]];
-        const ContactForce& force = list.force[of_block_[entry]];
+        const ForceOnCorner& force = list.force[of_block_[entry]];
         if (contact.block == block) {
             sum.x += force.x;
             sum.y += force.y;

@@ -81,8 +81,8 @@ inline double contact_weight(const RelaxationContact& contact, double position, 
 }
 
 // Advances the memory by one step and gives the force at its end. Velocities are those that led here, half a step ago.
-inline ContactForce advance_contact(const RelaxationContact& contact, ContactMemory& memory, const ContactMemory* twin,
-                                    const Motion& block, const Motion& other, double step) {
+inline ForceOnCorner advance_contact(const RelaxationContact& contact, ContactMemory& memory, const ContactMemory* twin,
+                                     const Motion& block, const Motion& other, double step) {
     const ContactPosition at = locate(contact, block, other);
     const double overlap = -at.gap;
     if (!memory.touching) {
@@ -156,7 +156,7 @@ inline ContactForce advance_contact(const RelaxationContact& contact, ContactMem
     memory.normal_drag = weight * (damped - normal);
     memory.damping -= step / 2 * (memory.normal_drag * opening + memory.shear_drag * shearing);
     normal = damped;
-    ContactForce force;
+    ForceOnCorner force;
     force.x = weight * (at.normal_x * normal + at.along_x() * shear);
     force.y = weight * (at.normal_y * normal + at.along_y() * shear);
     force.moment = at.arm_x * force.y - at.arm_y * force.x;

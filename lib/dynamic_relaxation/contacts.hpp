@@ -64,7 +64,7 @@ struct ContactMemory {
     bool beneath = false;
 };
 
-struct ContactForce {
+struct ForceOnCorner {
     double x = 0;  // on the corner's block, N/m; the other gets the opposite
     double y = 0;
     double moment = 0;        // N, about the centroid of the corner's block
@@ -74,9 +74,9 @@ struct ContactForce {
 struct ContactList {
     std::vector<RelaxationContact> contact = {};
     std::vector<ContactMemory> memory = {};
-    std::vector<ContactForce> force = {};  // when last evaluated
-    double margin = 0;                     // the list holds until blocks have moved by half of this
-    double worst_overlap = 0;              // greatest found, in shortest edges of the two blocks
+    std::vector<ForceOnCorner> force = {};  // when last evaluated
+    double margin = 0;                      // the list holds until blocks have moved by half of this
+    double worst_overlap = 0;               // greatest found, in shortest edges of the two blocks
 };
 
 struct SearchOptions {

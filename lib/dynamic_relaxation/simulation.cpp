@@ -111,8 +111,12 @@ void Simulation::begin() {
     find_contacts_where_due();
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
         const RelaxationContact& contact = state_.contacts.contact[index];
-        state_.elastic_at_start += elastic_energy(contact, state_.contacts.memory[index], state_.motion[contact.block],
-                                                  state_.motion[contact.other]);
+        ContactMemory memory = state_.contacts.memory[index];
+        if (settings_.start != RelaxationStart::preloaded && contact.gap < 0) {
+            memory.touching = true;  // drawn with an overlap: its spring is compressed before the first step
+        }
+        state_.elastic_at_start +=
+            elastic_energy(contact, memory, state_.motion[contact.block], state_.motion[contact.other]);
     }
 }
 

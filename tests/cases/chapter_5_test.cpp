@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
+#include <string>
 
 namespace delabole {
 namespace {
@@ -23,7 +25,7 @@ class Chapter5 : public ::testing::Test {
         Options options;
         options.out = path_.string();
         options.quiet = true;
-        const ResultFolder folder(options, name);
+        const ResultFolder folder(options, name, OnInterrupt::finish);
         Report report;
         return item->reproduce(folder, report);
     }
@@ -47,6 +49,41 @@ TEST_F(Chapter5, SingleBlocks) {
     // "Almost twice" for the period; the amplitude grows less.
     EXPECT_NEAR(json["period_ratio_18.15_to_18.1"].get<double>(), 2, 0.25);
     EXPECT_GT(json["amplitude_ratio_18.15_to_18.1"].get<double>(), 1.3);
+    // The clean engine: dropped, it rocks past its limit from 18.12 deg on, so that only the run at 18.15 deg differs
+    // from the printed; preloaded, it stands below 18.43 deg, whatever fails there in the thesis.
+    const Json& dropped = json["outcomes_by_scheme"]["clean engine, dropped"]["single block"];
+    for (const auto& [name, outcome] : dropped.items()) {
+        EXPECT_EQ(outcome["agrees"].get<bool>(), name != "18.15 deg") << name;
+    }
+    for (const Json& outcome : json["outcomes_by_scheme"]["clean engine, preloaded"]["single block"]) {
+        EXPECT_EQ(outcome["computed"].get<std::string>(), "stands");
+    }
+    // The base turned, which lifts the block: every printed outcome.
+    EXPECT_TRUE(all_agree(json["outcomes_by_scheme"]["clean engine, preloaded"]["single block, base turned"]));
+}
+
+TEST_F(Chapter5, CleanThresholds) {
+    const Json json = reproduce("thresholds").json;
+    // Bisected to 0.002 deg.
+    EXPECT_LT(json["farthest_from_law_deg"].get<double>(), 0.002);
+    // No knob of the integration changes where a preloaded block fails; the step does not where it is dropped.
+    EXPECT_LT(json["preloaded_spread_deg"].get<double>(), 0.002);
+    EXPECT_LT(json["dropped_spread_by_step_deg"].get<double>(), 0.004);
+    const Json& by_stiffness = json["threshold_deg"];
+    // What is lost by dropping falls with the root of the stiffness: 10 from 1e6 to 100e6 N/m; each is bisected to
+    // 0.002 deg of 0.08 deg.
+    const auto lost = [&](const std::string& stiffness) {
+        return std::atan(1.0 / 3) * 180 / std::numbers::pi - by_stiffness[stiffness]["one_dropped"].get<double>();
+    };
+    EXPECT_NEAR(lost("1e6") / lost("100e6"), 10, 0.5);
+    // Two blocks help each other only on stiff joints: 18.629 deg by equilibrium.
+    EXPECT_NEAR(by_stiffness["6e6"]["two_preloaded"].get<double>(), by_stiffness["6e6"]["law"].get<double>(), 0.01);
+    EXPECT_NEAR(by_stiffness["1000e6"]["two_preloaded"].get<double>(), 18.629, 0.03);
+    double last = 0;
+    for (const Json& one : by_stiffness) {
+        EXPECT_GT(one["two_dropped"].get<double>(), last);  // stiffer stands longer
+        last = one["two_dropped"].get<double>();
+    }
 }
 
 TEST_F(Chapter5, BlowOut) {
@@ -66,6 +103,14 @@ TEST_F(Chapter5, BlowOut) {
     for (const Json& count : json["over_inclinations"]["slots per face"]) {
         EXPECT_EQ(count.get<int>(), 0);
     }
+    ASSERT_EQ(json["random_starts"].size(), 4U);
+    for (const Json& starts : json["random_starts"]) {
+        EXPECT_GT(starts["re-created"].get<int>(), 0);
+        EXPECT_EQ(starts["clean"].get<int>(), 0);
+        // Issue 4 asks for 2 %.
+        EXPECT_LT(starts["energy_error"].get<double>(), 0.02);
+        EXPECT_LT(starts["largest_speed_m_per_s"].get<double>(), starts["speed_of_fall_m_per_s"].get<double>());
+    }
 }
 
 TEST_F(Chapter5, FourBlocks) {
@@ -77,6 +122,22 @@ TEST_F(Chapter5, FourBlocks) {
     for (const Json& cycle : json["first_different_print"]) {
         EXPECT_GT(cycle.get<int>(), 0);
     }
+    // The clean engine's histories do not hang on the last bit, so the senses are its answer: nineteen of twenty.
+    for (const Json& cycle : json["first_different_print_of_clean"]) {
+        EXPECT_EQ(cycle.get<int>(), 0);
+    }
+    EXPECT_GE(json["clean_senses_as_printed"].get<int>(), 18);
+}
+
+TEST_F(Chapter5, ThreeBlocksByTheCleanEngine) {
+    const Json json = reproduce("triple_blocks").json["clean"];
+    ASSERT_EQ(json.size(), 4U);
+    for (const Json& run : json) {
+        // "Block (1) always slid forward. Block (3) preferred backward sliding."
+        EXPECT_GT(run[0]["forward"].get<int>(), 0);
+        EXPECT_EQ(run[0]["backward"].get<int>(), 0);
+        EXPECT_GT(run[2]["backward"].get<int>(), run[2]["forward"].get<int>());
+    }
 }
 
 TEST_F(Chapter5, Slopes) {
@@ -86,6 +147,27 @@ TEST_F(Chapter5, Slopes) {
     const Json stepped = reproduce("fig5.17").json;
     EXPECT_TRUE(all_agree(stepped["outcomes"]["stepped base, friction"]));
     EXPECT_TRUE(std::ranges::all_of(stepped["behaves_as_printed"], [](const Json& one) { return one.get<bool>(); }));
+    EXPECT_TRUE(plane["clean_as_printed"].get<bool>());
+    EXPECT_TRUE(plane["clean_crack_at_16_deg"].get<bool>());
+    // All five printed outcomes where columns are dropped; none thrown off the steps as they climb the risers.
+    EXPECT_TRUE(all_agree(stepped["outcomes_by_scheme"]["clean engine, dropped"]["stepped base, friction"]));
+    for (const Json& one : stepped["clean_behaves_as_printed"]) {
+        EXPECT_TRUE(one.get<bool>());
+    }
+}
+
+TEST_F(Chapter5, OnsetConvergesToEquilibrium) {
+    const Json json = reproduce("onset").json;
+    const Json& onset = json["onset_deg"];
+    for (std::size_t index = 1; index < onset.size(); ++index) {
+        EXPECT_LE(onset[index].get<double>(), onset[index - 1].get<double>() + 0.005);  // bisected to 0.005 deg
+    }
+    // Appendix A: 41.14 deg. At k b/W = 1e7 compliance is left with some hundredths of a degree.
+    EXPECT_NEAR(onset.back().get<double>(), 41.14, 0.05);
+    // The thesis's soft blocks: its bracket where they are dropped, lower where preloaded.
+    EXPECT_GT(json["inches_dropped_deg"].get<double>(), 42);
+    EXPECT_LT(json["inches_dropped_deg"].get<double>(), 44);
+    EXPECT_LT(json["inches_preloaded_deg"].get<double>(), 42);
 }
 
 TEST_F(Chapter5, BackwardSlidingBeginsEarlierInTallColumns) {
