@@ -13,7 +13,7 @@ std::vector<CornerForce> corner_forces(const Bodies& bodies, const RelaxationSta
         const RelaxationContact& contact = state.contacts.contact[index];
         const ContactMemory& memory = state.contacts.memory[index];
         const ContactPosition at = locate(contact, state.motion[contact.block], state.motion[contact.other]);
-        const double weight = contact_weight(contact, at.position);
+        const double weight = contact_weight(contact, at.position, -at.gap);
         if (!memory.touching || !(weight > 0)) {
             continue;
         }
