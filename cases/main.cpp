@@ -53,10 +53,14 @@ void add_output(CLI::App& command, Options& options) {
         ->type_name("DIR");
 }
 
-void add_loops(CLI::App& command, Options& options) {
+void add_threads(CLI::App& command, Options& options) {
     command.add_option("--threads", options.threads, "Threads to use; the result does not depend on their number")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
+}
+
+void add_loops(CLI::App& command, Options& options) {
+    add_threads(command, options);
     command.add_option("--seed", options.seed, "Replace the seed of the case")->check(is_seed)->type_name("N");
 }
 
@@ -111,6 +115,15 @@ struct Program {
         add_loops(*fit, options);
         fit->footer(example("delabole fit cases/delabole_1967.toml --out results/delabole_1967"));
         fit->callback([this] { chosen = [this] { return delabole::fit_command(one_case, options); }; });
+
+        CLI::App* trade = app.add_subcommand(
+            "trade", "Accuracy against cost of a dynamic relaxation: its critical value over the numerical knobs");
+        trade->add_option("CASE", one_case, "Case file of model relaxation with a [critical] section")->required();
+        add_common(*trade, options);
+        add_output(*trade, options);
+        add_threads(*trade, options);
+        trade->footer(example("delabole trade cases/relaxation/single_block.toml"));
+        trade->callback([this] { chosen = [this] { return delabole::trade_command(one_case, options); }; });
     }
 
     void add_case_tools() {

@@ -40,6 +40,7 @@ CriticalValue find_critical(const std::function<CriticalProbe(double)>& probe, d
         critical.last = value;
         ++critical.runs;
         critical.steps += run.steps;
+        critical.contacts_evaluated += run.contacts_evaluated;
         if (const auto status = no_answer(run.outcome)) {
             critical.status = *status;
             return std::nullopt;

@@ -35,6 +35,7 @@ struct CriticalValue {
     double last = 0;    // value of the last run: the one that ended the search where it was not found
     std::uint64_t runs = 0;
     std::uint64_t steps = 0;
+    std::uint64_t contacts_evaluated = 0;
 
     double value() const { return (stands + fails) / 2; }
 };
@@ -42,6 +43,7 @@ struct CriticalValue {
 struct CriticalProbe {
     RelaxationOutcome outcome;  // equilibrium stands; onset and collapse fail
     std::uint64_t steps;
+    std::uint64_t contacts_evaluated = 0;
 };
 
 // Bisects between a bound at which the blocks should stand and one at which they should fail, either of which may be

@@ -25,7 +25,7 @@ Quality quality_of(const RelaxationStudy& study) {
     case RelaxationQuality::draft:
         return {0.5, 1e5, 1e-5};
     case RelaxationQuality::reference:
-        return {0.2, 3e7, 1e-7};
+        return {0.4, 1e8, 1e-7};
     case RelaxationQuality::standard:
         break;
     }
@@ -177,12 +177,15 @@ void allow_for_turned_base(const RelaxationStudy& study, RelaxationSettings& set
 
 }  // namespace
 
+double stiffness_ratio_of(const RelaxationStudy& study) {
+    return study.settings.value_or(RelaxationNumerics{}).stiffness_ratio.value_or(quality_of(study).stiffness_ratio);
+}
+
 RelaxationScene relaxation_scene(const RelaxationStudy& study) {
     const Relaxation& model = study.model;
     RelaxationScene scene = std::visit([](const auto& blocks) { return blocks_of(blocks); }, model.scene);
     scene.gravity.acceleration = model.gravity.value_or(scene.gravity.acceleration);
-    stiffen(scene,
-            study.settings.value_or(RelaxationNumerics{}).stiffness_ratio.value_or(quality_of(study).stiffness_ratio));
+    stiffen(scene, stiffness_ratio_of(study));
     if (model.tilting) {
         apply_tilting(scene, *model.tilting);
     }

@@ -137,11 +137,15 @@ RelaxationAnswer answer_of(const RelaxationResult& result) {
     return answer;
 }
 
+double bracket_width(const CriticalRequest& request) {
+    return request.tolerance.value_or(standard_tolerance);
+}
+
 CriticalValue find_critical(const RelaxationStudy& study, const RelaxationWatch& watch) {
     const CriticalRequest& request = *study.critical;
     const RelaxationScene scene = relaxation_scene(study);
     const RelaxationSettings settings = search_settings(study);
-    const double tolerance = request.tolerance.value_or(standard_tolerance);
+    const double tolerance = bracket_width(request);
     const double expected_runs = 2 + std::ceil(std::log2(std::max(2.0, (request.upper - request.lower) / tolerance)));
     double runs = 0;
     const auto probe = [&](double value) -> CriticalProbe {
@@ -152,7 +156,7 @@ CriticalValue find_critical(const RelaxationStudy& study, const RelaxationWatch&
                        watch((runs + state.time / settings.duration) / expected_runs);
             });
         ++runs;
-        return {result.outcome, result.cost.steps};
+        return {result.outcome, result.cost.steps, result.cost.contacts_evaluated};
     };
     const bool stands_low = request.parameter == CriticalParameter::tilt;
     return find_critical(probe, stands_low ? request.lower : request.upper, stands_low ? request.upper : request.lower,

@@ -16,7 +16,9 @@
 
 namespace delabole {
 
-// Step fraction, stiffness ratio and equilibrium ratio together: 0.5, 1e5, 1e-5; 0.4, 1e6, 1e-6; 0.2, 3e7, 1e-7.
+// Step fraction, stiffness ratio and equilibrium ratio together: 0.5, 1e5, 1e-5; 0.4, 1e6, 1e-6; 0.4, 1e8, 1e-7. Chosen
+// by `delabole trade`: of a preloaded start the stiffness alone decides the critical value, and steps of 0.1 to 0.6 of
+// the stable one give the same bracket.
 enum class RelaxationQuality { draft, standard, reference };
 
 constexpr std::array<std::string_view, 3> enum_names(RelaxationQuality) {
@@ -136,6 +138,8 @@ struct RelaxationStudy {
 
 RelaxationScene relaxation_scene(const RelaxationStudy& study);
 RelaxationSettings relaxation_settings(const RelaxationStudy& study);
+// That of the settings, or of their quality. Joints that give their own stiffness do not follow it.
+double stiffness_ratio_of(const RelaxationStudy& study);
 
 struct EnergyAnswer {
     double applied;
@@ -232,6 +236,9 @@ enum class KeepFrames { no, yes };
 RelaxationRun run(const RelaxationStudy& study, const RelaxationWatch& watch = {}, KeepFrames frames = KeepFrames::no);
 
 RelaxationAnswer answer_of(const RelaxationResult& result);
+
+// rad; of the final bracket, at most
+double bracket_width(const CriticalRequest& request);
 
 // The search of `critical`, which must be there.
 CriticalValue find_critical(const RelaxationStudy& study, const RelaxationWatch& watch = {});

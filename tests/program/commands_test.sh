@@ -79,6 +79,37 @@ expect_error 'good.toml: fit: the case has no [fit] section'
 expect_one_line_of_error
 expect "no folder" refuse test -e none
 
+title "trade"
+delabole trade "$source_folder/cases/relaxation/single_block.toml" --set 'critical.tolerance=0.1 deg'
+expect_status 0
+expect_output 'Errors are differences from 18.434949 deg'
+expect_output 'report in results/single_block/report.html'
+expect_complete_results results/single_block
+expect_only_numbers results/single_block
+expect_figures results/single_block 1
+expect_result_is_newest results/single_block
+expect "status" test "$(json_value results/single_block/result.json status)" == '"finished"'
+expect "a line for each setting" test "$(wc -l <results/single_block/trade.csv)" -ge 30
+expect "some on the front" grep -q ',yes,' results/single_block/trade.csv
+
+title "trade without an expected value takes the finest setting for it, and says so"
+sed '/^\[\[expect\]\]/,$d' "$source_folder/cases/relaxation/single_block.toml" >unexpected.toml
+delabole trade unexpected.toml --set 'critical.tolerance=0.1 deg'
+expect_status 0
+expect_output 'what the finest setting found, for want of an [[expect]] of critical_tilt'
+
+title "trade needs a relaxation with a [critical] section"
+delabole trade good.toml --out none
+expect_status 3
+expect_error 'good.toml:2:9: model: is plane_failure: only a relaxation has numerical settings'
+expect_one_line_of_error
+sed '/^\[critical\]/,$d' "$source_folder/cases/relaxation/single_block.toml" >uncritical.toml
+delabole trade uncritical.toml --out none
+expect_status 3
+expect_error 'uncritical.toml: critical: the case has no [critical] section'
+expect_one_line_of_error
+expect "no folder" refuse test -e none
+
 title "reproduce: all of the thesis, or one part"
 delabole reproduce
 expect_status 0

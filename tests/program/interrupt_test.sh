@@ -166,6 +166,21 @@ expect_error 'delabole: interrupted, 0 of 1 cases were analysed'
 expect "soon: far sooner than the whole run" test "$waited" -lt 3000
 expect "no result folder" refuse test -e long
 
+title "Ctrl-C in a trade of accuracy against cost: what is finished is written"
+# Brackets of a billionth of a degree and steps of a fine setting: far longer than the test waits.
+setsid "$program" trade "$source_folder/cases/relaxation/two_blocks_3.toml" --set 'critical.tolerance=1e-9 deg' \
+    --out traded >"$scratch/out" 2>"$scratch/err" </dev/null &
+child=$!
+wait_until grep -qE '^[0-9]+ %: [1-9][0-9]* of [0-9]+ settings, [0-9]+ (s|min|h) left' "$scratch/err"
+kill -s INT -- "-$child"
+wait_for_child
+echo "  ended after $waited ms"
+expect_status 4
+expect_error 'delabole: interrupted: '
+expect_complete_results traded
+expect "marked in result.json" test "$(json_value traded/result.json status)" == '"interrupted"'
+expect "the settings that were finished" test "$(wc -l <traded/trade.csv)" -ge 2
+
 title "progress as plain lines where there is no terminal, none when quiet"
 rm "$scratch/err"
 setsid "$program" "${long_fit[@]}" --out lines >"$scratch/out" 2>"$scratch/err" </dev/null &

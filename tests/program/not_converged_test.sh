@@ -27,6 +27,11 @@ sed 's/^name = "water.water_depth"/name = "failure_plane.dip"/;s/^lower = "0 m"/
     good_fit.toml >impossible_fit.toml
 not_converged "no valid point" no_valid_point "a mechanism has no valid geometry" fit impossible_fit.toml
 
+# It stands at every tilt that is tried.
+not_converged "a search that finds nothing" nothing_to_compare "no setting has both an answer" \
+    trade "$source_folder/cases/relaxation/single_block.toml" --set critical.upper='12 deg' \
+    --set critical.tolerance='1 deg' --quiet
+
 title "the same with enough"
 delabole fit good_fit.toml --out results
 expect_status 0

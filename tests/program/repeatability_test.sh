@@ -79,6 +79,16 @@ for table in threads1/*.csv; do
     expect "$table is the same" cmp "$table" "threads2/$(basename "$table")"
 done
 
+title "trade with one thread and with two"
+for threads in 1 2; do
+    delabole trade "$source_folder/cases/relaxation/single_block.toml" --set 'critical.tolerance=0.1 deg' \
+        --threads "$threads" --out "trade$threads" --quiet
+    expect_status 0
+done
+same_but_for '"threads": ' trade1/result.json trade2/result.json
+# The last column is the wall time.
+expect "the table is the same" cmp <(sed 's/,[^,]*$//' trade1/trade.csv) <(sed 's/,[^,]*$//' trade2/trade.csv)
+
 title "the same seed twice, then the case's own given as an option"
 for round in 1 2; do
     delabole fit good_fit.toml --seed 11 --out "seed$round" --quiet

@@ -30,6 +30,7 @@ misused rnu good.toml
 misused --colour
 misused run
 misused fit
+misused trade
 misused check
 misused show
 misused init
@@ -42,6 +43,8 @@ misused fit good_fit.toml --seed -1
 misused fit good_fit.toml --seed 1.5
 misused fit good_fit.toml --seed 99999999999999999999999
 misused fit good_fit.toml good_fit.toml
+misused trade good.toml --seed 1
+misused trade good.toml --threads 0
 misused run good.toml --threads 2
 misused init plane_falure
 expect_error 'did you mean plane_failure?'

@@ -1,0 +1,143 @@
+// delabole trade
+#include "cases/case_error.hpp"
+#include "cases/case_writer.hpp"
+#include "cases/commands.hpp"
+#include "cases/impossible_case.hpp"
+#include "cases/inputs_report.hpp"
+#include "cases/interrupt.hpp"
+#include "cases/progress.hpp"
+#include "cases/relaxation_trade.hpp"
+#include "cases/trade_report.hpp"
+#include "dynamic_relaxation/scene_check.hpp"
+
+#include <iostream>
+
+namespace delabole {
+
+namespace {
+
+const RelaxationStudy& study_of(const CaseFile& file) {
+    const auto* study = std::get_if<RelaxationStudy>(&file.model);
+    if (study == nullptr) {
+        throw CaseError({problem_at(file, "model",
+                                    "is " + std::string(model_name(file.model)) +
+                                        ": only a relaxation has numerical settings to trade accuracy for cost")});
+    }
+    if (!study->critical) {
+        throw CaseError({{file.name,
+                          0,
+                          0,
+                          "critical",
+                          {},
+                          "the case has no [critical] section: there is no value "
+                          "whose accuracy could be measured"}});
+    }
+    const RelaxationScene scene = relaxation_scene(*study);
+    SceneFault fault = check_scene(scene);
+    fault = fault.check == SceneCheck::valid ? check_start(scene) : fault;
+    if (fault.check != SceneCheck::valid) {
+        throw CaseError({impossible(file, word_of(fault.check))});
+    }
+    return *study;
+}
+
+// The value that the case expects of its own search, at the case's own inputs.
+const Expectation* expected_value(const CaseFile& file, std::string_view quantity) {
+    for (const Expectation& expected : file.expectations) {
+        if (expected.quantity == quantity && expected.conditions.empty()) {
+            return &expected;
+        }
+    }
+    return nullptr;
+}
+
+TradeResult trade_with_progress(const TradeProblem& problem, const Options& options) {
+    Progress progress(options.quiet);
+    const std::string of_all = " of " + std::to_string(problem.settings.size()) + " settings";
+    return trade(
+        problem, [&](double share, std::size_t finished) { progress.report(share, std::to_string(finished) + of_all); },
+        interrupt_flag());
+}
+
+// What keeps a result from being the answer; empty where nothing does.
+std::string reservation(const TradeResult& result, std::size_t settings) {
+    switch (result.status) {
+    case TradeStatus::finished:
+        break;
+    case TradeStatus::interrupted:
+        return "interrupted: " + std::to_string(result.rows.size()) + " of " + std::to_string(settings) +
+               " settings were finished and are shown";
+    case TradeStatus::nothing_to_compare:
+        return "not converged: no setting has both an answer and a value to hold it against; widen [critical] or give "
+               "the value in an [[expect]]";
+    }
+    return {};
+}
+
+}  // namespace
+
+ExitCode trade_command(const std::filesystem::path& path, const Options& options) {
+    const Stopwatch watch;
+    const CaseFile file = read_case(path, settings_of(options));
+    const RelaxationStudy& study = study_of(file);
+    const std::string quantity(name_of_critical(study.critical->parameter));
+    const Expectation* expected = expected_value(file, quantity);
+    std::optional<double> known;
+    if (expected != nullptr) {
+        known = parse_value(expected->value, Dimension::angle).value;
+    }
+    const TradeProblem problem = trade_problem(study, known, options.threads);
+    const TradeTruth truth{quantity,
+                           expected != nullptr
+                               ? "the case's expected value (" + expected->source + ")"
+                               : "what the finest setting found, for want of an [[expect]] of " + quantity + " (" +
+                                     change_in_words(problem.knobs, problem.settings[problem.finest]) + ")",
+                           bracket_width(*study.critical) / 2};
+    const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
+    const TradeResult result = trade_with_progress(problem, options);
+
+    Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    const std::string reserved = reservation(result, problem.settings.size());
+    if (!reserved.empty()) {
+        report.blocks.emplace_back(Notice{NoticeKind::warning,
+                                          result.status == TradeStatus::interrupted ? "Interrupted" : "Not converged",
+                                          {reserved}});
+    }
+    const std::vector<std::string> remarks = trade_remarks(study);
+    if (!remarks.empty()) {
+        report.blocks.emplace_back(Notice{NoticeKind::warning, "Warnings", remarks});
+    }
+    TradeDocuments documents = document_trade(problem.knobs, result, truth, folder, report);
+    Json source = provenance(file, "trade", options, watch.seconds());
+    Json json;
+    json["status"] = std::string(word_of(result.status));
+    json["title"] = file.title;
+    json["model"] = std::string(model_name(file.model));
+    json.update(documents.json);
+    json["warnings"] = remarks;
+    json["provenance"] = source;
+    report.blocks.emplace_back(Heading{"Inputs"});
+    report.blocks.emplace_back(inputs_table(file));
+    report.blocks.emplace_back(Heading{"Provenance"});
+    report.blocks.emplace_back(provenance_block(source));
+
+    folder.write("resolved.toml", resolved_toml(file));
+    folder.write_report(report);
+    folder.write("result.json", json_text(json));
+    if (options.json) {
+        std::cout << json_text(json);
+    } else if (!options.quiet) {
+        std::cout << report.title << '\n' << documents.screen;
+        for (const std::string& remark : remarks) {
+            std::cout << "warning: " << remark << '\n';
+        }
+        std::cout << "report in " << (folder.path() / "report.html").string() << '\n';
+    }
+    if (!reserved.empty()) {
+        std::cerr << "delabole: " << reserved << '\n';
+        return ExitCode::not_converged;
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace delabole
