@@ -63,7 +63,7 @@ constexpr std::array<ExampleNumber, 59> examples{{
     {"final_tilt", degrees(20)},
     {"interval", 0.1},
     {"stiffness_ratio", 1e6},
-    {"step_fraction", 0.4},
+    {"step_fraction", 0.6},
     {"time_step", 1e-4},
     {"viscous_damping", 0.2},
     {"local_damping", 0.2},

@@ -4,7 +4,6 @@
 #include "cases/relaxation_figures.hpp"
 #include "cases/units.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
-#include "dynamic_relaxation/scene_check.hpp"
 #include "fitting/words.hpp"
 #include "plots/text.hpp"
 
@@ -99,16 +98,10 @@ std::string joint_key(const RelaxationStudy& study, std::size_t material) {
     return material == 0 ? "scene.interface" : "scene.base";
 }
 
-SceneFault fault_of(const RelaxationStudy& study) {
-    const RelaxationScene scene = relaxation_scene(study);
-    const SceneFault fault = check_scene(scene);
-    return fault.check == SceneCheck::valid ? check_start(scene) : fault;
-}
-
 }  // namespace
 
 std::string failure_without_run(const RelaxationStudy& study) {
-    const SceneFault fault = fault_of(study);
+    const SceneFault fault = check(study);
     return fault.check == SceneCheck::valid ? "" : std::string(word_of(fault.check));
 }
 
@@ -164,7 +157,7 @@ void append_mechanism_figures(const RelaxationStudy& at_best, const MechanismFit
 }
 
 std::vector<std::string> blamed_keys(const RelaxationStudy& study, std::string_view) {
-    const SceneFault fault = fault_of(study);
+    const SceneFault fault = check(study);
     const std::string block = indexed("scene.block", fault.index);
     switch (fault.check) {
     case SceneCheck::outline_not_convex:
@@ -186,6 +179,8 @@ std::vector<std::string> blamed_keys(const RelaxationStudy& study, std::string_v
         return {joint_key(study, fault.index) + ".friction_angle", joint_key(study, fault.index)};
     case SceneCheck::density_not_positive:
         return {block + ".density", "scene.density"};
+    case SceneCheck::setting_out_of_range:
+        return {"settings"};
     case SceneCheck::no_free_block:
         return {"scene.block[1].hold", "scene.block"};
     default:
@@ -194,7 +189,7 @@ std::vector<std::string> blamed_keys(const RelaxationStudy& study, std::string_v
 }
 
 std::string explain_failure(const RelaxationStudy& study, std::string_view, const std::string&) {
-    const SceneFault fault = fault_of(study);
+    const SceneFault fault = check(study);
     const std::string block = block_name(fault.index);
     switch (fault.check) {
     case SceneCheck::no_free_block:

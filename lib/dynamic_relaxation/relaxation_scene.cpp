@@ -23,9 +23,13 @@ Quality quality_of(const RelaxationStudy& study) {
     const RelaxationNumerics numerics = study.settings.value_or(RelaxationNumerics{});
     switch (numerics.quality.value_or(RelaxationQuality::standard)) {
     case RelaxationQuality::draft:
-        return {0.5, 1e5, 1e-5};
+        return {0.8, 1e5, 1e-5};
     case RelaxationQuality::reference:
+<<<<<<< ours
         return {0.4, 1e8, 1e-7};
+=======
+        return {0.3, 3e7, 1e-7};
+>>>>>>> theirs
     case RelaxationQuality::standard:
         break;
     }

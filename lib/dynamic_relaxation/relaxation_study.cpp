@@ -12,6 +12,14 @@ namespace {
 constexpr std::uint64_t steps_between_reports = 500;
 constexpr double standard_tolerance = degrees(0.005);
 
+SceneFault check(const RelaxationScene& scene, const RelaxationSettings& settings) {
+    SceneFault fault = check_settings(settings);
+    if (fault.check == SceneCheck::valid) {
+        fault = check_scene(scene);
+    }
+    return fault.check == SceneCheck::valid ? check_start(scene) : fault;
+}
+
 // The settings of a search: what happens after onset does not matter to it.
 RelaxationSettings search_settings(const RelaxationStudy& study) {
     RelaxationSettings settings = relaxation_settings(study);
@@ -71,13 +79,14 @@ Prediction predict(RelaxationStudy study, std::span<const Assignment> assignment
 
 }  // namespace
 
+SceneFault check(const RelaxationStudy& study) {
+    return check(relaxation_scene(study), relaxation_settings(study));
+}
+
 RelaxationRun run(const RelaxationStudy& study, const RelaxationWatch& watch, KeepFrames frames) {
     RelaxationRun made{relaxation_scene(study), relaxation_settings(study), {}, {}};
     MotionRecord record;
-    made.result.fault = check_scene(made.scene);
-    if (made.result.fault.check == SceneCheck::valid) {
-        made.result.fault = check_start(made.scene);
-    }
+    made.result.fault = check(made.scene, made.settings);
     if (made.result.fault.check != SceneCheck::valid) {
         return made;
     }

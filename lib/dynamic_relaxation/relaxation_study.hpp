@@ -16,9 +16,13 @@
 
 namespace delabole {
 
+<<<<<<< ours
 // Step fraction, stiffness ratio and equilibrium ratio together: 0.5, 1e5, 1e-5; 0.4, 1e6, 1e-6; 0.4, 1e8, 1e-7. Chosen
 // by `delabole trade`: of a preloaded start the stiffness alone decides the critical value, and steps of 0.1 to 0.6 of
 // the stable one give the same bracket.
+=======
+// Step fraction, stiffness ratio and equilibrium ratio together: 0.8, 1e5, 1e-5; 0.6, 1e6, 1e-6; 0.3, 3e7, 1e-7.
+>>>>>>> theirs
 enum class RelaxationQuality { draft, standard, reference };
 
 constexpr std::array<std::string_view, 3> enum_names(RelaxationQuality) {
@@ -66,7 +70,7 @@ struct RelaxationNumerics {
             number("stiffness_ratio", &N::stiffness_ratio, Dimension::ratio, within(1e3, 1e10),
                    "normal stiffness times width over weight of the heaviest block; absent: 1e6"),
             number("step_fraction", &N::step_fraction, Dimension::ratio, within(0.01, 1),
-                   "share of the greatest stable step; absent: 0.4"),
+                   "share of the greatest stable step; absent: 0.6"),
             number("time_step", &N::time_step, Dimension::time, more_than(0),
                    "divided where it is more than the share of the stable step; absent: the share"),
             number("viscous_damping", &N::viscous_damping, Dimension::ratio, within(0, 2),
@@ -228,6 +232,9 @@ struct RelaxationRun {
     std::vector<MotionFrame> frames = {};  // empty where none are kept
     std::optional<RelaxationState> end{};  // absent where the scene is not valid
 };
+
+// As relax() checks them.
+SceneFault check(const RelaxationStudy& study);
 
 // Frames take room and time: for pictures of moving blocks only.
 enum class KeepFrames { no, yes };
