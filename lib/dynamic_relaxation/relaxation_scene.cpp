@@ -25,11 +25,7 @@ Quality quality_of(const RelaxationStudy& study) {
     case RelaxationQuality::draft:
         return {0.8, 1e5, 1e-5};
     case RelaxationQuality::reference:
-<<<<<<< ours
         return {0.4, 1e8, 1e-7};
-=======
-        return {0.3, 3e7, 1e-7};
->>>>>>> theirs
     case RelaxationQuality::standard:
         break;
     }
