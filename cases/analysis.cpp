@@ -74,11 +74,11 @@ ModelInterface interface_of(const CaseModel& model) {
     return std::visit([](const auto& parameters) { return model_interface(parameters); }, model);
 }
 
-Analysis analyse_model(const CaseModel& model, const AnalysisWatch& watch) {
+Analysis analyse_model(const CaseModel& model, const AnalysisWork& work) {
     return std::visit(
         [&](const auto& parameters) {
-            if constexpr (requires { analyse_case(parameters, watch); }) {
-                return analyse_case(parameters, watch);
+            if constexpr (requires { analyse_case(parameters, work); }) {
+                return analyse_case(parameters, work);
             } else {
                 return analyse_case(parameters);
             }

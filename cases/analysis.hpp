@@ -6,8 +6,10 @@
 #include "parameters/model_interface.hpp"
 
 #include <any>
+#include <chrono>
 #include <concepts>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <type_traits>
@@ -46,7 +48,16 @@ CaseModel with_conditions(const CaseModel& model, const std::vector<Condition>& 
 // Told now and then what share of the work is done, 0 to 1, and what is being done; returning false ends the work.
 using AnalysisWatch = std::function<bool(double share, const std::string& what)>;
 
-Analysis analyse_model(const CaseModel& model, const AnalysisWatch& watch = {});
+// How a model is analysed. The answer depends on none of it, except on a watch that ends the work.
+struct AnalysisWork {
+    AnalysisWatch watch = {};
+    std::function<void(const std::string&)> say = {};  // what the user should know before the answer
+    unsigned threads = 1;
+    std::filesystem::path checkpoint = {};  // long work keeps there what it has and goes on from it; empty: it does not
+    std::chrono::duration<double> between_checkpoints{60};
+};
+
+Analysis analyse_model(const CaseModel& model, const AnalysisWork& work = {});
 
 // Analysis::failure alone, where that takes less.
 std::string failure_of(const CaseModel& model);

@@ -18,7 +18,7 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 59> examples{{
+constexpr std::array<ExampleNumber, 61> examples{{
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -52,6 +52,8 @@ constexpr std::array<ExampleNumber, 59> examples{{
     {"base_end_height", 25.0},
     {"step_above", 1.0},
     {"block", 2.0},
+    {"other", 1.0},
+    {"fixed_block", 3.0},
     {"height", 2.0},
     {"depth_behind", 2.0},
     {"depth_in_front", 0.5},

@@ -1,21 +1,25 @@
 // Checkpoints of dynamic relaxation on the disk.
 #pragma once
 
-#include "dynamic_relaxation/settings.hpp"
-#include "dynamic_relaxation/state.hpp"
+#include "dynamic_relaxation/relaxation_study.hpp"
 
 #include <filesystem>
+#include <string>
 
 namespace delabole {
 
-// As write_file_atomically: a run killed at any moment leaves the old checkpoint or the new one. OutputError where that
-// is impossible.
-void write_checkpoint(const std::filesystem::path& path, const RelaxationScene& scene,
-                      const RelaxationSettings& settings, const RelaxationState& state);
+// As write_file_atomically, in a folder that is created where it is missing: a run killed at any moment leaves the old
+// checkpoint or the new one. OutputError where that is impossible.
+void write_checkpoint(const std::filesystem::path& path, const RelaxationStudy& study, KeepFrames frames,
+                      const StudyProgress& progress);
 
-// CaseError, with the file's name, where there is none to be read or none of this scene and these settings (see
-// restore_checkpoint).
-RelaxationState read_checkpoint(const std::filesystem::path& path, const RelaxationScene& scene,
-                                const RelaxationSettings& settings);
+struct KeptProgress {
+    StudyProgress progress = {};  // empty unless found
+    bool found = false;
+    std::string refusal = {};  // what is wrong with what stands there; empty: nothing, or nothing stands there
+};
+
+// See restore_checkpoint.
+KeptProgress read_checkpoint(const std::filesystem::path& path, const RelaxationStudy& study, KeepFrames frames);
 
 }  // namespace delabole

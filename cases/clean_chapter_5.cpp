@@ -32,14 +32,6 @@ Polygon<> outline_along_base(const HockingBlock& block, double dip) {
             {left, bottom + block.height}};
 }
 
-// A dashpot that lags by half a step lowers the stable step to sqrt(1 + z^2) - z of the undamped one, z the share of
-// critical damping. Four corners that share a block have twice the share of one. Half of the result, because above it
-// a trembling of the springs remains that dies away too slowly for a decision.
-double stable_fraction(double damping) {
-    const double together = 2 * damping;
-    return 0.5 * (std::hypot(1, together) - together);
-}
-
 // Goes through a run cycle by cycle and keeps its print edits.
 class Recorder {
   public:
@@ -223,7 +215,7 @@ RelaxationScene clean_scene(const Chapter5Run& run, const std::vector<HockingBlo
 RelaxationSettings clean_settings(const Chapter5Run& run, RelaxationStart start) {
     RelaxationSettings settings;
     settings.time_step = run.settings.time_step;
-    settings.step_fraction = stable_fraction(run.settings.damping);
+    settings.step_fraction = 0.5;  // above it a trembling of the springs dies away too slowly for a decision
     settings.viscous_damping = run.settings.damping;
     settings.local_damping = 0;
     settings.start = start;

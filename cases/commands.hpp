@@ -32,6 +32,7 @@ struct Options {
     bool json = false;
     bool quiet = false;
     int threads = 1;
+    double seconds_between_checkpoints = 60;
     std::optional<std::uint64_t> seed;
 };
 

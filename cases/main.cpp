@@ -104,6 +104,12 @@ struct Program {
         run->add_option("CASE", cases, "Case files")->required();
         add_common(*run, options);
         add_output(*run, options);
+        add_threads(*run, options);
+        run->add_option("--checkpoint-every", options.seconds_between_checkpoints,
+                        "Seconds between checkpoints of a long dynamic relaxation, from which the same command goes on "
+                        "once it was stopped; 60 by default")
+            ->check(CLI::NonNegativeNumber)
+            ->type_name("SECONDS");
         run->footer(example("delabole run cases/plane_failure/wyllie_mah_7_1.toml --set water.water_depth=\"2 m\""));
         run->callback([this] { chosen = [this] { return delabole::run_command(cases, options); }; });
 

@@ -19,8 +19,8 @@ Analysis analyse_case(const SingleBlock<>& problem);
 Analysis analyse_case(const BlockRow<>& row);
 Analysis analyse_case(const TiltedColumn<>& column);
 Analysis analyse_case(const KinematicsStudy& study);
-// The one model whose analysis takes long: reports how far it has come, and can be ended.
-Analysis analyse_case(const RelaxationStudy& study, const AnalysisWatch& watch);
+// The one model whose analysis takes long: it reports how far it has come, and can be ended and gone on with.
+Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work);
 // Its failure alone, without the run.
 std::string failure_without_run(const RelaxationStudy& study);
 

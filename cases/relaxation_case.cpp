@@ -93,9 +93,9 @@ void check_loads(Checker& checker, const Relaxation& model, const RelaxationScen
     for (std::size_t index = 0; index < model.motion.size(); ++index) {
         const FixedBlockMotion& motion = model.motion[index];
         const std::string key = indexed("motion", index);
-        if (check_block_number(checker, key + ".block", motion.block, scene) &&
+        if (check_block_number(checker, key + ".fixed_block", motion.block, scene) &&
             !scene.block[index_of(motion.block)].fixed) {
-            checker.complain(key + ".block", "is free: only a fixed block moves as prescribed");
+            checker.complain(key + ".fixed_block", "is free: only a fixed block moves as prescribed");
         }
         check_increasing(checker, motion.velocity, &VelocityPoint::time, key + ".velocity", "time");
     }

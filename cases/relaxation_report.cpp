@@ -1,4 +1,5 @@
 // Dynamic relaxation as the program reports it: how the run ended, the books, each block, and a critical value.
+#include "cases/checkpoint_file.hpp"
 #include "cases/model_cases.hpp"
 #include "cases/model_reports.hpp"
 #include "cases/relaxation_figures.hpp"
@@ -7,7 +8,9 @@
 #include "fitting/words.hpp"
 #include "plots/text.hpp"
 
+#include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace delabole {
 
@@ -91,6 +94,46 @@ std::string run_in_words(const RelaxationRun& made) {
     }
 }
 
+// Keeps a study's progress in the checkpoint now and then, and when the work is told to end.
+class Keeper {
+  public:
+    Keeper(const AnalysisWork& work, const RelaxationStudy& study, KeepFrames frames)
+        : work_(work), study_(study), frames_(frames) {}
+
+    bool goes_on(double share, const std::string& what) {
+        ended_ = work_.watch && !work_.watch(share, what);
+        return !ended_;
+    }
+    bool due() const {
+        return !work_.checkpoint.empty() && (ended_ || Clock::now() - last_ >= work_.between_checkpoints);
+    }
+    void keep(const StudyProgress& progress) {
+        write_checkpoint(work_.checkpoint, study_, frames_, progress);
+        last_ = Clock::now();
+    }
+    StudyProgress take_up() const {
+        if (work_.checkpoint.empty()) {
+            return {};
+        }
+        KeptProgress kept = read_checkpoint(work_.checkpoint, study_, frames_);
+        if (work_.say && !kept.refusal.empty()) {
+            work_.say("warning: " + work_.checkpoint.string() + ' ' + kept.refusal + ": the run starts anew");
+        } else if (work_.say && kept.found) {
+            work_.say("going on from " + work_.checkpoint.string());
+        }
+        return std::move(kept.progress);
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    const AnalysisWork& work_;
+    const RelaxationStudy& study_;
+    KeepFrames frames_;
+    bool ended_ = false;
+    Clock::time_point last_ = Clock::now();
+};
+
 std::string joint_key(const RelaxationStudy& study, std::size_t material) {
     if (std::holds_alternative<RelaxationPolygons>(study.model.scene)) {
         return indexed("scene.joint", material);
@@ -105,13 +148,18 @@ std::string failure_without_run(const RelaxationStudy& study) {
     return fault.check == SceneCheck::valid ? "" : std::string(word_of(fault.check));
 }
 
-Analysis analyse_case(const RelaxationStudy& study, const AnalysisWatch& watch) {
+Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
     Analysis analysis;
     const double share = study.critical ? share_of_run : 1;
-    const KeepFrames frames =
-        relaxation_scene(study).block.size() <= most_drawn_blocks ? KeepFrames::yes : KeepFrames::no;
-    RelaxationRun made = run(
-        study, [&](double done) { return !watch || watch(share * done, "dynamic relaxation"); }, frames);
+    StudyWork how;
+    how.frames = relaxation_scene(study).block.size() <= most_drawn_blocks ? KeepFrames::yes : KeepFrames::no;
+    how.threads = work.threads;
+    Keeper keeper(work, study, how.frames);
+    how.watch = [&](double done) { return keeper.goes_on(share * done, "dynamic relaxation"); };
+    how.keep_due = [&] { return keeper.due(); };
+    how.keep = [&](const StudyProgress& now) { keeper.keep(now); };
+    StudyProgress progress = keeper.take_up();
+    RelaxationRun made = run(study, how, progress);
     if (made.result.outcome == RelaxationOutcome::scene_not_valid) {
         analysis.failure = word_of(made.result.fault.check);
         return analysis;
@@ -125,9 +173,10 @@ Analysis analyse_case(const RelaxationStudy& study, const AnalysisWatch& watch) 
     };
     leave_unfinished(word_of(made.result.outcome), run_in_words(made));
     if (study.critical && made.result.outcome != RelaxationOutcome::interrupted) {
-        const CriticalValue critical = find_critical(study, [&](double done) {
-            return !watch || watch(share + (1 - share) * done, human_name(name_of_critical(study.critical->parameter)));
-        });
+        how.watch = [&](double done) {
+            return keeper.goes_on(share + (1 - share) * done, human_name(name_of_critical(study.critical->parameter)));
+        };
+        const CriticalValue critical = find_critical(study, how, progress);
         append_critical(analysis, *study.critical, critical);
         leave_unfinished(word_of(critical.status), search_in_words(*study.critical, critical));
     }

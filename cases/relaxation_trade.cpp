@@ -147,7 +147,9 @@ double value_of(const std::vector<TradeKnob>& knobs, std::span<const double> val
 
 TradeAnswer answer_at(const RelaxationStudy& study, const TradeWatch& watch) {
     const auto begin = std::chrono::steady_clock::now();
-    const CriticalValue critical = find_critical(study, watch);
+    StudyWork work;
+    work.watch = watch;
+    const CriticalValue critical = find_critical(study, work);
     TradeAnswer answer;
     if (critical.status != CriticalStatus::found) {
         answer.failure = word_of(critical.status);

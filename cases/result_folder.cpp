@@ -137,10 +137,12 @@ Provenance provenance_block(const Json& provenance) {
     return block;
 }
 
+std::filesystem::path result_path(const Options& options, const std::string& name) {
+    return options.out.empty() ? std::filesystem::path("results") / name : options.out;
+}
+
 ResultFolder::ResultFolder(const Options& options, const std::string& name, OnInterrupt on_interrupt)
-    : path_(options.out.empty() ? std::filesystem::path("results") / name : options.out),
-      quiet_(options.quiet),
-      on_interrupt_(on_interrupt) {
+    : path_(result_path(options, name)), quiet_(options.quiet), on_interrupt_(on_interrupt) {
     create_output_folder(path_);
     const std::filesystem::path result = path_ / "result.json";
     std::error_code error;

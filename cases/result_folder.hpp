@@ -54,6 +54,9 @@ Provenance provenance_block(const Json& provenance);
 // rest is soon repeated and ends by Interrupted.
 enum class OnInterrupt { finish, stop };
 
+// --out, or results/<name>.
+std::filesystem::path result_path(const Options& options, const std::string& name);
+
 class ResultFolder {
   public:
     // Creates the folder. OutputError where that is impossible. result.json is to be written last and so says that all

@@ -14,7 +14,10 @@
 #include "plots/text.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
 #include <iostream>
+#include <system_error>
 
 namespace delabole {
 
@@ -73,12 +76,21 @@ void announce(const CaseFile& file, const Options& options) {
 ExitCode run_one(const CaseFile& file, const Options& options) {
     const Stopwatch watch;
     announce(file, options);
+    const std::filesystem::path checkpoint = result_path(options, stem_of(file)) / "relaxation.checkpoint";
     const Analysis analysis = [&] {
         Progress progress(options.quiet);
-        return analyse_model(file.model, [&](double share, const std::string& what) {
+        AnalysisWork work;
+        work.watch = [&](double share, const std::string& what) {
             progress.report(share, what);
             return !interrupt_flag();
-        });
+        };
+        if (!options.quiet) {
+            work.say = [&](const std::string& text) { std::cerr << stem_of(file) << ": " << text << '\n'; };
+        }
+        work.threads = static_cast<unsigned>(options.threads);
+        work.checkpoint = checkpoint;
+        work.between_checkpoints = std::chrono::duration<double>(options.seconds_between_checkpoints);
+        return analyse_model(file.model, work);
     }();
     if (!analysis.failure.empty()) {
         throw CaseError({impossible(file, analysis.failure)});
@@ -128,11 +140,18 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     } else if (!options.quiet) {
         print(file, analysis, folder);
     }
+    std::error_code ignored;
+    if (!interrupt_flag() && std::filesystem::is_regular_file(checkpoint, ignored)) {
+        std::filesystem::remove(checkpoint, ignored);
+    }
     if (analysis.unfinished.empty()) {
         return ExitCode::ok;
     }
     std::cerr << "delabole: " << (interrupt_flag() ? "interrupted: " : "not converged: ") << analysis.unfinished
               << '\n';
+    if (std::filesystem::exists(checkpoint, ignored)) {
+        std::cerr << "delabole: the same command goes on from " << checkpoint.string() << '\n';
+    }
     return ExitCode::not_converged;
 }
 

@@ -82,8 +82,9 @@ Comparison compare_number(const CaseFile& file, const Expectation& expected, con
 }
 
 Analysis analysis_of(const CaseFile& file, const std::vector<Condition>& conditions) {
-    return analyse_model(with_conditions(file.model, conditions),
-                         [](double, const std::string&) { return !interrupt_flag(); });
+    AnalysisWork work;
+    work.watch = [](double, const std::string&) { return !interrupt_flag(); };
+    return analyse_model(with_conditions(file.model, conditions), work);
 }
 
 Comparison compare(const CaseFile& file, const Expectation& expected, const Analysis& analysis) {

@@ -218,9 +218,21 @@ std::string collection_pvd(const std::vector<CollectedFile>& files) {
     return file_of("Collection", text + "</Collection>\n");
 }
 
-FrameFolder::FrameFolder(std::filesystem::path folder, std::string name, std::vector<double> written)
-    : folder_(std::move(folder)), name_(std::move(name)), times_(std::move(written)) {
+FrameFolder::FrameFolder(std::filesystem::path folder, std::string name)
+    : folder_(std::move(folder)), name_(std::move(name)) {
     create_output_folder(folder_);
+    for (const std::string_view kind : {"blocks", "contacts"}) {
+        // Collections first: a list never names what is not there.
+        std::error_code error;
+        std::filesystem::remove(folder_ / collection_name(kind), error);
+        for (std::size_t index = 0; std::filesystem::remove(folder_ / file_name(kind, index), error); ++index) {
+        }
+    }
+}
+
+std::string FrameFolder::collection_name(std::string_view kind) const {
+    std::string text = name_;
+    return text.append("_").append(kind).append(".pvd");
 }
 
 std::string FrameFolder::file_name(std::string_view kind, std::size_t index) const {
@@ -236,9 +248,7 @@ void FrameFolder::write_collection(std::string_view kind) const {
     for (std::size_t index = 0; index < times_.size(); ++index) {
         files.push_back({times_[index], file_name(kind, index)});
     }
-    std::string name = name_;
-    name.append("_").append(kind).append(".pvd");
-    write_file_atomically(folder_ / name, collection_pvd(files));
+    write_file_atomically(folder_ / collection_name(kind), collection_pvd(files));
 }
 
 void FrameFolder::add(const BlockFrame& frame) {

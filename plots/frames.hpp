@@ -61,19 +61,19 @@ std::string collection_pvd(const std::vector<CollectedFile>& files);
 // on, and the files that they list. OutputError where that fails.
 class FrameFolder {
   public:
-    // Creates the folder. `written`: moments of the frames already there, of a run that goes on.
-    FrameFolder(std::filesystem::path folder, std::string name, std::vector<double> written = {});
+    // Creates the folder. Frames of that name that an earlier run left there are removed: it may have had more.
+    FrameFolder(std::filesystem::path folder, std::string name);
 
     void add(const BlockFrame& frame);
-    std::size_t size() const { return times_.size(); }
 
   private:
+    std::string collection_name(std::string_view kind) const;
     std::string file_name(std::string_view kind, std::size_t index) const;
     void write_collection(std::string_view kind) const;
 
     std::filesystem::path folder_;
     std::string name_;
-    std::vector<double> times_;
+    std::vector<double> times_ = {};
 };
 
 }  // namespace delabole

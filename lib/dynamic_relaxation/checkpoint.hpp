@@ -9,26 +9,14 @@
 //   8        checksum (FNV-1a, 64 bits) of all before it
 #pragma once
 
+#include "dynamic_relaxation/checkpoint_bytes.hpp"
 #include "dynamic_relaxation/settings.hpp"
 #include "dynamic_relaxation/state.hpp"
 
-#include <array>
 #include <string>
 #include <string_view>
 
 namespace delabole {
-
-enum class CheckpointCheck {
-    ok,
-    not_a_checkpoint,
-    other_version,  // of the format; also where just those bytes are damaged
-    other_scene,    // or other settings
-    damaged,        // cut short, lengthened or altered
-};
-
-constexpr std::array<std::string_view, 5> enum_names(CheckpointCheck) {
-    return {"ok", "not_a_checkpoint", "other_version", "other_scene", "damaged"};
-}
 
 struct RestoredState {
     CheckpointCheck check = CheckpointCheck::not_a_checkpoint;
@@ -43,5 +31,8 @@ std::string checkpoint_of(const RelaxationScene& scene, const RelaxationSettings
 // several but for one chance in 2^64; a state that is returned fits the scene, so that no index in it leads astray.
 RestoredState restore_checkpoint(std::string_view bytes, const RelaxationScene& scene,
                                  const RelaxationSettings& settings);
+
+// Whether the lists of a state, which may have come from anywhere, are those of the scene.
+bool fits(const RelaxationState& state, const RelaxationScene& scene);
 
 }  // namespace delabole

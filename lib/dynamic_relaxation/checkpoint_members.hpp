@@ -1,12 +1,10 @@
 // The members of all that a checkpoint holds or depends on, each struct's in one list that serves both directions.
 //
 // A structured binding has to name every member: where a struct has grown, its list here no longer compiles. Whoever
-// adds the member also raises checkpoint_version (checkpoint.cpp).
+// adds the member also raises checkpoint_version (checkpoint_bytes.cpp).
 #pragma once
 
-#include "dynamic_relaxation/scene.hpp"
-#include "dynamic_relaxation/settings.hpp"
-#include "dynamic_relaxation/state.hpp"
+#include "dynamic_relaxation/relaxation_study.hpp"
 
 #include <concepts>
 #include <tuple>
@@ -37,8 +35,8 @@ DELABOLE_MEMBERS(SeenPose, x, y, angle)
 DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, dashpots, local_damping,
                  kinetic_damping)
 DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, searches, contacts_evaluated, travelled, motion, origin,
-                 seen, calm, removed, base_slip, contacts, ledger, elastic_at_start, unbalanced, kinetic_then,
-                 kinetic_before, kinetic_rising, onset_time, outcome)
+                 seen, calm, removed, base_slip, contacts, ledger, elastic_at_start, unbalanced, unbalanced_then,
+                 kinetic_then, kinetic_before, kinetic_rising, onset_time, outcome)
 
 DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,
                  tensile_strength)
@@ -54,6 +52,20 @@ DELABOLE_MEMBERS(RelaxationSettings, step_fraction, time_step, viscous_damping, 
                  ramp_time, consolidation_time, equilibrium_ratio, onset_rotation, onset_slide, collapse_rotation,
                  collapse_displacement, stop_at_onset, stop_at_equilibrium, duration, most_steps, overlap_limit,
                  threads)
+
+DELABOLE_MEMBERS(BlockMonitor, block)
+DELABOLE_MEMBERS(ContactMonitor, block, other)
+DELABOLE_MEMBERS(HistoryRequest, interval, block, contact)
+DELABOLE_MEMBERS(CriticalRequest, parameter, lower, upper, tolerance)
+DELABOLE_MEMBERS(MonitoredBlock, x, y, rotation, velocity_x, velocity_y, angular_velocity)
+DELABOLE_MEMBERS(MonitoredContact, horizontal, vertical, normal, overlap)
+DELABOLE_MEMBERS(HistoryLine, time, tilt, energy, block, contact, base_slip, rotation)
+DELABOLE_MEMBERS(BlockOutcome, movement, rotation, displacement, base_slip)
+DELABOLE_MEMBERS(CornerForce, block, other, at, force, normal, shear, overlap, sliding)
+DELABOLE_MEMBERS(MotionFrame, time, tilt, motion, outcome, force)
+DELABOLE_MEMBERS(MotionRecord, frame, interval, next)
+DELABOLE_MEMBERS(CriticalProbe, outcome, steps, contacts_evaluated)
+DELABOLE_MEMBERS(StudyProgress, state, next_line, history, record, probe, probe_state)
 
 #undef DELABOLE_MEMBERS
 

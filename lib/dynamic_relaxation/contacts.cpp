@@ -60,11 +60,6 @@ class Search {
         if (position < -reach || position > bodies_.length[edge] + reach) {
             return;
         }
-        // A corner that is nearer to the adjoining face has come in through that one: here it would be deep at once.
-        const double from_end = std::max(0.0, std::min(position, bodies_.length[edge] - position));
-        if (-gap > from_end + reach) {
-            return;
-        }
         const std::size_t before = bodies_.range[block].before(corner);
         const PlanePoint<> to_next = motion_[block].turned(bodies_.along[corner]);
         const PlanePoint<> to_previous = -motion_[block].turned(bodies_.along[before]);

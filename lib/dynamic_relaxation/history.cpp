@@ -39,27 +39,28 @@ MotionFrame frame_of(const Simulation& simulation) {
 }  // namespace
 
 void MotionRecord::look(const Simulation& simulation) {
+    constexpr std::size_t most_frames = 120;
     const RelaxationState& state = simulation.state();
-    if (state.time < next_) {
+    if (state.time < next) {
         return;
     }
     constexpr double first_interval_in_steps = 20;
-    interval_ = interval_ > 0 ? interval_ : first_interval_in_steps * state.step;
-    if (frames_.size() == most_frames) {
+    interval = interval > 0 ? interval : first_interval_in_steps * state.step;
+    if (frame.size() == most_frames) {
         std::vector<MotionFrame> kept;
-        for (std::size_t index = 0; index < frames_.size(); index += 2) {
-            kept.push_back(std::move(frames_[index]));
+        for (std::size_t index = 0; index < frame.size(); index += 2) {
+            kept.push_back(std::move(frame[index]));
         }
-        frames_ = std::move(kept);
-        interval_ *= 2;
+        frame = std::move(kept);
+        interval *= 2;
     }
-    frames_.push_back(frame_of(simulation));
-    next_ = state.time + interval_;
+    frame.push_back(frame_of(simulation));
+    next = state.time + interval;
 }
 
 void MotionRecord::add_last(const Simulation& simulation) {
-    if (frames_.empty() || frames_.back().time < simulation.state().time) {
-        frames_.push_back(frame_of(simulation));
+    if (frame.empty() || frame.back().time < simulation.state().time) {
+        frame.push_back(frame_of(simulation));
     }
 }
 

@@ -96,18 +96,13 @@ struct MotionFrame {
 
 // Frames spread evenly over a run whose length nobody knows beforehand: every second one is dropped, and the interval
 // doubled, whenever there are too many.
-class MotionRecord {
-  public:
+struct MotionRecord {
+    std::vector<MotionFrame> frame = {};
+    double interval = 0;  // s, between frames; 0 before the first
+    double next = 0;      // s, when the next frame is due
+
     void look(const Simulation& simulation);
     void add_last(const Simulation& simulation);
-    const std::vector<MotionFrame>& frames() const { return frames_; }
-
-  private:
-    static constexpr std::size_t most_frames = 120;
-
-    std::vector<MotionFrame> frames_ = {};
-    double interval_ = 0;
-    double next_ = 0;
 };
 
 }  // namespace delabole

@@ -273,7 +273,7 @@ struct FixedBlockMotion {
     std::vector<VelocityPoint> velocity;
     static constexpr auto fields() {
         using M = FixedBlockMotion;
-        return std::tuple{number("block", &M::block, Dimension::ratio, at_least(1), "number of a fixed block"),
+        return std::tuple{number("fixed_block", &M::block, Dimension::ratio, at_least(1), "number of a fixed block"),
                           section("turning", &M::turning, "about a point"),
                           section("velocity", &M::velocity, "linear between, the last one kept")};
     }

@@ -2,14 +2,15 @@
 
 #include "dynamic_relaxation/scene_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace delabole {
 
 namespace {
 
-constexpr std::uint64_t steps_between_reports = 500;
 constexpr double standard_tolerance = degrees(0.005);
 
 SceneFault check(const RelaxationScene& scene, const RelaxationSettings& settings) {
@@ -20,12 +21,39 @@ SceneFault check(const RelaxationScene& scene, const RelaxationSettings& setting
     return fault.check == SceneCheck::valid ? check_start(scene) : fault;
 }
 
-// The settings of a search: what happens after onset does not matter to it.
-RelaxationSettings search_settings(const RelaxationStudy& study) {
+RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work) {
     RelaxationSettings settings = relaxation_settings(study);
-    settings.stop_at_onset = true;
-    settings.stop_at_equilibrium = true;
+    settings.threads = work.threads;
     return settings;
+}
+
+Simulation begun_or_resumed(const RelaxationScene& scene, const RelaxationSettings& settings,
+                            std::optional<RelaxationState> state) {
+    return state ? Simulation(scene, settings, std::move(*state)) : Simulation(scene, settings);
+}
+
+// Runs to the end, or until the watch says false, and whether it was the end. What is `seen` does not depend on where a
+// run was stopped: a state is seen once, before the step that leaves it.
+bool go_on(Simulation& simulation, const StudyWork& work, const std::function<bool(double)>& watch,
+           const std::function<void()>& keep, const std::function<void()>& seen) {
+    constexpr std::uint64_t block_steps_between_looks = 200000;
+    const std::uint64_t between = std::clamp<std::uint64_t>(
+        block_steps_between_looks / std::max<std::uint64_t>(1, simulation.scene().block.size()), 1, 500);
+    const double duration = simulation.settings().duration;
+    while (simulation.running()) {
+        if (simulation.state().steps % between == 0) {
+            const bool stop = !watch(simulation.state().time / duration);
+            if (work.keep_due && work.keep_due()) {
+                keep();
+            }
+            if (stop) {
+                return false;
+            }
+        }
+        seen();
+        simulation.step();
+    }
+    return true;
 }
 
 RelaxationScene scene_at(RelaxationScene scene, CriticalParameter parameter, double value) {
@@ -83,45 +111,51 @@ SceneFault check(const RelaxationStudy& study) {
     return check(relaxation_scene(study), relaxation_settings(study));
 }
 
-RelaxationRun run(const RelaxationStudy& study, const RelaxationWatch& watch, KeepFrames frames) {
-    RelaxationRun made{relaxation_scene(study), relaxation_settings(study), {}, {}};
-    MotionRecord record;
+RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress) {
+    RelaxationRun made{relaxation_scene(study), settings_for(study, work), {}, {}};
     made.result.fault = check(made.scene, made.settings);
     if (made.result.fault.check != SceneCheck::valid) {
         return made;
     }
-    Simulation simulation(made.scene, made.settings);
-    double next_line = 0;
-    bool interrupted = false;
-    while (simulation.running() && !interrupted) {
-        const RelaxationState& state = simulation.state();
-        if (study.history && state.time >= next_line) {
-            made.history.push_back(history_line(*study.history, simulation));
-            next_line = (std::floor(state.time / study.history->interval) + 1) * study.history->interval;
-        }
-        if (frames == KeepFrames::yes) {
-            record.look(simulation);
-        }
-        if (watch && state.steps % steps_between_reports == 0) {
-            interrupted = !watch(state.time / made.settings.duration);
-        }
-        if (!interrupted) {
-            simulation.step();
-        }
-    }
+    Simulation simulation = begun_or_resumed(made.scene, made.settings, std::exchange(progress.state, {}));
+    const bool ended = go_on(
+        simulation, work, [&](double share) { return !work.watch || work.watch(share); },
+        [&] {
+            progress.state = simulation.state();
+            work.keep(progress);
+        },
+        [&] {
+            const RelaxationState& state = simulation.state();
+            if (study.history && state.time >= progress.next_line) {
+                const double interval = study.history->interval;
+                progress.history.push_back(history_line(*study.history, simulation));
+                progress.next_line = (std::floor(state.time / interval) + 1) * interval;
+            }
+            if (work.frames == KeepFrames::yes) {
+                progress.record.look(simulation);
+            }
+        });
+    progress.state = simulation.state();
+    made.end = simulation.state();
     if (study.history) {
+        made.history = progress.history;
         made.history.push_back(history_line(*study.history, simulation));
     }
-    if (frames == KeepFrames::yes) {
+    if (work.frames == KeepFrames::yes) {
+        MotionRecord record = progress.record;
         record.add_last(simulation);
-        made.frames = record.frames();
+        made.frames = std::move(record.frame);
     }
     made.result = simulation.result();
-    if (interrupted) {
+    if (!ended) {
         made.result.outcome = RelaxationOutcome::interrupted;
     }
-    made.end = simulation.state();
     return made;
+}
+
+RelaxationRun run(const RelaxationStudy& study, const StudyWork& work) {
+    StudyProgress progress;
+    return run(study, work, progress);
 }
 
 RelaxationAnswer answer_of(const RelaxationResult& result) {
@@ -150,26 +184,52 @@ double bracket_width(const CriticalRequest& request) {
     return request.tolerance.value_or(standard_tolerance);
 }
 
-CriticalValue find_critical(const RelaxationStudy& study, const RelaxationWatch& watch) {
+CriticalValue find_critical(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress) {
     const CriticalRequest& request = *study.critical;
     const RelaxationScene scene = relaxation_scene(study);
-    const RelaxationSettings settings = search_settings(study);
+    RelaxationSettings settings = settings_for(study, work);
+    // What happens after onset does not matter to a search.
+    settings.stop_at_onset = true;
+    settings.stop_at_equilibrium = true;
     const double tolerance = bracket_width(request);
     const double expected_runs = 2 + std::ceil(std::log2(std::max(2.0, (request.upper - request.lower) / tolerance)));
-    double runs = 0;
+    std::size_t runs = 0;
     const auto probe = [&](double value) -> CriticalProbe {
-        const RelaxationResult result =
-            relax(scene_at(scene, request.parameter, value), settings, [&](const Simulation& simulation) {
-                const RelaxationState& state = simulation.state();
-                return !watch || state.steps % steps_between_reports != 0 ||
-                       watch((runs + state.time / settings.duration) / expected_runs);
-            });
-        ++runs;
-        return {result.outcome, result.cost.steps, result.cost.contacts_evaluated};
+        const std::size_t number = runs++;
+        if (number < progress.probe.size()) {
+            return progress.probe[number];
+        }
+        const RelaxationScene at = scene_at(scene, request.parameter, value);
+        if (check(at, settings).check != SceneCheck::valid) {
+            return {RelaxationOutcome::scene_not_valid, 0};
+        }
+        Simulation simulation = begun_or_resumed(at, settings, std::exchange(progress.probe_state, {}));
+        const bool ended = go_on(
+            simulation, work,
+            [&](double share) {
+                return !work.watch || work.watch((static_cast<double>(number) + share) / expected_runs);
+            },
+            [&] {
+                progress.probe_state = simulation.state();
+                work.keep(progress);
+                progress.probe_state.reset();
+            },
+            [] {});
+        const RelaxationCost cost = simulation.result().cost;
+        if (!ended) {
+            return {RelaxationOutcome::interrupted, cost.steps, cost.contacts_evaluated};
+        }
+        progress.probe.push_back({simulation.outcome(), cost.steps, cost.contacts_evaluated});
+        return progress.probe.back();
     };
     const bool stands_low = request.parameter == CriticalParameter::tilt;
     return find_critical(probe, stands_low ? request.lower : request.upper, stands_low ? request.upper : request.lower,
                          tolerance);
+}
+
+CriticalValue find_critical(const RelaxationStudy& study, const StudyWork& work) {
+    StudyProgress progress;
+    return find_critical(study, work, progress);
 }
 
 std::string_view name_of_critical(CriticalParameter parameter) {

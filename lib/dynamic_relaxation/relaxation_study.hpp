@@ -16,7 +16,7 @@
 
 namespace delabole {
 
-// Step fraction, stiffness ratio and equilibrium ratio together: 0.5, 1e5, 1e-5; 0.4, 1e6, 1e-6; 0.4, 1e8, 1e-7. Chosen
+// Step fraction, stiffness ratio and equilibrium ratio together: 0.8, 1e5, 1e-5; 0.6, 1e6, 1e-6; 0.4, 1e8, 1e-7. Chosen
 // by `delabole trade`: of a preloaded start the stiffness alone decides the critical value, and steps of 0.1 to 0.6 of
 // the stable one give the same bracket.
 enum class RelaxationQuality { draft, standard, reference };
@@ -220,6 +220,28 @@ struct RelaxationAnswer {
 // Called now and then with the share of the work done, 0 to 1; returning false ends the work as interrupted.
 using RelaxationWatch = std::function<bool(double share)>;
 
+// All that a study has found so far; what it goes on from to the last bit.
+struct StudyProgress {
+    std::optional<RelaxationState> state = {};  // of the run at the case's own values; absent before its first step
+    double next_line = 0;                       // s of model time, of the history
+    RelaxationHistory history = {};
+    MotionRecord record = {};
+    std::vector<CriticalProbe> probe = {};            // finished runs of the search, in their order
+    std::optional<RelaxationState> probe_state = {};  // of the run after them, where one has begun
+};
+
+// Frames take room and time: for pictures of moving blocks only.
+enum class KeepFrames { no, yes };
+
+// How a study is run. The answer depends on none of it, except on a watch that ends the work.
+struct StudyWork {
+    RelaxationWatch watch = {};
+    KeepFrames frames = KeepFrames::no;
+    unsigned threads = 1;
+    std::function<bool()> keep_due = {};  // asked as often as the watch, after it
+    std::function<void(const StudyProgress&)> keep = {};
+};
+
 struct RelaxationRun {
     RelaxationScene scene;
     RelaxationSettings settings;
@@ -232,19 +254,18 @@ struct RelaxationRun {
 // As relax() checks them.
 SceneFault check(const RelaxationStudy& study);
 
-// Frames take room and time: for pictures of moving blocks only.
-enum class KeepFrames { no, yes };
-
-// The run at the case's own values.
-RelaxationRun run(const RelaxationStudy& study, const RelaxationWatch& watch = {}, KeepFrames frames = KeepFrames::no);
+// The run at the case's own values, from where it has come to; afterwards `progress` holds it whole.
+RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);
+RelaxationRun run(const RelaxationStudy& study, const StudyWork& work = {});
 
 RelaxationAnswer answer_of(const RelaxationResult& result);
 
 // rad; of the final bracket, at most
 double bracket_width(const CriticalRequest& request);
 
-// The search of `critical`, which must be there.
-CriticalValue find_critical(const RelaxationStudy& study, const RelaxationWatch& watch = {});
+// The search of `critical`, which must be there, from where it has come to.
+CriticalValue find_critical(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);
+CriticalValue find_critical(const RelaxationStudy& study, const StudyWork& work = {});
 
 // "critical_tilt" or "limiting_friction_angle".
 std::string_view name_of_critical(CriticalParameter parameter);

@@ -85,6 +85,16 @@ SceneCheck check_material(const JointMaterial& joint) {
     return joint.cohesion < 0 || joint.tensile_strength < 0 ? SceneCheck::strength_negative : SceneCheck::valid;
 }
 
+SceneFault check_materials(const RelaxationScene& scene) {
+    for (std::size_t index = 0; index < scene.material.size(); ++index) {
+        const SceneCheck check = check_material(scene.material[index]);
+        if (check != SceneCheck::valid) {
+            return {check, index};
+        }
+    }
+    return {};
+}
+
 SceneFault check_blocks(const RelaxationScene& scene) {
     double longest = 0;
     double shortest = std::numeric_limits<double>::infinity();
@@ -262,13 +272,8 @@ SceneFault check_scene(const RelaxationScene& scene) {
     if (scene.material.empty()) {
         return {SceneCheck::unknown_material, 0};
     }
-    for (std::size_t index = 0; index < scene.material.size(); ++index) {
-        const SceneCheck check = check_material(scene.material[index]);
-        if (check != SceneCheck::valid) {
-            return {check, index};
-        }
-    }
-    for (const auto check : {check_blocks, check_stiffness, check_loads}) {
+    // Blocks first: stiffnesses that follow from their weights are wrong where those are.
+    for (const auto check : {check_blocks, check_materials, check_stiffness, check_loads}) {
         const SceneFault fault = check(scene);
         if (fault.check != SceneCheck::valid) {
             return fault;

@@ -402,6 +402,7 @@ void Simulation::look() {
     const bool growing = kinetic > state_.kinetic_then;
     state_.kinetic_then = kinetic;
     const double unbalanced = std::exchange(state_.unbalanced, 0.0);
+    state_.unbalanced_then = unbalanced;
     const MotionExtremes farthest = farthest_motion(bodies_, state_);
     const auto decide = [&](RelaxationOutcome outcome) { state_.outcome = static_cast<std::uint64_t>(outcome); };
     if (!std::isfinite(kinetic)) {
@@ -448,7 +449,7 @@ RelaxationResult Simulation::result() const {
     if (state_.onset_time >= 0) {
         result.onset_time = state_.onset_time;
     }
-    result.unbalanced_ratio = state_.unbalanced;
+    result.unbalanced_ratio = std::max(state_.unbalanced, state_.unbalanced_then);
     result.ledger = ledger();
     result.deepest = deepest_contact(bodies_, state_);
     result.cost = {state_.steps, state_.searches, state_.contacts_evaluated, state_.step};

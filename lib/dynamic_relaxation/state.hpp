@@ -47,9 +47,10 @@ struct RelaxationState {
     double elastic_at_start = 0;
 
     // For the decision.
-    double unbalanced = 0;      // greatest since the last look
-    double kinetic_then = 0;    // J/m, at the last look
-    double kinetic_before = 0;  // J/m, a step ago; for kinetic damping
+    double unbalanced = 0;       // greatest since the last look
+    double unbalanced_then = 0;  // greatest between the two looks before
+    double kinetic_then = 0;     // J/m, at the last look
+    double kinetic_before = 0;   // J/m, a step ago; for kinetic damping
     bool kinetic_rising = false;
     double onset_time = -1;     // s; negative: none
     std::uint64_t outcome = 0;  // RelaxationOutcome

@@ -1,10 +1,7 @@
 // A checkpoint on the disk: taken up again, replaced, and refused by name.
 #include "cases/checkpoint_file.hpp"
 
-#include "cases/case_error.hpp"
-#include "dynamic_relaxation/checkpoint.hpp"
-#include "dynamic_relaxation/scenes.hpp"
-#include "dynamic_relaxation/simulation.hpp"
+#include "dynamic_relaxation/study_checkpoint.hpp"
 #include "plots/atomic_file.hpp"
 #include "tests/plots/scratch_folder.hpp"
 
@@ -15,65 +12,73 @@
 namespace delabole {
 namespace {
 
+RelaxationStudy two_blocks(double tilt) {
+    RelaxationRow row{};
+    row.tilt = degrees(tilt);
+    row.density = 2700;
+    row.interface.friction_angle = row.base.friction_angle = degrees(30);
+    row.block = {{1, 3, {}}, {1, 3, {}}};
+    RelaxationStudy study{};
+    study.model.scene = row;
+    return study;
+}
+
+StudyProgress progress_of(const RelaxationStudy& study) {
+    StudyProgress progress;
+    run(study, {}, progress);
+    return progress;
+}
+
 class CheckpointFile : public testing::Test {
   protected:
-    std::string complaint_about(const RelaxationScene& other) const {
-        try {
-            read_checkpoint(path, other, settings);
-        } catch (const CaseError& error) {
-            return error.what();
-        }
-        return "none";
+    std::string refusal(const RelaxationStudy& other) const {
+        const KeptProgress kept = read_checkpoint(path, other, KeepFrames::no);
+        EXPECT_FALSE(kept.found);
+        return kept.refusal;
     }
 
-    const JointMaterial joint{1e9, 1e9, 0.5};
-    const RelaxationScene scene = row_scene({{{1, 3}, {1, 3}}, 2700, joint, joint, 0.4});
-    const RelaxationSettings settings = {};
+    const RelaxationStudy study = two_blocks(10);
     const ScratchFolder folder;
     const std::filesystem::path path = folder.path() / "checkpoint";
 };
 
 TEST_F(CheckpointFile, IsTakenUpAgainAndReplaced) {
-    Simulation run(scene, settings);
-    for (int write = 0; write < 3; ++write) {
-        for (int step = 0; step < 50; ++step) {
-            run.step();
-        }
-        write_checkpoint(path, scene, settings, run.state());
-        const RelaxationState state = read_checkpoint(path, scene, settings);
-        EXPECT_EQ(state.steps, run.state().steps);
-        EXPECT_EQ(checkpoint_of(scene, settings, state), checkpoint_of(scene, settings, run.state()));
+    StudyProgress progress = progress_of(study);
+    for (const double next : {0.0, 1.0}) {
+        progress.next_line = next;
+        write_checkpoint(path, study, KeepFrames::no, progress);
+        const KeptProgress kept = read_checkpoint(path, study, KeepFrames::no);
+        EXPECT_TRUE(kept.found);
+        EXPECT_EQ(kept.refusal, "");
+        EXPECT_EQ(checkpoint_of(study, KeepFrames::no, kept.progress), content_of(path));
+        EXPECT_EQ(kept.progress.next_line, next);
         EXPECT_EQ(folder.names(), std::vector<std::string>{"checkpoint"});
     }
 }
 
 TEST_F(CheckpointFile, IsRefusedByName) {
-    EXPECT_EQ(complaint_about(scene), path.string() + ": there is no such file");
+    EXPECT_EQ(refusal(study), "");
     write_file_atomically(path, "schema = 1\n");
-    EXPECT_EQ(complaint_about(scene), path.string() + ": is not a checkpoint of dynamic relaxation");
-    write_checkpoint(path, scene, settings, Simulation(scene, settings).state());
-    EXPECT_EQ(complaint_about(scene), "none");
-    RelaxationScene other = scene;
-    other.gravity.tilt = 0.3;
-    EXPECT_EQ(complaint_about(other), path.string() +
-                                          ": belongs to another case, or to this one with other values: a run can only "
-                                          "go on as it began");
+    EXPECT_EQ(refusal(study), "is not a checkpoint of dynamic relaxation");
+    write_checkpoint(path, study, KeepFrames::no, progress_of(study));
+    EXPECT_EQ(refusal(two_blocks(11)), "belongs to another case, or to this one with other values");
     const std::string bytes = content_of(path);
     write_file_atomically(path, bytes.substr(0, bytes.size() / 2));
-    EXPECT_EQ(complaint_about(scene), path.string() + ": is damaged: the run has to start anew");
+    EXPECT_EQ(refusal(study), "is damaged");
     std::string later = bytes;
     ++later[8];
     write_file_atomically(path, later);
-    EXPECT_EQ(complaint_about(scene),
-              path.string() + ": was written by another version of delabole: the run has to start anew");
+    EXPECT_EQ(refusal(study), "was written by another version of delabole");
 }
 
-TEST_F(CheckpointFile, IsNoFolderAndGoesIntoOne) {
+TEST_F(CheckpointFile, IsNoFolderAndMakesItsOwn) {
     std::filesystem::create_directory(path);
-    EXPECT_EQ(complaint_about(scene), path.string() + ": is a folder, not a checkpoint");
-    const RelaxationState state = Simulation(scene, settings).state();
-    EXPECT_THROW(write_checkpoint(path, scene, settings, state), OutputError);
-    EXPECT_THROW(write_checkpoint(folder.path() / "missing" / "checkpoint", scene, settings, state), OutputError);
+    EXPECT_EQ(refusal(study), "is a folder, not a checkpoint");
+    const StudyProgress progress = progress_of(study);
+    EXPECT_THROW(write_checkpoint(path, study, KeepFrames::no, progress), OutputError);
+    const std::filesystem::path inside = folder.path() / "new" / "checkpoint";
+    write_checkpoint(inside, study, KeepFrames::no, progress);
+    EXPECT_TRUE(read_checkpoint(inside, study, KeepFrames::no).found);
 }
 
 }  // namespace

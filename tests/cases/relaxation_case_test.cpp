@@ -114,7 +114,8 @@ TEST(RelaxationCase, RefusesWhatContradictsItself) {
     EXPECT_NE(complaint_with("[[pressure]]\nblock = 1\nedge = 5\nat_first = \"0 kPa\"\nat_second = \"1 kPa\"\n")
                   .find("pressure[1].edge = 5: must be the number of a face of the block, 1 to 4"),
               std::string::npos);
-    EXPECT_NE(complaint_with("[[motion]]\nblock = 1\n").find("motion[1].block = 1: is free"), std::string::npos);
+    EXPECT_NE(complaint_with("[[motion]]\nfixed_block = 1\n").find("motion[1].fixed_block = 1: is free"),
+              std::string::npos);
     EXPECT_NE(complaint_with("[critical]\nparameter = \"tilt\"\nlower = \"20 deg\"\nupper = \"10 deg\"\n")
                   .find("bounds are reversed"),
               std::string::npos);
@@ -199,7 +200,7 @@ TEST(RelaxationCase, ASearchThatFindsNothingSaysWhichBoundToMove) {
 
 TEST(RelaxationCase, AWatchEndsTheRun) {
     const CaseModel model = parse_case(row_text, "case").model;
-    const Analysis stopped = analyse_model(model, [](double, const std::string&) { return false; });
+    const Analysis stopped = analyse_model(model, {.watch = [](double, const std::string&) { return false; }});
     EXPECT_EQ(stopped.status, "interrupted");
     EXPECT_FALSE(stopped.unfinished.empty());
 }

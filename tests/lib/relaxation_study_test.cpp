@@ -183,15 +183,18 @@ TEST(RelaxationStudy, ARunThatIsToldToEndIsInterrupted) {
     RelaxationStudy study = one_block(degrees(10), degrees(40), 1, 3);
     study.settings.emplace().stop = RelaxationStop::collapse;
     int calls = 0;
-    const RelaxationRun made = run(study, [&](double share) {
+    StudyWork work;
+    work.watch = [&](double share) {
         EXPECT_GE(share, 0);
         EXPECT_LE(share, 1);
         return ++calls < 4;
-    });
+    };
+    const RelaxationRun made = run(study, work);
     EXPECT_EQ(made.result.outcome, RelaxationOutcome::interrupted);
     EXPECT_EQ(calls, 4);
     study.critical = CriticalRequest{CriticalParameter::tilt, degrees(10), degrees(30), {}};
-    EXPECT_EQ(find_critical(study, [](double) { return false; }).status, CriticalStatus::interrupted);
+    work.watch = [](double) { return false; };
+    EXPECT_EQ(find_critical(study, work).status, CriticalStatus::interrupted);
 }
 
 TEST(RelaxationStudy, HistoryFollowsTheMotionAndItsEnergies) {

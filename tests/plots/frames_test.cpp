@@ -294,15 +294,14 @@ TEST(FrameFolder, HoldsWhatItsCollectionsList) {
     const ScratchFolder scratch;
     const std::filesystem::path folder = scratch.path() / "frames";
     FrameFolder frames(folder, "two_blocks");
-    for (const double time : {0.0, 0.1}) {
+    const auto add = [](FrameFolder& to, double time) {
         BlockFrame frame = sample();
         frame.time = time;
-        frames.add(frame);
+        to.add(frame);
+    };
+    for (const double time : {0.0, 0.1, 0.2}) {
+        add(frames, time);
     }
-    // A run that goes on after its second frame.
-    FrameFolder more(folder, "two_blocks", {0.0, 0.1});
-    more.add(sample());
-    EXPECT_EQ(more.size(), 3U);
     for (const std::string kind : {"blocks", "contacts"}) {
         const std::vector<std::string> names = files_in(content_of(folder / ("two_blocks_" + kind + ".pvd")));
         ASSERT_EQ(names.size(), 3U);
@@ -313,6 +312,12 @@ TEST(FrameFolder, HoldsWhatItsCollectionsList) {
         }
     }
     EXPECT_THROW(FrameFolder(folder / "two_blocks_blocks.pvd", "x"), OutputError);
+    // A shorter run in the same folder leaves nothing of the longer one.
+    FrameFolder again(folder, "two_blocks");
+    add(again, 0.0);
+    EXPECT_TRUE(std::filesystem::exists(folder / "two_blocks_blocks_00000.vtp"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "two_blocks_blocks_00001.vtp"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "two_blocks_contacts_00002.vtp"));
 }
 
 }  // namespace

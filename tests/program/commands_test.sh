@@ -82,7 +82,7 @@ expect "no folder" refuse test -e none
 title "trade"
 delabole trade "$source_folder/cases/relaxation/single_block.toml" --set 'critical.tolerance=0.1 deg'
 expect_status 0
-expect_output 'Errors are differences from 18.434949 deg'
+expect_output 'Errors are differences from 18.4349 deg'
 expect_output 'report in results/single_block/report.html'
 expect_complete_results results/single_block
 expect_only_numbers results/single_block
@@ -101,7 +101,7 @@ expect_output 'what the finest setting found, for want of an [[expect]] of criti
 title "trade needs a relaxation with a [critical] section"
 delabole trade good.toml --out none
 expect_status 3
-expect_error 'good.toml:2:9: model: is plane_failure: only a relaxation has numerical settings'
+expect_error 'good.toml:2:9: model = "plane_failure": is plane_failure: only a relaxation has numerical settings'
 expect_one_line_of_error
 sed '/^\[critical\]/,$d' "$source_folder/cases/relaxation/single_block.toml" >uncritical.toml
 delabole trade uncritical.toml --out none

@@ -1,0 +1,123 @@
+// A study stopped anywhere, in its run or in its search, ends with the same answers to the last bit.
+#include "dynamic_relaxation/study_checkpoint.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace delabole {
+namespace {
+
+// Its run collapses, its search stands and fails: every part of the progress is used.
+RelaxationStudy study_of_everything() {
+    RelaxationRow row{};
+    row.tilt = degrees(22);
+    row.density = 2700;
+    row.interface.friction_angle = row.base.friction_angle = degrees(20);
+    row.block = {{1, 3, {}}, {1, 3, {}}};
+    RelaxationStudy study{};
+    study.model.scene = row;
+    study.settings.emplace().stiffness_ratio = 1e5;
+    study.critical = CriticalRequest{CriticalParameter::tilt, degrees(15), degrees(25), degrees(1)};
+    study.history = HistoryRequest{0.05, {{1}, {2}}, {{1, 2}}};
+    return study;
+}
+
+struct Answers {
+    std::string progress;  // all that was found, as bytes
+    std::size_t frames = 0;
+    std::size_t lines = 0;
+    double stands = 0;
+    double fails = 0;
+    bool operator==(const Answers&) const = default;
+};
+
+Answers answers_from(const RelaxationStudy& study, StudyProgress progress, StudyWork work) {
+    work.frames = KeepFrames::yes;
+    const RelaxationRun made = run(study, work, progress);
+    const CriticalValue critical = find_critical(study, work, progress);
+    EXPECT_EQ(critical.status, CriticalStatus::found);
+    return {checkpoint_of(study, KeepFrames::yes, progress), made.frames.size(), made.history.size(), critical.stands,
+            critical.fails};
+}
+
+TEST(StudyCheckpoint, GoesOnFromAnyLookToTheLastBit) {
+    const RelaxationStudy study = study_of_everything();
+    std::vector<std::string> kept;
+    bool searched = false;
+    StudyWork keeping;
+    keeping.keep_due = [] { return true; };
+    keeping.keep = [&](const StudyProgress& progress) {
+        searched = searched || progress.probe_state.has_value();
+        kept.push_back(checkpoint_of(study, KeepFrames::yes, progress));
+    };
+    const Answers whole = answers_from(study, {}, keeping);
+    EXPECT_TRUE(searched);
+    EXPECT_GT(whole.frames, 20U);
+    EXPECT_GT(whole.lines, 5U);
+    ASSERT_GT(kept.size(), 20U);
+    EXPECT_TRUE(answers_from(study, {}, {}) == whole);
+    for (std::size_t index = 0; index < kept.size(); index += 1 + kept.size() / 20) {
+        RestoredProgress restored = restore_checkpoint(kept[index], study, KeepFrames::yes);
+        ASSERT_EQ(restored.check, CheckpointCheck::ok);
+        StudyWork two_threads;
+        two_threads.threads = 2;
+        EXPECT_TRUE(answers_from(study, restored.progress, two_threads) == whole) << index;
+    }
+    // A finished study has nothing left to do.
+    StudyWork idle;
+    idle.watch = [](double) {
+        ADD_FAILURE() << "a finished run was begun again";
+        return true;
+    };
+    EXPECT_TRUE(answers_from(study, restore_checkpoint(whole.progress, study, KeepFrames::yes).progress, idle) ==
+                whole);
+}
+
+TEST(StudyCheckpoint, RefusesWhatAsksForSomethingElse) {
+    const RelaxationStudy study = study_of_everything();
+    const std::string bytes = checkpoint_of(study, KeepFrames::yes, {});
+    const auto check = [&](const auto& change) {
+        RelaxationStudy other = study;
+        change(other);
+        return restore_checkpoint(bytes, other, KeepFrames::yes).check;
+    };
+    EXPECT_EQ(check([](RelaxationStudy&) {}), CheckpointCheck::ok);
+    EXPECT_EQ(restore_checkpoint(bytes, study, KeepFrames::no).check, CheckpointCheck::other_scene);
+    constexpr CheckpointCheck refused = CheckpointCheck::other_scene;
+    EXPECT_EQ(check([](RelaxationStudy& other) { other.critical.reset(); }), refused);
+    EXPECT_EQ(check([](RelaxationStudy& other) { other.critical->upper *= 1.1; }), refused);
+    EXPECT_EQ(check([](RelaxationStudy& other) { other.history->interval *= 2; }), refused);
+    EXPECT_EQ(check([](RelaxationStudy& other) { other.history->contact.clear(); }), refused);
+    EXPECT_EQ(check([](RelaxationStudy& other) { other.settings->duration = 59; }), refused);
+    EXPECT_EQ(check([](RelaxationStudy& other) { other.model.gravity = 9; }), refused);
+}
+
+// What carries the right envelope but not the study's own lists.
+TEST(StudyCheckpoint, RefusesListsOfAnotherLength) {
+    const RelaxationStudy study = study_of_everything();
+    StudyProgress progress;
+    StudyWork work;
+    work.frames = KeepFrames::yes;
+    run(study, work, progress);
+    const auto check = [&](const auto& change) {
+        StudyProgress forged = progress;
+        change(forged);
+        return restore_checkpoint(checkpoint_of(study, KeepFrames::yes, forged), study, KeepFrames::yes).check;
+    };
+    EXPECT_EQ(check([](StudyProgress&) {}), CheckpointCheck::ok);
+    constexpr CheckpointCheck refused = CheckpointCheck::damaged;
+    EXPECT_EQ(check([](StudyProgress& forged) { forged.state->motion.pop_back(); }), refused);
+    EXPECT_EQ(check([](StudyProgress& forged) { forged.probe_state.emplace(); }), refused);
+    EXPECT_EQ(check([](StudyProgress& forged) { forged.history.front().base_slip.clear(); }), refused);
+    EXPECT_EQ(check([](StudyProgress& forged) { forged.history.front().block.pop_back(); }), refused);
+    EXPECT_EQ(check([](StudyProgress& forged) { forged.record.frame.front().motion.clear(); }), refused);
+    EXPECT_EQ(check([](StudyProgress& forged) { forged.record.frame.front().force.front().block = 99; }), refused);
+    const std::string bytes = checkpoint_of(study, KeepFrames::yes, progress);
+    EXPECT_EQ(restore_checkpoint(bytes.substr(0, bytes.size() - 9), study, KeepFrames::yes).check, refused);
+}
+
+}  // namespace
+}  // namespace delabole

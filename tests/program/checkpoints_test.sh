@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# A dynamic relaxation killed at any moment goes on by the same command and ends with the same bytes; Ctrl-C leaves a
+# checkpoint and says how to go on; a checkpoint that does not belong to the case is said so and left unused.
+source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
+
+checkpoint=relaxation.checkpoint
+"$program" init relaxation --out case.toml --quiet 2>/dev/null || "$program" init relaxation --out case.toml
+# Seconds of work: blocks that slide for long, and a search after that.
+cat >>case.toml <<'EOF'
+
+[history]
+interval = "0.05 s"
+
+[[history.block]]
+block = 1
+
+[critical]
+parameter = "friction"
+lower = "5 deg"
+upper = "60 deg"
+EOF
+settings=(--set scene.base.friction_angle="9.5 deg" --set settings.collapse_displacement=20 --set settings.step_fraction=0.05)
+
+# Of a result folder, all that does not tell when it was made.
+answers() {
+    (cd "$1" && cat results.csv history.csv movements.csv resolved.toml && cat figures/*.gp frames/*)
+}
+
+same_answers() {
+    cmp <(answers "$1") <(answers "$2")
+}
+
+title "the whole run, for comparison, on one thread and on two"
+seconds=$SECONDS
+delabole run case.toml "${settings[@]}" --out whole
+expect_status 0
+echo "  took $((SECONDS - seconds)) s"
+expect "no checkpoint is left" test ! -e "whole/$checkpoint"
+delabole run case.toml "${settings[@]}" --out threads --threads 2
+expect "two threads give the same bytes" same_answers whole threads
+
+title "kill -9 again and again, then to the end"
+killed=0
+for delay in 0.3 0.7 0.2 1.1 0.5; do
+    "$program" run case.toml "${settings[@]}" --out killed --checkpoint-every 0.02 >/dev/null 2>&1 </dev/null &
+    child=$!
+    sleep "$delay"
+    if kill -KILL "$child" 2>/dev/null; then
+        killed=$((killed + 1))
+    fi
+    wait "$child" 2>/dev/null || true
+done
+expect "it was killed more than once" test "$killed" -gt 1
+expect "a checkpoint is left" test -s "killed/$checkpoint"
+delabole run case.toml "${settings[@]}" --out killed
+expect_status 0
+expect_error "going on from killed/$checkpoint"
+expect "the same bytes" same_answers whole killed
+expect "the checkpoint is gone" test ! -e "killed/$checkpoint"
+
+title "Ctrl-C leaves a checkpoint and says how to go on"
+setsid "$program" run case.toml "${settings[@]}" --out stopped >"$scratch/out" 2>"$scratch/err" </dev/null &
+child=$!
+sleep 0.7
+kill -s INT -- "-$child"
+status=0
+wait "$child" || status=$?
+expect_status 4
+expect_error "the same command goes on from stopped/$checkpoint"
+expect "the checkpoint is there" test -s "stopped/$checkpoint"
+expect "the report says so" contains stopped/report.html Interrupted
+cp -r stopped other
+delabole run case.toml "${settings[@]}" --out stopped
+expect_status 0
+expect "the same bytes" same_answers whole stopped
+
+title "a checkpoint of another case is not used"
+delabole run case.toml "${settings[@]}" --set scene.density="2500 kg/m3" --out other
+expect_status 0
+expect_error "relaxation.checkpoint belongs to another case, or to this one with other values: the run starts anew"
+expect "it is gone in the end" test ! -e "other/$checkpoint"
+
+finish
