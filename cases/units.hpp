@@ -1,8 +1,8 @@
 // Quantities as people write them, "225 ft" or "30 lbf/in^2", turned into SI.
 //
-// A quantity is a decimal number followed by a unit. Angles take deg or rad, also over a time; every other unit is udunits2's, restricted
-// to products and powers of named units, so that nothing hidden (an offset, a logarithm, a second number) can slip into
-// a value. A ratio is a bare number, a percentage or a quotient of like units ("0.2 m/m").
+// A quantity is a decimal number followed by a unit. Angles take deg or rad, also over a time; every other unit is
+// udunits2's, restricted to products and powers of named units, so that nothing hidden (an offset, a logarithm, a
+// second number) can slip into a value. A ratio is a bare number, a percentage or a quotient of like units ("0.2 m/m").
 #pragma once
 
 #include "parameters/fields.hpp"
