@@ -1,6 +1,8 @@
 // The laws of contacts and loads at their thresholds, against limit equilibrium and the equation of motion.
 #include "relaxation_scenes.hpp"
 
+#include "dynamic_relaxation/scenes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <functional>
