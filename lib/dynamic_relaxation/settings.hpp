@@ -44,6 +44,9 @@ struct RelaxationSettings {
     double duration = 60;  // s of model time, at most
     std::size_t most_steps = 100'000'000;
 
+    // m; free neighbours whose faces have parted by more show the first tension crack. Absent: nobody looks.
+    std::optional<double> crack_opening{};
+
     double overlap_limit = 0.05;  // of the smaller block's shortest edge; beyond, the run is stopped
     std::size_t threads = 1;
 };

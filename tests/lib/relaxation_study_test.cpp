@@ -14,7 +14,7 @@ RelaxationStudy one_block(double tilt, double friction, double width, double hei
     RelaxationRow row{};
     row.tilt = tilt;
     row.density = 2700;
-    row.interface = row.base = RelaxationJoint{friction, {}, {}, {}, {}, {}};
+    row.interface = row.base = RelaxationJoint{friction, {}, {}, {}, {}, {}, {}};
     row.block = {{width, height, {}}};
     RelaxationStudy study{};
     study.model.scene = row;
