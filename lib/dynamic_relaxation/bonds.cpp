@@ -16,10 +16,33 @@ double depth_behind(const Bodies& bodies, std::size_t edge) {
     return bodies.fixed[bodies.block_of[edge]] != 0 ? 0 : bodies.normal(edge).dot(bodies.corner[edge]);
 }
 
-Bond make_bond(const SharedFace& face, const BondMaterial& material, const Bodies& bodies, double viscous_damping) {
+// Two contacts at the ends of the face.
+FaceStiffness of_contacts(const JointMaterial& joint, double length, double mass, double viscous_damping) {
+    const double lever_square = length * length / 4;
+    const double normal_dashpot = 2 * viscous_damping * std::sqrt(mass * joint.normal_stiffness);
+    const double shear_dashpot = 2 * viscous_damping * std::sqrt(mass * joint.shear_stiffness);
+    return {2 * joint.normal_stiffness, 2 * joint.shear_stiffness, 2 * joint.normal_stiffness * lever_square,
+            2 * normal_dashpot,         2 * shear_dashpot,         2 * normal_dashpot * lever_square};
+}
+
+FaceStiffness greater_of(const FaceStiffness& one, const FaceStiffness& other) {
+    return {
+        std::max(one.normal_stiffness, other.normal_stiffness),   std::max(one.shear_stiffness, other.shear_stiffness),
+        std::max(one.bending_stiffness, other.bending_stiffness), std::max(one.normal_dashpot, other.normal_dashpot),
+        std::max(one.shear_dashpot, other.shear_dashpot),         std::max(one.bending_dashpot, other.bending_dashpot)};
+}
+
+const JointMaterial& joint_of(const RelaxationScene& scene, const Bodies& bodies, const SharedFace& face) {
+    const JointMaterial& one = scene.material[bodies.material[face.edge]];
+    const JointMaterial& two = scene.material[bodies.material[face.other_edge]];
+    return one.friction_angle < two.friction_angle ? one : two;
+}
+
+Bond make_bond(const SharedFace& face, const BondMaterial& material, const JointMaterial& joint, const Bodies& bodies,
+               double viscous_damping) {
     const double spacing =
         material.spacing.value_or(depth_behind(bodies, face.edge) + depth_behind(bodies, face.other_edge));
-    Bond bond;
+    Bond bond{};
     bond.face = face;
     bond.normal_stiffness = material.young_modulus / spacing * face.length;
     bond.shear_stiffness = material.shear_modulus / spacing * face.length;
@@ -32,6 +55,7 @@ Bond make_bond(const SharedFace& face, const BondMaterial& material, const Bodie
     bond.tension = material.tensile_strength;
     bond.cohesion = material.cohesion;
     bond.friction = std::tan(material.friction_angle);
+    bond.stiffest = greater_of(bond, of_contacts(joint, face.length, mass, viscous_damping));
     return bond;
 }
 
@@ -86,7 +110,8 @@ std::vector<Bond> make_bonds(const RelaxationScene& scene, const Bodies& bodies,
     for (const FaceBond& bond : scene.bond) {
         const std::optional<SharedFace> face = shared_face(bodies, bodies.range[bond.block].begin + bond.edge,
                                                            bodies.range[bond.other].begin + bond.other_edge);
-        bonds.push_back(make_bond(*face, scene.bond_material[bond.material], bodies, viscous_damping));
+        bonds.push_back(make_bond(*face, scene.bond_material[bond.material], joint_of(scene, bodies, *face), bodies,
+                                  viscous_damping));
     }
     return bonds;
 }
@@ -98,9 +123,8 @@ std::vector<FaceBond> find_bonds(const RelaxationScene& scene) {
         const JointMaterial& one = scene.material[bodies.material[face.edge]];
         const JointMaterial& two = scene.material[bodies.material[face.other_edge]];
         if (one.bond && two.bond) {
-            const JointMaterial& joint = one.friction_angle < two.friction_angle ? one : two;
             bonds.push_back({face.block, face.edge - bodies.range[face.block].begin, face.other,
-                             face.other_edge - bodies.range[face.other].begin, *joint.bond});
+                             face.other_edge - bodies.range[face.other].begin, *joint_of(scene, bodies, face).bond});
         }
     }
     return bonds;

@@ -34,17 +34,23 @@
 
 namespace delabole {
 
-struct Bond {
-    SharedFace face;
+struct FaceStiffness {
     double normal_stiffness;   // N/m per metre run, of the whole face
     double shear_stiffness;    // N/m per metre run, likewise
     double bending_stiffness;  // N per metre run and radian
     double normal_dashpot;
     double shear_dashpot;
     double bending_dashpot;
+};
+
+struct Bond : FaceStiffness {
+    SharedFace face;
     double tension;   // Pa
     double cohesion;  // Pa
     double friction;  // tangent
+    // Of the bond, or of the contacts that take its place, whichever is more: a time step that was too long for them
+    // would throw the blocks apart in the moment of breaking.
+    FaceStiffness stiffest;
 };
 
 enum class BondState { whole, broken_in_tension, broken_in_shear, block_removed };

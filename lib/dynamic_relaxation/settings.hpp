@@ -33,7 +33,7 @@ struct RelaxationSettings {
     double consolidation_time = 0;  // s at first in which the blocks of `held` do not move
 
     // Equilibrium: the greatest unbalanced force on a block, as a share of its weight, is below this, and the kinetic
-    // energy does not grow.
+    // energy does not grow; on a belt, speeds are below this share of the belt's.
     double equilibrium_ratio = 1e-6;
     double onset_rotation = 0.01;      // rad; more, with no equilibrium found since: onset of failure
     double onset_slide = 0.01;         // of the block's size, likewise

@@ -437,10 +437,15 @@ void Simulation::look() {
     } else if (farthest.rotation > settings_.collapse_rotation ||
                farthest.displacement > settings_.collapse_displacement) {
         decide(RelaxationOutcome::collapse);
-    } else if (settings_.stop_at_equilibrium && !growing && unbalanced < settings_.equilibrium_ratio &&
-               state_.time >= last_scheduled_time(scene_, settings_)) {
+    } else if (settings_.stop_at_equilibrium && !growing && !carried_along() &&
+               unbalanced < settings_.equilibrium_ratio && state_.time >= last_scheduled_time(scene_, settings_)) {
         decide(RelaxationOutcome::equilibrium);
     }
+}
+
+// A block that a belt carries at an even speed is in balance too, but not at rest.
+bool Simulation::carried_along() const {
+    return scene_.belt && fastest() > settings_.equilibrium_ratio * scene_.belt->speed;
 }
 
 void Simulation::look_for_crack() {

@@ -73,6 +73,7 @@ class Simulation {
     bool kick_block(std::size_t block, StepSums& sums);
     void look();
     void look_for_crack();
+    bool carried_along() const;
     void let_calm_blocks_rest();
     void take_velocities_away_at_peaks();
 

@@ -57,12 +57,12 @@ double stable_step(const Bodies& bodies, const std::vector<Motion>& motion, cons
         const FacePosition at = locate(bond.face, motion[block], motion[other]);
         const double share = bodies.fixed[block] == 0 && bodies.fixed[other] == 0 ? 2 : 1;
         add(block, row(at.normal_x, at.normal_y, at.arm_x, at.arm_y),
-            row(at.along_x(), at.along_y(), at.arm_x, at.arm_y), bond, share);
+            row(at.along_x(), at.along_y(), at.arm_x, at.arm_y), bond.stiffest, share);
         add(other, row(at.normal_x, at.normal_y, at.other_arm_x, at.other_arm_y),
-            row(at.along_x(), at.along_y(), at.other_arm_x, at.other_arm_y), bond, share);
+            row(at.along_x(), at.along_y(), at.other_arm_x, at.other_arm_y), bond.stiffest, share);
         for (const std::size_t bent : {block, other}) {
-            sums[bent].stiffness(2, 2) += share * bond.bending_stiffness;
-            sums[bent].damping(2, 2) += share * bond.bending_dashpot;
+            sums[bent].stiffness(2, 2) += share * bond.stiffest.bending_stiffness;
+            sums[bent].damping(2, 2) += share * bond.stiffest.bending_dashpot;
         }
     }
     double least = std::numeric_limits<double>::infinity();

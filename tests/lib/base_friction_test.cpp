@@ -129,7 +129,7 @@ TEST(BaseFriction, OfAFastBeltIsGravity) {
     }
 }
 
-RelaxationStudy row_study(std::vector<RelaxationRowBlock> blocks, double friction, bool on_belt) {
+RelaxationStudy row_study(std::vector<RelaxationRowBlock> blocks, double friction, double lower, bool on_belt) {
     RelaxationRow row{};
     row.density = 1330;
     row.interface.friction_angle = row.base.friction_angle = degrees(friction);
@@ -139,7 +139,7 @@ RelaxationStudy row_study(std::vector<RelaxationRowBlock> blocks, double frictio
     if (on_belt) {
         study.model.base_friction = BaseFriction{speed, degrees(35)};
     }
-    study.critical = CriticalRequest{CriticalParameter::tilt, degrees(5), degrees(40), degrees(0.02)};
+    study.critical = CriticalRequest{CriticalParameter::tilt, degrees(lower), degrees(lower + 4), degrees(0.05)};
     return study;
 }
 
@@ -149,14 +149,16 @@ TEST(BaseFriction, HasTheLimitingStatesOfGravity) {
     struct Row {
         std::vector<RelaxationRowBlock> blocks;
         double friction;
+        double lower;  // deg
     };
-    for (const Row& row : {Row{{slender}, 30}, Row{{{0.05, 0.05, {}}}, 25}, Row{{slender, slender}, 20}}) {
-        const CriticalValue gravity = find_critical(row_study(row.blocks, row.friction, false));
-        const CriticalValue belt = find_critical(row_study(row.blocks, row.friction, true));
+    for (const Row& row :
+         {Row{{slender}, 30, 16}, Row{{{0.05, 0.05, {}}}, 25, 23.3}, Row{{slender, slender}, 20, 16.4}}) {
+        const CriticalValue gravity = find_critical(row_study(row.blocks, row.friction, row.lower, false));
+        const CriticalValue belt = find_critical(row_study(row.blocks, row.friction, row.lower, true));
         ASSERT_EQ(gravity.status, CriticalStatus::found);
         ASSERT_EQ(belt.status, CriticalStatus::found);
         // Each within half its bracket; what soft joints shift, 1e-6 rad, is less by far.
-        EXPECT_NEAR(belt.value(), gravity.value(), degrees(0.02)) << row.friction;
+        EXPECT_NEAR(belt.value(), gravity.value(), degrees(0.05)) << row.friction;
     }
 }
 
