@@ -35,7 +35,7 @@ DELABOLE_MEMBERS(SeenPose, x, y, angle)
 DELABOLE_MEMBERS(BondMemory, state, time, damping, normal_drag, shear_drag, bending_drag)
 DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, bonds, dashpots, local_damping,
                  kinetic_damping)
-DELABOLE_MEMBERS(TensionCrack, time, tilt, block, other)
+DELABOLE_MEMBERS(FirstCrack, time, tilt, block, other)
 DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, searches, contacts_evaluated, travelled, motion, origin,
                  seen, calm, removed, base_slip, contacts, bond, ledger, elastic_at_start, unbalanced, unbalanced_then,
                  kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, outcome)

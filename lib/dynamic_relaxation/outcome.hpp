@@ -64,7 +64,7 @@ struct RelaxationResult {
     double time = 0;                        // s of model time
     double tilt = 0;                        // rad, of gravity at the end
     std::optional<double> onset_time = {};  // s
-    std::optional<TensionCrack> first_crack = {};
+    std::optional<FirstCrack> first_crack = {};
     std::size_t broken_bonds = 0;
     double unbalanced_ratio = 0;  // greatest unbalanced force over the block's weight of late
     EnergyLedger ledger = {};

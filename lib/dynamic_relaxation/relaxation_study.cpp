@@ -162,7 +162,7 @@ RelaxationAnswer answer_of(const RelaxationResult& result) {
     const EnergyLedger& ledger = result.ledger;
     const double turnover = ledger.turnover();
     constexpr double never = std::numeric_limits<double>::infinity();
-    const std::optional<TensionCrack>& crack = result.first_crack;
+    const std::optional<FirstCrack>& crack = result.first_crack;
     RelaxationAnswer answer{result.outcome,
                             result.onset_time.value_or(never),
                             result.time,

@@ -458,7 +458,7 @@ void Simulation::look_for_crack() {
         if (opening > widest && state_.removed[face.block] == 0 && state_.removed[face.other] == 0) {
             widest = opening;
             const double turned = scene_.motion.empty() ? 0 : state_.motion[scene_.motion.front().block].angle;
-            state_.first_crack = TensionCrack{state_.time, tilt() + turned, face.block, face.other};
+            state_.first_crack = FirstCrack{state_.time, tilt() + turned, face.block, face.other};
         }
     }
 }

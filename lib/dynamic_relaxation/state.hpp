@@ -33,7 +33,7 @@ struct EnergyLedger {
 };
 
 // Of two free blocks that were neighbours in the drawing.
-struct TensionCrack {
+struct FirstCrack {
     double time = 0;  // s
     double tilt = 0;  // rad, of gravity in the drawing and of the first moved base together
     std::uint64_t block = 0;
@@ -66,7 +66,7 @@ struct RelaxationState {
     double kinetic_before = 0;   // J/m, a step ago; for kinetic damping
     bool kinetic_rising = false;
     double onset_time = -1;  // s; negative: none
-    std::optional<TensionCrack> first_crack = {};
+    std::optional<FirstCrack> first_crack = {};
     std::uint64_t outcome = 0;  // RelaxationOutcome
 };
 

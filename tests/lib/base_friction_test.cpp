@@ -139,7 +139,11 @@ RelaxationStudy row_study(std::vector<RelaxationRowBlock> blocks, double frictio
     if (on_belt) {
         study.model.base_friction = BaseFriction{speed, degrees(35)};
     }
-    study.critical = CriticalRequest{CriticalParameter::tilt, degrees(lower), degrees(lower + 4), degrees(0.05)};
+    RelaxationNumerics numerics{};
+    numerics.quality = RelaxationQuality::draft;
+    numerics.onset_slide = 1e-3;  // just beyond the limit blocks creep over the belt's model
+    study.settings = numerics;
+    study.critical = CriticalRequest{CriticalParameter::tilt, degrees(lower), degrees(lower + 2), degrees(0.06)};
     return study;
 }
 
@@ -152,13 +156,13 @@ TEST(BaseFriction, HasTheLimitingStatesOfGravity) {
         double lower;  // deg
     };
     for (const Row& row :
-         {Row{{slender}, 30, 16}, Row{{{0.05, 0.05, {}}}, 25, 23.3}, Row{{slender, slender}, 20, 16.4}}) {
+         {Row{{slender}, 30, 17.3}, Row{{{0.05, 0.05, {}}}, 25, 23.9}, Row{{slender, slender}, 20, 17.6}}) {
         const CriticalValue gravity = find_critical(row_study(row.blocks, row.friction, row.lower, false));
         const CriticalValue belt = find_critical(row_study(row.blocks, row.friction, row.lower, true));
         ASSERT_EQ(gravity.status, CriticalStatus::found);
         ASSERT_EQ(belt.status, CriticalStatus::found);
-        // Each within half its bracket; what soft joints shift, 1e-6 rad, is less by far.
-        EXPECT_NEAR(belt.value(), gravity.value(), degrees(0.05)) << row.friction;
+        // Each within half its bracket; what soft joints shift, 1e-5 rad, is less by far.
+        EXPECT_NEAR(belt.value(), gravity.value(), degrees(0.06)) << row.friction;
     }
 }
 

@@ -72,18 +72,20 @@ TEST(FlexuralRelaxation, AgreesWhereColumnsBearThemselves) {
 }
 
 // Columns that lean on shorter ones. Limit equilibrium has every foot at its strength at once; brittle feet crack one
-// by one, stiffness deciding which first: they need more than limit equilibrium, and less than the tallest by itself.
+// by one, stiffness deciding which first: they need more than limit equilibrium, if not by much where the feet are
+// alike and turn together, and less than the tallest by itself.
 TEST(FlexuralRelaxation, BrittleFeetNeedMoreThanLimitEquilibrium) {
     for (const std::vector<double>& heights :
          {std::vector<double>{5, 8}, std::vector<double>{4, 6, 8}, std::vector<double>{4, 7, 8, 6}}) {
         const double together = analyse(slope_of(heights)).required_tensile_strength;
         const double alone =
             analyse(slope_of({*std::max_element(heights.begin(), heights.end())})).required_tensile_strength;
-        const double found = strength_by_relaxation(heights, 0.5 * together, 1.05 * alone, 0.01 * together);
-        RecordProperty("limit_equilibrium_kPa", std::to_string(together / 1e3));
-        std::printf("LE %.1f relax %.1f alone %.1f kPa\n", together / 1e3, found / 1e3, alone / 1e3);
-        EXPECT_GT(found, 0.99 * together);
-        EXPECT_LT(found, 1.01 * alone);
+        const double found = strength_by_relaxation(heights, 0.5 * together, 1.05 * alone, 0.002 * together);
+        std::printf("LE %.2f relax %.2f\n", together / 1e3, found / 1e3);
+        // The bracket is 0.2 % wide.
+        EXPECT_GT(found, 0.998 * together);
+        EXPECT_LT(found, 1.03 * together);
+        EXPECT_LT(found, 0.99 * alone);
     }
 }
 

@@ -58,14 +58,15 @@ TEST(TiltingFrame, NoCrackWhereNothingParts) {
 }
 
 // Plate 3.XIV: nine columns, of heights that the thesis's figures suggest, part between the sixth and the seventh at 16
-// deg.
+// deg. Its friction angles scatter from 8 to 36.5 deg; with 20 deg throughout the frame does the same.
 TEST(TiltingFrame, NineColumnsPartBehindTheSixth) {
-    const RelaxationAnswer answer =
-        answer_of(run(frame_study({1, 2, 3, 4, 5, 4, 3, 2, 1}, TiltingFrame::base, 12, 25)).result);
+    RelaxationStudy study = frame_study({1, 2, 3, 4, 5, 4, 3, 2, 1}, TiltingFrame::base, 15, 18);
+    row_of(study).interface.friction_angle = row_of(study).base.friction_angle = degrees(20);
+    const RelaxationAnswer answer = answer_of(run(study).result);
     EXPECT_EQ(answer.crack_block, 6);
     EXPECT_EQ(answer.crack_neighbour, 7);
-    // Read off a laboratory frame.
-    EXPECT_NEAR(answer.crack_tilt, degrees(16), degrees(2));
+    // What the photograph's caption gives, to the degree.
+    EXPECT_NEAR(answer.crack_tilt, degrees(16), degrees(0.5));
 }
 
 std::vector<double> heights_of(const RelaxationScene& scene, std::size_t count) {
