@@ -81,7 +81,6 @@ TEST(FlexuralRelaxation, BrittleFeetNeedMoreThanLimitEquilibrium) {
         const double alone =
             analyse(slope_of({*std::max_element(heights.begin(), heights.end())})).required_tensile_strength;
         const double found = strength_by_relaxation(heights, 0.5 * together, 1.05 * alone, 0.002 * together);
-        std::printf("LE %.2f relax %.2f\n", together / 1e3, found / 1e3);
         // The bracket is 0.2 % wide.
         EXPECT_GT(found, 0.998 * together);
         EXPECT_LT(found, 1.03 * together);
