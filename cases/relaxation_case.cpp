@@ -29,12 +29,20 @@ void check_joint_number(Checker& checker, const std::string& key, const std::opt
     }
 }
 
+void check_scatter(Checker& checker, const std::optional<RelaxationScatter>& scatter) {
+    if (scatter && !is_whole(scatter->seed)) {
+        checker.complain("scene.scatter.seed", "must be a whole number");
+    }
+}
+
 void check_blocks(Checker& checker, const RelaxationRow& row) {
+    check_scatter(checker, row.scatter);
     check_joint(checker, "scene.interface", row.interface);
     check_joint(checker, "scene.base", row.base);
 }
 
 void check_blocks(Checker& checker, const RelaxationColumns& columns) {
+    check_scatter(checker, columns.scatter);
     check_joint(checker, "scene.interface", columns.interface);
     check_joint(checker, "scene.base", columns.base);
 }
@@ -136,8 +144,8 @@ RelaxationStudy example_study() {
     RelaxationRow row{};
     row.tilt = degrees(10);
     row.density = 2700;
-    row.interface = {degrees(30), {}, {}, {}, {}, {}};
-    row.base = {degrees(30), {}, {}, {}, {}, {}};
+    row.interface = {degrees(30), {}, {}, {}, {}, {}, {}};
+    row.base = {degrees(30), {}, {}, {}, {}, {}, {}};
     row.block = {{1, 3, {}}, {1, 3, {}}};
     study.model.scene = row;
     return study;

@@ -30,6 +30,7 @@ std::vector<Column> energy_columns() {
                                 energy("kinetic", &EnergyLedger::kinetic),
                                 energy("elastic", &EnergyLedger::elastic),
                                 energy("friction", &EnergyLedger::friction),
+                                energy("bonds", &EnergyLedger::bonds),
                                 energy("dashpots", &EnergyLedger::dashpots),
                                 energy("local_damping", &EnergyLedger::local_damping),
                                 energy("kinetic_damping", &EnergyLedger::kinetic_damping)};

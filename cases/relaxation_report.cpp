@@ -257,6 +257,8 @@ std::string explain_failure(const RelaxationStudy& study, std::string_view, cons
     case SceneCheck::overlap_at_start:
         return block + " and " + block_name(fault.other.value_or(0)) +
                " overlap in the drawing by more than ten times what their weight would do: they would explode";
+    case SceneCheck::bond_without_face:
+        return "the two faces of bond " + std::to_string(fault.index + 1) + " do not lie on each other in the drawing";
     case SceneCheck::unknown_block:
         return "a load is on a block that does not exist: there are " +
                std::to_string(relaxation_scene(study).block.size());

@@ -27,19 +27,23 @@ DELABOLE_MEMBERS(Motion, x, y, angle, sine, versine, vx, vy, spin)
 DELABOLE_MEMBERS(RelaxationContact, block, other, corner, edge, arm, edge_start, along, offset, gap, edge_length,
                  start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, normal_stiffness,
                  shear_stiffness, normal_dashpot, shear_dashpot, friction, residual_friction, cohesion, tension, twin)
-DELABOLE_MEMBERS(ContactMemory, shear, place, overlap, slip, friction, damping, normal_drag, shear_drag, touching,
-                 sliding, broken, beneath)
+DELABOLE_MEMBERS(ContactMemory, shear, place, overlap, slip, friction, damping, normal_drag, shear_drag, shortened,
+                 touching, sliding, broken, beneath)
 DELABOLE_MEMBERS(ForceOnCorner, x, y, moment, other_moment)
 DELABOLE_MEMBERS(ContactList, contact, memory, force, margin, worst_overlap)
 DELABOLE_MEMBERS(SeenPose, x, y, angle)
-DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, dashpots, local_damping,
+DELABOLE_MEMBERS(BondMemory, state, time, damping, normal_drag, shear_drag, bending_drag)
+DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, bonds, dashpots, local_damping,
                  kinetic_damping)
+DELABOLE_MEMBERS(FirstCrack, time, tilt, block, other)
 DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, searches, contacts_evaluated, travelled, motion, origin,
-                 seen, calm, removed, base_slip, contacts, ledger, elastic_at_start, unbalanced, unbalanced_then,
-                 kinetic_then, kinetic_before, kinetic_rising, onset_time, outcome)
+                 seen, calm, removed, base_slip, contacts, bond, ledger, elastic_at_start, unbalanced, unbalanced_then,
+                 kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, outcome)
 
 DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,
-                 tensile_strength)
+                 tensile_strength, bond)
+DELABOLE_MEMBERS(BondMaterial, young_modulus, shear_modulus, tensile_strength, cohesion, friction_angle, spacing)
+DELABOLE_MEMBERS(FaceBond, block, edge, other, other_edge, material)
 DELABOLE_MEMBERS(RelaxationBlock, outline, density, fixed, held_at_first, joint)
 DELABOLE_MEMBERS(Gravity, acceleration, tilt, final_tilt, rate, interval, start)
 DELABOLE_MEMBERS(PointForce, block, at, force)
@@ -47,11 +51,13 @@ DELABOLE_MEMBERS(FacePressure, block, edge, at_first, at_second)
 DELABOLE_MEMBERS(TimedVector, time, value)
 DELABOLE_MEMBERS(PrescribedMotion, block, velocity, angular_velocity, pivot, start, duration)
 DELABOLE_MEMBERS(Removal, block, time)
-DELABOLE_MEMBERS(RelaxationScene, block, material, gravity, force, pressure, shaking, motion, removal)
+DELABOLE_MEMBERS(Belt, speed, friction_angle)
+DELABOLE_MEMBERS(RelaxationScene, block, material, gravity, force, pressure, shaking, motion, removal, bond_material,
+                 bond, belt)
 DELABOLE_MEMBERS(RelaxationSettings, step_fraction, time_step, viscous_damping, local_damping, kinetic_damping,
                  mass_scaling, start, ramp_time, consolidation_time, equilibrium_ratio, onset_rotation, onset_slide,
                  collapse_rotation, collapse_displacement, stop_at_onset, stop_at_equilibrium, duration, most_steps,
-                 overlap_limit, threads)
+                 crack_opening, overlap_limit, threads)
 
 DELABOLE_MEMBERS(BlockMonitor, block)
 DELABOLE_MEMBERS(ContactMonitor, block, other)

@@ -1,7 +1,6 @@
 #include "dynamic_relaxation/contacts.hpp"
 
 #include "dynamic_relaxation/contact_law.hpp"
-#include "dynamic_relaxation/neighbours.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -207,6 +206,9 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
     list.contact.reserve(previous.contact.size() + 64);
     const Search search(scene, bodies, motion, options);
     for (const auto& [first, second] : neighbouring_blocks(bodies, motion, removed, options.margin)) {
+        if (std::binary_search(options.bonded.begin(), options.bonded.end(), BlockPair(first, second))) {
+            continue;
+        }
         search.add_corners(first, second, list);
         search.add_corners(second, first, list);
     }
@@ -215,13 +217,14 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
     list.force.resize(list.contact.size());
     const ContactIndex known(previous.contact);
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const RelaxationContact& contact = list.contact[index];
+        RelaxationContact& contact = list.contact[index];
         ContactMemory& memory = list.memory[index];
         const std::size_t before = known.find(contact.corner, contact.edge);
         if (before != no_twin) {
             // Slip and energies have been booked; what is left is what the contact goes on with.
             memory = previous.memory[before];
             memory.slip = memory.friction = memory.damping = 0;
+            contact.gap += memory.shortened;
         } else {
             const double shortest = std::min(bodies.shortest_edge[contact.block], bodies.shortest_edge[contact.other]);
             memory.broken = !(options.first && contact.gap <= closed * shortest);

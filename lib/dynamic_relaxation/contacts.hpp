@@ -6,11 +6,12 @@
 // another, which is what made the thesis's program blow up (5.3.2, cycle 677).
 #pragma once
 
-#include "dynamic_relaxation/bodies.hpp"
+#include "dynamic_relaxation/neighbours.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace delabole {
@@ -56,6 +57,8 @@ struct ContactMemory {
     double damping = 0;      // J/m
     double normal_drag = 0;  // N/m, of the dashpots when last evaluated, along the normal
     double shear_drag = 0;   // N/m, along the edge
+    // m; a joint that was a bond is as much shorter as the rock was under its load when the bond broke (bonds.hpp).
+    double shortened = 0;
     bool touching = false;
     bool sliding = false;
     bool broken = false;  // peak strength, cohesion and tensile strength are gone
@@ -85,6 +88,8 @@ struct SearchOptions {
     // Joints that are closed in the drawing are whole: they have their peak strengths. Those that come about later, or
     // were open, have lost them.
     bool first;
+    // Pairs that have none, in increasing order.
+    std::span<const BlockPair> bonded = {};
 };
 
 // Contacts in an order that depends on positions alone. `previous` gives its memory to those that were contacts

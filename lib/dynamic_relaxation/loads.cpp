@@ -1,5 +1,7 @@
 #include "dynamic_relaxation/loads.hpp"
 
+#include "dynamic_relaxation/base_friction.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,6 +55,42 @@ void prescribe(const PrescribedMotion& prescribed, const Bodies& bodies, double 
     const PlanePoint<> arm = bodies.centroid[prescribed.block] + PlanePoint<>(motion.x, motion.y) - prescribed.pivot;
     motion.vx = velocity.x() - motion.spin * arm.y();
     motion.vy = velocity.y() + motion.spin * arm.x();
+}
+
+void sum_loads(const RelaxationScene& scene, const RelaxationSettings& settings, const Bodies& bodies, double time,
+               const std::vector<char>& held, const std::vector<Motion>& motion, std::vector<BlockForce>& load) {
+    const double ramp =
+        settings.start == RelaxationStart::ramped && time < settings.ramp_time ? time / settings.ramp_time : 1;
+    const PlanePoint<> gravity = ramp * gravity_at(scene.gravity, time);
+    const PlanePoint<> shaking = value_at(scene.shaking, time);
+    const PlanePoint<> acceleration = scene.belt ? PlanePoint<>(-shaking) : PlanePoint<>(gravity - shaking);
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        load[block] = {bodies.mass[block] * acceleration.x(), bodies.mass[block] * acceleration.y(), 0};
+    }
+    const auto add = [&](std::size_t block, const PlanePoint<>& arm, const PlanePoint<>& force) {
+        load[block].x += force.x();
+        load[block].y += force.y();
+        load[block].moment += arm.x() * force.y() - arm.y() * force.x();
+    };
+    if (scene.belt) {
+        const PlanePoint<> velocity = scene.belt->speed / scene.gravity.acceleration * gravity_at(scene.gravity, time);
+        for (std::size_t block = 0; block < bodies.size(); ++block) {
+            if (held[block] == 0) {
+                const double weight = ramp * scene.gravity.acceleration * bodies.mass[block];
+                const BlockForce drag = belt_drag(*scene.belt, velocity, weight, bodies, block, motion[block]);
+                load[block].x += drag.x;
+                load[block].y += drag.y;
+                load[block].moment += drag.moment;
+            }
+        }
+    }
+    for (const PointForce& force : scene.force) {
+        add(force.block, motion[force.block].turned(force.at - bodies.centroid[force.block]), force.force);
+    }
+    for (const FacePressure& pressure : scene.pressure) {
+        const FaceForce force = force_of(pressure, bodies, motion[pressure.block]);
+        add(pressure.block, force.arm, force.force);
+    }
 }
 
 double last_scheduled_time(const RelaxationScene& scene, const RelaxationSettings& settings) {

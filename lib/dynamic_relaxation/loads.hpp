@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamic_relaxation/bodies.hpp"
+#include "dynamic_relaxation/contact_forces.hpp"
 #include "dynamic_relaxation/scene.hpp"
 #include "dynamic_relaxation/settings.hpp"
 
@@ -23,6 +24,10 @@ FaceForce force_of(const FacePressure& pressure, const Bodies& bodies, const Mot
 
 // Sets the velocity of a fixed block.
 void prescribe(const PrescribedMotion& prescribed, const Bodies& bodies, double time, Motion& motion);
+
+// Forces on all blocks but contacts and bonds. Nothing on those that are held.
+void sum_loads(const RelaxationScene& scene, const RelaxationSettings& settings, const Bodies& bodies, double time,
+               const std::vector<char>& held, const std::vector<Motion>& motion, std::vector<BlockForce>& load);
 
 // After it, nothing changes any more of itself; no equilibrium is final before.
 double last_scheduled_time(const RelaxationScene& scene, const RelaxationSettings& settings);

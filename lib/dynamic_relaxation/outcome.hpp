@@ -64,7 +64,9 @@ struct RelaxationResult {
     double time = 0;                        // s of model time
     double tilt = 0;                        // rad, of gravity at the end
     std::optional<double> onset_time = {};  // s
-    double unbalanced_ratio = 0;            // greatest unbalanced force over the block's weight of late
+    std::optional<FirstCrack> first_crack = {};
+    std::size_t broken_bonds = 0;
+    double unbalanced_ratio = 0;  // greatest unbalanced force over the block's weight of late
     EnergyLedger ledger = {};
     std::optional<ContactName> deepest = {};
     RelaxationCost cost = {};

@@ -22,7 +22,8 @@ struct Response {
 
 using Direction = Eigen::Matrix<double, 6, 1>;
 
-Direction direction(double x, double y, const ContactPosition& at) {
+template <class Position>
+Direction direction(double x, double y, const Position& at) {
     Direction row;
     row << x, y, at.arm_x * y - at.arm_y * x, -x, -y, -(at.other_arm_x * y - at.other_arm_y * x);
     return row;
@@ -64,13 +65,32 @@ Response respond(const RelaxationContact& contact, const ContactPosition& at, Co
     return response;
 }
 
+Response respond(const Bond& bond, const FacePosition& at) {
+    const Direction normal = direction(at.normal_x, at.normal_y, at);
+    const Direction along = direction(at.along_x(), at.along_y(), at);
+    Direction bending;
+    bending << 0, 0, 1, 0, 0, -1;
+    Response response;
+    response.force = -bond.normal_stiffness * at.opening * normal - bond.shear_stiffness * at.slide * along -
+                     bond.bending_stiffness * at.turn * bending;
+    response.stiffness = bond.normal_stiffness * normal * normal.transpose() +
+                         bond.shear_stiffness * along * along.transpose() +
+                         bond.bending_stiffness * bending * bending.transpose();
+    return response;
+}
+
 // Rotations and moments are counted at the block's radius: all unknowns are lengths, so that scenes of every size lead
 // to the same equations.
 class Preload {
   public:
     Preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
-            const PreloadSettings& settings)
-        : bodies_(bodies), loads_(loads), settings_(settings), unknown_(bodies.size(), none) {
+            const PreloadSettings& settings, const Bonds& bonds, const std::vector<BondMemory>& bond_memory)
+        : bodies_(bodies),
+          loads_(loads),
+          settings_(settings),
+          bonds_(bonds),
+          bond_memory_(bond_memory),
+          unknown_(bodies.size(), none) {
         for (std::size_t block = 0; block < bodies.size(); ++block) {
             if (held[block] == 0) {
                 unknown_[block] = 3 * static_cast<Eigen::Index>(free_blocks_.size());
@@ -117,6 +137,9 @@ class Preload {
         double stiffest = 0;
         for (const RelaxationContact& contact : list.contact) {
             stiffest = std::max(stiffest, contact.normal_stiffness);
+        }
+        for (const Bond& bond : bonds_.list()) {
+            stiffest = std::max(stiffest, bond.normal_stiffness);
         }
         // As stiff as the joints at first, so that no contact is left behind by a leap; then thinner as long as balance
         // does not get much worse. Blocks may lose balance for a while before they jam.
@@ -170,7 +193,14 @@ class Preload {
                 hair * std::min(bodies_.shortest_edge[contact.block], bodies_.shortest_edge[contact.other]);
             const Response response = respond(contact, locate(contact, motion[contact.block], motion[contact.other]),
                                               list.memory[index], list.memory[index].touching ? 0 : touching);
-            add(contact, response);
+            add(contact.block, contact.other, response);
+        }
+        for (std::size_t index = 0; index < bonds_.list().size(); ++index) {
+            const Bond& bond = bonds_.list()[index];
+            if (bond_memory_[index].state == BondState::whole) {
+                add(bond.face.block, bond.face.other,
+                    respond(bond, locate(bond.face, motion[bond.face.block], motion[bond.face.other])));
+            }
         }
         double ratio = 0;
         for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
@@ -184,10 +214,10 @@ class Preload {
 
     Eigen::Vector3d lengths_of(std::size_t block) const { return {1, 1, 1 / bodies_.radius[block]}; }
 
-    void add(const RelaxationContact& contact, const Response& response) {
-        const std::array<Eigen::Index, 2> at{unknown_[contact.block], unknown_[contact.other]};
+    void add(std::size_t block, std::size_t other, const Response& response) {
+        const std::array<Eigen::Index, 2> at{unknown_[block], unknown_[other]};
         Direction lengths;
-        lengths << lengths_of(contact.block), lengths_of(contact.other);
+        lengths << lengths_of(block), lengths_of(other);
         const Direction force = response.force.cwiseProduct(lengths);
         const Eigen::Matrix<double, 6, 6> stiffness = lengths.asDiagonal() * response.stiffness * lengths.asDiagonal();
         for (Eigen::Index row = 0; row < 2; ++row) {
@@ -246,6 +276,8 @@ class Preload {
     const Bodies& bodies_;
     const std::vector<Eigen::Vector3d>& loads_;
     const PreloadSettings& settings_;
+    const Bonds& bonds_;
+    const std::vector<BondMemory>& bond_memory_;
     std::vector<std::size_t> free_blocks_ = {};
     std::vector<Eigen::Index> unknown_;  // first of a block's three; none where it is held
     std::vector<Eigen::Triplet<double>> entries_ = {};
@@ -255,8 +287,9 @@ class Preload {
 }  // namespace
 
 double preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
-               const PreloadSettings& settings, std::vector<Motion>& motion, ContactList& list) {
-    return Preload(bodies, held, loads, settings).solve(motion, list);
+               const PreloadSettings& settings, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
+               std::vector<Motion>& motion, ContactList& list) {
+    return Preload(bodies, held, loads, settings, bonds, bond_memory).solve(motion, list);
 }
 
 }  // namespace delabole

@@ -1,6 +1,7 @@
 // Equilibrium from which a preloaded run starts: without it a block falls onto its springs and overturns too early.
 #pragma once
 
+#include "dynamic_relaxation/bonds.hpp"
 #include "dynamic_relaxation/contacts.hpp"
 
 #include <Eigen/Core>
@@ -23,6 +24,7 @@ struct PreloadSettings {
 // change of each round that fades as balance improves. It is the implicit integration of a motion without mass through
 // a thick fluid, with growing steps: it goes to stable equilibria only. Returns the unbalanced ratio reached.
 double preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
-               const PreloadSettings& settings, std::vector<Motion>& motion, ContactList& list);
+               const PreloadSettings& settings, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
+               std::vector<Motion>& motion, ContactList& list);
 
 }  // namespace delabole

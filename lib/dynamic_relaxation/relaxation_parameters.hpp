@@ -25,6 +25,28 @@ constexpr std::array<std::string_view, 3> enum_names(BlockHold) {
 inline constexpr std::string_view hold_meaning =
     "fixed moves only as prescribed, held_at_first not before settings.consolidation_time; absent: free";
 
+// Intact rock across faces that lie on each other in the drawing, until it breaks: see bonds.hpp.
+struct RelaxationBond {
+    double young_modulus;
+    double shear_modulus;
+    double tensile_strength;
+    double cohesion;
+    double friction_angle;
+    std::optional<double> spacing;
+    static constexpr auto fields() {
+        using B = RelaxationBond;
+        return std::tuple{
+            number("young_modulus", &B::young_modulus, Dimension::stress, more_than(0),
+                   "of the plane: E in plane stress, E / (1 - nu^2) in plane strain"),
+            number("shear_modulus", &B::shear_modulus, Dimension::stress, more_than(0), "of the rock"),
+            number("tensile_strength", &B::tensile_strength, Dimension::stress, at_least(0), "of the rock"),
+            number("cohesion", &B::cohesion, Dimension::stress, at_least(0), "of the rock"),
+            number("friction_angle", &B::friction_angle, Dimension::angle, right_open(0, degrees(90)), "of the rock"),
+            number("spacing", &B::spacing, Dimension::length, more_than(0),
+                   "over which the rock deforms; absent: of the blocks' centroids from the face")};
+    }
+};
+
 // Strength over the shared length of two faces; the springs stand for one corner on one edge.
 struct RelaxationJoint {
     double friction_angle;
@@ -33,6 +55,7 @@ struct RelaxationJoint {
     std::optional<double> tensile_strength;
     std::optional<double> normal_stiffness;
     std::optional<double> shear_stiffness;
+    std::optional<RelaxationBond> bond;
     static constexpr auto fields() {
         using J = RelaxationJoint;
         return std::tuple{number("friction_angle", &J::friction_angle, Dimension::angle, right_open(0, degrees(90)),
@@ -46,7 +69,8 @@ struct RelaxationJoint {
                           number("normal_stiffness", &J::normal_stiffness, Dimension::stiffness, more_than(0),
                                  "of a corner on an edge; absent: by settings.stiffness_ratio"),
                           number("shear_stiffness", &J::shear_stiffness, Dimension::stiffness, more_than(0),
-                                 "of a corner on an edge; absent: as the normal stiffness")};
+                                 "of a corner on an edge; absent: as the normal stiffness"),
+                          section("bond", &J::bond, "rock that holds until it breaks; absent: an open joint")};
     }
 };
 
@@ -77,12 +101,30 @@ struct RelaxationColumn {
     }
 };
 
+// Laboratory blocks are not alike. Each height is drawn from a normal distribution about the one given, and so is the
+// friction angle of each base and of each interface, cut off at twice the deviation; cohesion and stiffness are as
+// given.
+struct RelaxationScatter {
+    double seed;
+    double height_deviation;
+    double friction_deviation;
+    static constexpr auto fields() {
+        using S = RelaxationScatter;
+        return std::tuple{number("seed", &S::seed, Dimension::ratio, within(0, 1e9), "of the random numbers"),
+                          number("height_deviation", &S::height_deviation, Dimension::ratio, right_open(0, 0.5),
+                                 "standard deviation of a height over the height"),
+                          number("friction_deviation", &S::friction_deviation, Dimension::angle,
+                                 right_open(0, degrees(20)), "standard deviation of a friction angle")};
+    }
+};
+
 // Blocks beside each other on one plane, from the toe up; the plane is the last block.
 struct RelaxationRow {
     double tilt;
     double density;
     RelaxationJoint interface;
     RelaxationJoint base;
+    std::optional<RelaxationScatter> scatter;
     std::vector<RelaxationRowBlock> block;
 
     static constexpr std::string_view kind = "row";
@@ -92,7 +134,9 @@ struct RelaxationRow {
             number("tilt", &R::tilt, Dimension::angle, between(degrees(-90), degrees(90)), "dip of the plane, to -x"),
             number("density", &R::density, Dimension::density, more_than(0), "of the rock"),
             section("interface", &R::interface, "joints between the blocks"),
-            section("base", &R::base, "joint below the blocks"), section("block", &R::block, "blocks from the toe up")};
+            section("base", &R::base, "joint below the blocks"),
+            section("scatter", &R::scatter, "of heights and friction; absent: none"),
+            section("block", &R::block, "blocks from the toe up")};
     }
 };
 
@@ -102,6 +146,7 @@ struct RelaxationColumns {
     double density;
     RelaxationJoint interface;
     RelaxationJoint base;
+    std::optional<RelaxationScatter> scatter;
     std::vector<RelaxationColumn> block;
 
     static constexpr std::string_view kind = "stepped_base";
@@ -112,6 +157,7 @@ struct RelaxationColumns {
             number("density", &C::density, Dimension::density, more_than(0), "of the rock"),
             section("interface", &C::interface, "joints between the columns"),
             section("base", &C::base, "joints below the columns"),
+            section("scatter", &C::scatter, "of heights and friction; absent: none"),
             section("block", &C::block, "columns from the toe up")};
     }
 };
@@ -188,6 +234,19 @@ struct Tilting {
             number("start", &T::start, Dimension::time, at_least(0), "of tilting; absent: 0"),
             number("pivot_x", &T::pivot_x, Dimension::length, any_number(), "of the base; absent: 0"),
             number("pivot_y", &T::pivot_y, Dimension::length, any_number(), "of the base; absent: 0")};
+    }
+};
+
+// The model lies on a belt, whose friction drives it instead of gravity: see base_friction.hpp.
+struct BaseFriction {
+    double belt_speed;
+    double friction_angle;
+    static constexpr auto fields() {
+        using B = BaseFriction;
+        return std::tuple{number("belt_speed", &B::belt_speed, Dimension::speed, more_than(0),
+                                 "of the belt, with the direction gravity would have"),
+                          number("friction_angle", &B::friction_angle, Dimension::angle, between(0, degrees(90)),
+                                 "of the blocks on the belt")};
     }
 };
 
@@ -293,6 +352,7 @@ struct Relaxation {
     std::optional<double> gravity;
     BlockScene scene;
     std::optional<Tilting> tilting;
+    std::optional<BaseFriction> base_friction;
     std::vector<ForceOnBlock> force;
     std::vector<WaterPressure> pressure;
     std::vector<ShakingPoint> shaking;
@@ -304,6 +364,8 @@ struct Relaxation {
             number("gravity", &R::gravity, Dimension::acceleration, at_least(0), "acceleration; absent: 9.80665 m/s2"),
             section("scene", &R::scene, "the blocks and their joints"),
             section("tilting", &R::tilting, "tilt that grows"),
+            section("base_friction", &R::base_friction,
+                    "a belt that drives the blocks, pressed on it by gravity; absent: gravity drives them"),
             section("force", &R::force, "point forces"),
             section("pressure", &R::pressure, "water on faces of blocks"),
             section("shaking", &R::shaking, "record of the ground's acceleration"),

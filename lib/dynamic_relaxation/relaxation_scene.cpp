@@ -1,9 +1,12 @@
 // Case parameters to scene and settings.
+#include "dynamic_relaxation/bonds.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
 #include "dynamic_relaxation/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <random>
 #include <utility>
 
 namespace delabole {
@@ -43,6 +46,80 @@ JointMaterial material_of(const RelaxationJoint& joint) {
             joint.tensile_strength.value_or(0)};
 }
 
+// Materials of joints in their order in the case.
+void add_bonds(RelaxationScene& scene, const std::vector<RelaxationJoint>& joints) {
+    for (std::size_t index = 0; index < joints.size(); ++index) {
+        if (const std::optional<RelaxationBond>& bond = joints[index].bond) {
+            scene.material[index].bond = scene.bond_material.size();
+            scene.bond_material.push_back({bond->young_modulus, bond->shear_modulus, bond->tensile_strength,
+                                           bond->cohesion, bond->friction_angle, bond->spacing});
+        }
+    }
+}
+
+// A normal deviate within twice the deviation, the same on every machine: the polar method of Marsaglia over the bits
+// of the generator.
+double deviate(std::mt19937_64& random) {
+    constexpr double most = 2;
+    const auto uniform = [&] { return 2 * (static_cast<double>(random() >> 11U) * 0x1p-53) - 1; };
+    for (;;) {
+        const double one = uniform();
+        const double other = uniform();
+        const double square = one * one + other * other;
+        if (square > 0 && square < 1) {
+            const double value = one * std::sqrt(-2 * std::log(square) / square);
+            if (std::abs(value) <= most) {
+                return value;
+            }
+        }
+    }
+}
+
+double scattered(double friction_angle, double deviation) {
+    return std::clamp(friction_angle + deviation, 0.0, degrees(89.9));
+}
+
+// Heights before the blocks are drawn; friction afterwards, joint by joint from the toe up.
+void scatter_heights(StandingBlocks& blocks, const RelaxationScatter& scatter, std::mt19937_64& random) {
+    for (StandingBlock& block : blocks.block) {
+        block.height *= 1 + scatter.height_deviation * deviate(random);
+    }
+}
+
+void scatter_friction(RelaxationScene& scene, std::size_t standing, const RelaxationScatter& scatter,
+                      std::mt19937_64& random) {
+    constexpr std::size_t bottom = 0;
+    constexpr std::size_t right = 1;
+    constexpr std::size_t top = 2;
+    constexpr std::size_t left = 3;
+    const auto drawn = [&](std::size_t material) {
+        JointMaterial joint = scene.material[material];
+        const double way = scatter.friction_deviation * deviate(random);
+        joint.friction_angle = scattered(joint.friction_angle, way);
+        if (joint.residual_friction_angle) {
+            joint.residual_friction_angle =
+                std::min(scattered(*joint.residual_friction_angle, way), joint.friction_angle);
+        }
+        scene.material.push_back(joint);
+        return scene.material.size() - 1;
+    };
+    for (std::size_t block = 0; block < standing; ++block) {
+        scene.block[block].joint[bottom] = drawn(scene.block[block].joint[bottom]);
+        if (block + 1 < standing) {
+            scene.block[block].joint[right] = scene.block[block + 1].joint[left] =
+                drawn(scene.block[block].joint[right]);
+        }
+    }
+    // Of two faces that touch, the one with less friction counts: below a block it is to be that of the block.
+    JointMaterial below = scene.material[scene.block[standing].joint[top]];
+    below.friction_angle = degrees(89.9);
+    below.residual_friction_angle.reset();
+    scene.material.push_back(below);
+    for (std::size_t base = standing; base < scene.block.size(); ++base) {
+        scene.block[base].joint[top] = scene.material.size() - 1;
+    }
+}
+
 // Counted from 1 in a case. Anything that is no number of a block becomes one that the scene's check refuses.
 std::size_t index_of(double number) {
     constexpr double most = 1e9;
@@ -69,20 +146,30 @@ StandingBlocks standing_blocks(const Standing& standing) {
     return blocks;
 }
 
-RelaxationScene blocks_of(const RelaxationRow& row) {
-    RelaxationScene scene = row_scene(standing_blocks(row));
-    for (std::size_t index = 0; index < row.block.size(); ++index) {
-        apply_hold(scene.block[index], row.block[index].hold);
+template <class Standing>
+RelaxationScene standing_scene(const Standing& standing, RelaxationScene (*draw)(const StandingBlocks&)) {
+    StandingBlocks blocks = standing_blocks(standing);
+    std::mt19937_64 random(standing.scatter ? static_cast<std::uint64_t>(standing.scatter->seed) : 0);
+    if (standing.scatter) {
+        scatter_heights(blocks, *standing.scatter, random);
+    }
+    RelaxationScene scene = draw(blocks);
+    add_bonds(scene, {standing.interface, standing.base});
+    if (standing.scatter) {
+        scatter_friction(scene, blocks.block.size(), *standing.scatter, random);
+    }
+    for (std::size_t index = 0; index < standing.block.size(); ++index) {
+        apply_hold(scene.block[index], standing.block[index].hold);
     }
     return scene;
 }
 
+RelaxationScene blocks_of(const RelaxationRow& row) {
+    return standing_scene(row, &row_scene);
+}
+
 RelaxationScene blocks_of(const RelaxationColumns& columns) {
-    RelaxationScene scene = column_scene(standing_blocks(columns));
-    for (std::size_t index = 0; index < columns.block.size(); ++index) {
-        apply_hold(scene.block[index], columns.block[index].hold);
-    }
-    return scene;
+    return standing_scene(columns, &column_scene);
 }
 
 RelaxationScene blocks_of(const RelaxationPolygons& polygons) {
@@ -90,6 +177,7 @@ RelaxationScene blocks_of(const RelaxationPolygons& polygons) {
     for (const RelaxationJoint& joint : polygons.joint) {
         scene.material.push_back(material_of(joint));
     }
+    add_bonds(scene, polygons.joint);
     scene.gravity.tilt = scene.gravity.final_tilt = polygons.tilt;
     for (const RelaxationPolygon& polygon : polygons.block) {
         RelaxationBlock block{{}, polygon.density};
@@ -152,6 +240,32 @@ void apply_tilting(RelaxationScene& scene, const Tilting& tilting) {
     }
 }
 
+// Otherwise the scene's check refuses it before anything is asked of its joints.
+bool all_joints_known(const RelaxationScene& scene) {
+    return std::ranges::all_of(scene.block, [&](const RelaxationBlock& block) {
+        return block.outline.size() >= 3 &&
+               std::ranges::all_of(block.joint, [&](std::size_t material) { return material < scene.material.size(); });
+    });
+}
+
+void apply_crack_opening(const RelaxationStudy& study, RelaxationSettings& settings) {
+    constexpr double of_columns = 0.01;
+    std::optional<double> share = study.settings.value_or(RelaxationNumerics{}).crack_opening;
+    if (!share && !std::holds_alternative<RelaxationPolygons>(study.model.scene)) {
+        share = of_columns;
+    }
+    if (share) {
+        double shortest = std::numeric_limits<double>::infinity();
+        for (const RelaxationBlock& block : relaxation_scene(study).block) {
+            for (std::size_t vertex = 0; vertex < block.outline.size(); ++vertex) {
+                const PlanePoint<> edge = block.outline[(vertex + 1) % block.outline.size()] - block.outline[vertex];
+                shortest = block.fixed ? shortest : std::min(shortest, edge.norm());
+            }
+        }
+        settings.crack_opening = *share * shortest;
+    }
+}
+
 // Blocks on a base that turns go with it before they fail.
 void allow_for_turned_base(const RelaxationStudy& study, RelaxationSettings& settings) {
     if (!study.model.tilting || study.model.tilting->turned != TiltingFrame::base) {
@@ -186,6 +300,12 @@ RelaxationScene relaxation_scene(const RelaxationStudy& study) {
     RelaxationScene scene = std::visit([](const auto& blocks) { return blocks_of(blocks); }, model.scene);
     scene.gravity.acceleration = model.gravity.value_or(scene.gravity.acceleration);
     stiffen(scene, stiffness_ratio_of(study));
+    if (!scene.bond_material.empty() && all_joints_known(scene)) {
+        scene.bond = find_bonds(scene);
+    }
+    if (model.base_friction) {
+        scene.belt = Belt{model.base_friction->belt_speed, model.base_friction->friction_angle};
+    }
     if (model.tilting) {
         apply_tilting(scene, *model.tilting);
     }
@@ -247,6 +367,7 @@ RelaxationSettings relaxation_settings(const RelaxationStudy& study) {
     take(settings.duration, numerics.duration);
     take(settings.most_steps, numerics.most_steps);
     take(settings.overlap_limit, numerics.overlap_limit);
+    apply_crack_opening(study, settings);
     allow_for_turned_base(study, settings);
     return settings;
 }

@@ -164,15 +164,22 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work) {
 RelaxationAnswer answer_of(const RelaxationResult& result) {
     const EnergyLedger& ledger = result.ledger;
     const double turnover = ledger.turnover();
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const std::optional<FirstCrack>& crack = result.first_crack;
     RelaxationAnswer answer{result.outcome,
-                            result.onset_time.value_or(std::numeric_limits<double>::infinity()),
+                            result.onset_time.value_or(never),
                             result.time,
                             result.tilt,
+                            crack ? crack->time : never,
+                            crack ? crack->tilt : never,
+                            crack ? static_cast<double>(std::min(crack->block, crack->other) + 1) : 0,
+                            crack ? static_cast<double>(std::max(crack->block, crack->other) + 1) : 0,
+                            static_cast<double>(result.broken_bonds),
                             result.unbalanced_ratio,
                             result.deepest ? result.deepest->overlap : 0,
                             {ledger.applied, ledger.prescribed, ledger.kinetic, ledger.elastic, ledger.friction,
-                             ledger.dashpots, ledger.local_damping, ledger.kinetic_damping, ledger.residual(),
-                             turnover > 0 ? ledger.residual() / turnover : 0},
+                             ledger.bonds, ledger.dashpots, ledger.local_damping, ledger.kinetic_damping,
+                             ledger.residual(), turnover > 0 ? ledger.residual() / turnover : 0},
                             static_cast<double>(result.cost.steps),
                             result.cost.step,
                             static_cast<double>(result.cost.contacts_evaluated),

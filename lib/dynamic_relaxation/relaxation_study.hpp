@@ -58,6 +58,7 @@ struct RelaxationNumerics {
     std::optional<RelaxationStop> stop;
     std::optional<double> duration;
     std::optional<double> most_steps;
+    std::optional<double> crack_opening;
     std::optional<double> overlap_limit;
     static constexpr auto fields() {
         using N = RelaxationNumerics;
@@ -95,6 +96,9 @@ struct RelaxationNumerics {
                     "end at equilibrium or collapse, at onset too, or at nothing before collapse; absent: equilibrium"),
             number("duration", &N::duration, Dimension::time, more_than(0), "longest model time; absent: 60 s"),
             number("most_steps", &N::most_steps, Dimension::ratio, within(1, 1e12), "longest run; absent: 1e8"),
+            number("crack_opening", &N::crack_opening, Dimension::ratio, more_than(0),
+                   "in shortest edges; neighbours that part by more show the first tension crack; absent: 0.01 for "
+                   "rows and stepped bases, none looked for else"),
             number("overlap_limit", &N::overlap_limit, Dimension::ratio, between(0, 1),
                    "of the shortest edge; a run with more is stopped; absent: 0.05")};
     }
@@ -150,6 +154,7 @@ struct EnergyAnswer {
     double kinetic;
     double elastic;
     double friction;
+    double bonds;
     double dashpots;
     double local_damping;
     double kinetic_damping;
@@ -164,6 +169,7 @@ struct EnergyAnswer {
             number("kinetic", &E::kinetic, energy, any_number(), "kinetic energy at the end"),
             number("elastic", &E::elastic, energy, any_number(), "stored in springs at the end, above the start"),
             number("friction", &E::friction, energy, any_number(), "dissipated by slip"),
+            number("bonds", &E::bonds, energy, any_number(), "set free by bonds that broke"),
             number("dashpots", &E::dashpots, energy, any_number(), "dissipated by contact dashpots"),
             number("local_damping", &E::local_damping, energy, any_number(), "dissipated by local damping"),
             number("kinetic_damping", &E::kinetic_damping, energy, any_number(), "taken out at energy peaks"),
@@ -193,6 +199,11 @@ struct RelaxationAnswer {
     double onset_time;
     double time;
     double tilt;
+    double crack_time;
+    double crack_tilt;
+    double crack_block;
+    double crack_neighbour;
+    double broken_bonds;
     double unbalanced_ratio;
     double greatest_overlap;
     EnergyAnswer energy;
@@ -207,6 +218,15 @@ struct RelaxationAnswer {
             number("onset_time", &R::onset_time, Dimension::time, any_number(), "of failure; infinite: no onset"),
             number("time", &R::time, Dimension::time, any_number(), "model time at the end"),
             number("tilt", &R::tilt, Dimension::angle, any_number(), "of gravity at the end"),
+            number("crack_time", &R::crack_time, Dimension::time, any_number(),
+                   "of the first tension crack; infinite: none seen"),
+            number("crack_tilt", &R::crack_tilt, Dimension::angle, any_number(),
+                   "of gravity and a turned base together at that time; infinite: none seen"),
+            number("crack_block", &R::crack_block, Dimension::ratio, any_number(),
+                   "number of the lower block beside it; 0: none seen"),
+            number("crack_neighbour", &R::crack_neighbour, Dimension::ratio, any_number(),
+                   "number of the other; 0: none seen"),
+            number("broken_bonds", &R::broken_bonds, Dimension::ratio, any_number(), "bonds that broke"),
             number("unbalanced_ratio", &R::unbalanced_ratio, Dimension::ratio, any_number(),
                    "greatest unbalanced force on a block over its weight at the end"),
             number("greatest_overlap", &R::greatest_overlap, Dimension::length, any_number(),

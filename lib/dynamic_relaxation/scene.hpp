@@ -27,6 +27,30 @@ struct JointMaterial {
     std::optional<double> residual_friction_angle = {};
     double cohesion = 0;          // Pa over the shared length of the faces; lost with the first slip or opening
     double tensile_strength = 0;  // Pa over the shared length; lost likewise
+    // Material of the bonds that find_bonds makes across faces of this joint: intact rock. Absent: the joint is open.
+    std::optional<std::size_t> bond = {};
+};
+
+// Intact rock between two blocks (bonds.hpp). Young's modulus is that of the plane: E in plane stress, E / (1 - nu^2)
+// in plane strain.
+struct BondMaterial {
+    double young_modulus;     // Pa, more than 0
+    double shear_modulus;     // Pa, more than 0
+    double tensile_strength;  // Pa, at least 0
+    double cohesion;          // Pa, at least 0
+    double friction_angle;    // 0 to below 90 deg
+    // m, over which the rock at the bond deforms: stiffness per area is modulus over spacing. Absent: the distance of
+    // the blocks' centroids from the face, none behind a fixed block.
+    std::optional<double> spacing = {};
+};
+
+// Two faces that lie on each other in the drawing, at least one of them of a free block.
+struct FaceBond {
+    std::size_t block;
+    std::size_t edge;
+    std::size_t other;
+    std::size_t other_edge;
+    std::size_t material;
 };
 
 struct RelaxationBlock {
@@ -84,6 +108,13 @@ struct Removal {
     double time;
 };
 
+// A belt under the drawing that moves with gravity's direction, and drives the blocks instead of gravity, whose
+// acceleration presses them on it (base_friction.hpp).
+struct Belt {
+    double speed;           // m/s, more than 0
+    double friction_angle;  // of the blocks on the belt, more than 0 to below 90 deg
+};
+
 struct RelaxationScene {
     std::vector<RelaxationBlock> block = {};
     std::vector<JointMaterial> material = {};
@@ -93,6 +124,9 @@ struct RelaxationScene {
     std::vector<TimedVector> shaking = {};  // acceleration of the ground, m/s2; the scene is seen from the ground
     std::vector<PrescribedMotion> motion = {};
     std::vector<Removal> removal = {};
+    std::vector<BondMaterial> bond_material = {};
+    std::vector<FaceBond> bond = {};
+    std::optional<Belt> belt = {};
 };
 
 enum class SceneCheck {
@@ -116,9 +150,11 @@ enum class SceneCheck {
     overlap_at_start,   // more than 10 times that under the block's own weight: it would explode
     load_out_of_range,  // gravity, rates, durations and water pressures are not negative
     setting_out_of_range,
+    bond_without_face,     // the two faces do not lie on each other in the drawing
+    modulus_not_positive,  // or spacing
 };
 
-constexpr std::array<std::string_view, 20> enum_names(SceneCheck) {
+constexpr std::array<std::string_view, 22> enum_names(SceneCheck) {
     return {"valid",
             "no_free_block",
             "number_not_finite",
@@ -138,7 +174,9 @@ constexpr std::array<std::string_view, 20> enum_names(SceneCheck) {
             "motion_of_free_block",
             "overlap_at_start",
             "load_out_of_range",
-            "setting_out_of_range"};
+            "setting_out_of_range",
+            "bond_without_face",
+            "modulus_not_positive"};
 }
 
 struct SceneFault {

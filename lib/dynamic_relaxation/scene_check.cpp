@@ -2,6 +2,7 @@
 
 #include "dynamic_relaxation/contact_law.hpp"
 #include "dynamic_relaxation/neighbours.hpp"
+#include "dynamic_relaxation/shared_faces.hpp"
 #include "parameters/fields.hpp"
 
 #include <algorithm>
@@ -217,6 +218,63 @@ SceneFault check_loads(const RelaxationScene& scene) {
     return increasing(scene.shaking) ? SceneFault{} : SceneFault{SceneCheck::times_not_increasing, 0};
 }
 
+SceneFault check_bonds(const RelaxationScene& scene) {
+    for (std::size_t index = 0; index < scene.bond_material.size(); ++index) {
+        const BondMaterial& material = scene.bond_material[index];
+        for (const double number : {material.young_modulus, material.shear_modulus, material.tensile_strength,
+                                    material.cohesion, material.friction_angle, material.spacing.value_or(1)}) {
+            if (!std::isfinite(number)) {
+                return {SceneCheck::number_not_finite, index};
+            }
+        }
+        if (!(material.young_modulus > 0) || !(material.shear_modulus > 0) || !(material.spacing.value_or(1) > 0)) {
+            return {SceneCheck::modulus_not_positive, index};
+        }
+        if (material.tensile_strength < 0 || material.cohesion < 0) {
+            return {SceneCheck::strength_negative, index};
+        }
+        if (material.friction_angle < 0 || material.friction_angle > degrees(greatest_friction)) {
+            return {SceneCheck::friction_out_of_range, index};
+        }
+    }
+    if (scene.bond.empty()) {
+        return {};
+    }
+    const Bodies bodies = make_bodies(scene);
+    for (std::size_t index = 0; index < scene.bond.size(); ++index) {
+        const FaceBond& bond = scene.bond[index];
+        if (bond.block >= bodies.size() || bond.other >= bodies.size() || bond.block == bond.other) {
+            return {SceneCheck::unknown_block, index};
+        }
+        if (bond.edge >= bodies.range[bond.block].size() || bond.other_edge >= bodies.range[bond.other].size()) {
+            return {SceneCheck::unknown_edge, index};
+        }
+        if (bond.material >= scene.bond_material.size()) {
+            return {SceneCheck::unknown_material, index};
+        }
+        if ((scene.block[bond.block].fixed && scene.block[bond.other].fixed) ||
+            !shared_face(bodies, bodies.range[bond.block].begin + bond.edge,
+                         bodies.range[bond.other].begin + bond.other_edge)) {
+            return {SceneCheck::bond_without_face, index};
+        }
+    }
+    return {};
+}
+
+SceneFault check_belt(const RelaxationScene& scene) {
+    if (!scene.belt) {
+        return {};
+    }
+    if (!std::isfinite(scene.belt->speed) || !std::isfinite(scene.belt->friction_angle)) {
+        return {SceneCheck::number_not_finite, 0};
+    }
+    if (!(scene.belt->friction_angle > 0) || scene.belt->friction_angle > degrees(greatest_friction)) {
+        return {SceneCheck::friction_out_of_range, 0};
+    }
+    const bool pressed = scene.gravity.acceleration > 0;
+    return scene.belt->speed > 0 && pressed ? SceneFault{} : SceneFault{SceneCheck::load_out_of_range, 0};
+}
+
 // Greatest distance by which a line along an edge of either block parts them; negative: least way out of an overlap.
 double distance_between(const Bodies& bodies, std::size_t first, std::size_t second) {
     double greatest = -std::numeric_limits<double>::infinity();
@@ -254,7 +312,7 @@ SceneFault check_settings(const RelaxationSettings& settings) {
                        not_negative(settings.consolidation_time) && settings.equilibrium_ratio > 0 &&
                        settings.onset_rotation > 0 && settings.onset_slide > 0 && settings.collapse_rotation > 0 &&
                        settings.collapse_displacement > 0 && settings.duration >= 0 && settings.overlap_limit > 0 &&
-                       settings.threads > 0;
+                       settings.threads > 0 && settings.crack_opening.value_or(1) > 0;
     return valid ? SceneFault{} : SceneFault{SceneCheck::setting_out_of_range, 0};
 }
 
@@ -273,7 +331,7 @@ SceneFault check_scene(const RelaxationScene& scene) {
         return {SceneCheck::unknown_material, 0};
     }
     // Blocks first: stiffnesses that follow from their weights are wrong where those are.
-    for (const auto check : {check_blocks, check_materials, check_stiffness, check_loads}) {
+    for (const auto check : {check_blocks, check_materials, check_stiffness, check_loads, check_bonds, check_belt}) {
         const SceneFault fault = check(scene);
         if (fault.check != SceneCheck::valid) {
             return fault;

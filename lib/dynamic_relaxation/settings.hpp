@@ -34,7 +34,7 @@ struct RelaxationSettings {
     double consolidation_time = 0;  // s at first in which the blocks of `held` do not move
 
     // Equilibrium: the greatest unbalanced force on a block, as a share of its weight, is below this, and the kinetic
-    // energy does not grow.
+    // energy does not grow; on a belt, speeds are below this share of the belt's.
     double equilibrium_ratio = 1e-6;
     double onset_rotation = 0.01;      // rad; more, with no equilibrium found since: onset of failure
     double onset_slide = 0.01;         // of the block's size, likewise
@@ -44,6 +44,9 @@ struct RelaxationSettings {
     bool stop_at_equilibrium = true;
     double duration = 60;  // s of model time, at most
     std::size_t most_steps = 100'000'000;
+
+    // m; free neighbours whose faces have parted by more show the first tension crack. Absent: nobody looks.
+    std::optional<double> crack_opening{};
 
     double overlap_limit = 0.05;  // of the smaller block's shortest edge; beyond, the run is stopped
     std::size_t threads = 1;

@@ -1,9 +1,9 @@
 #include "dynamic_relaxation/simulation.hpp"
 
+#include "dynamic_relaxation/base_friction.hpp"
 #include "dynamic_relaxation/contact_law.hpp"
 #include "dynamic_relaxation/loads.hpp"
 #include "dynamic_relaxation/preload.hpp"
-#include "dynamic_relaxation/scene_check.hpp"
 #include "dynamic_relaxation/time_step.hpp"
 
 #include <algorithm>
@@ -55,21 +55,18 @@ double shortest_edge(const Bodies& bodies) {
 
 }  // namespace
 
-double EnergyLedger::turnover() const {
-    return std::abs(applied) + std::abs(prescribed) + kinetic + std::abs(elastic) + friction + dashpots +
-           local_damping + kinetic_damping;
-}
-
 Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
     : scene_(std::move(scene)),
       settings_(settings),
       bodies_(bodies_of(scene_, settings_)),
       team_(std::max<std::size_t>(settings_.threads, 1)),
-      contact_forces_(bodies_, unnoticed_ways(scene_, bodies_), team_) {
+      contact_forces_(bodies_, unnoticed_ways(scene_, bodies_), team_),
+      bonds_(scene_, bodies_, settings_.viscous_damping, team_) {
     state_.motion.resize(bodies_.size());
     state_.removed.resize(bodies_.size(), 0);
     state_.base_slip.resize(bodies_.size(), 0);
     state_.calm.resize(bodies_.size(), 0);
+    state_.bond.resize(scene_.bond.size());
     state_.travelled = std::numeric_limits<double>::infinity();
     prepare();
     begin();
@@ -81,7 +78,8 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, Relax
       bodies_(bodies_of(scene_, settings_)),
       state_(std::move(state)),
       team_(std::max<std::size_t>(settings_.threads, 1)),
-      contact_forces_(bodies_, unnoticed_ways(scene_, bodies_), team_) {
+      contact_forces_(bodies_, unnoticed_ways(scene_, bodies_), team_),
+      bonds_(scene_, bodies_, settings_.viscous_damping, team_) {
     prepare();
     contact_forces_.renew(state_.contacts);
 }
@@ -99,24 +97,46 @@ void Simulation::prepare() {
         calm_speed_.push_back(rest_ratio() * gravity * std::sqrt(mass / stiffest));
     }
     hold_blocks();
+    if (settings_.crack_opening) {
+        watched_ = find_shared_faces(bodies_);
+        std::erase_if(watched_, [&](const SharedFace& face) {
+            return bodies_.fixed[face.block] != 0 || bodies_.fixed[face.other] != 0;
+        });
+    }
+}
+
+// Bonds that cannot bear the first loads break one after the other, the most overloaded first, while the rest finds its
+// balance; where it finds none, the run goes on with it.
+void Simulation::preload_springs() {
+    // Blocks that only jam once they have leaned a little move farther here than between two searches of the run.
+    const double reach = 10 * margin_;
+    const PreloadSettings limits{settings_.equilibrium_ratio / 10, reach / 2};
+    apply_loads();
+    std::vector<Eigen::Vector3d> loads;
+    for (const BlockForce& load : load_) {
+        loads.emplace_back(load.x, load.y, load.moment);
+    }
+    for (bool first = true;; first = false) {
+        find_contacts_within(reach, first);
+        const double ratio =
+            preload(bodies_, held_, loads, limits, bonds_, state_.bond, state_.motion, state_.contacts);
+        const std::optional<std::size_t> worst = bonds_.worst_overloaded(state_.motion, state_.bond);
+        if (!worst || ratio > limits.tolerance) {
+            return;
+        }
+        state_.bond[*worst].state = bonds_.state_of(*worst, state_.motion);
+        just_broken_.push_back(*worst);
+    }
 }
 
 void Simulation::begin() {
     if (settings_.start == RelaxationStart::preloaded) {
-        // Blocks that only jam once they have leaned a little move farther here than between two searches of the run.
-        const double reach = 10 * margin_;
-        state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
-                                        {reach, settings_.viscous_damping, true}, state_.contacts);
-        apply_loads();
-        std::vector<Eigen::Vector3d> loads;
-        for (const BlockForce& load : load_) {
-            loads.emplace_back(load.x, load.y, load.moment);
-        }
-        const PreloadSettings limits{settings_.equilibrium_ratio / 10, reach / 2};
-        preload(bodies_, held_, loads, limits, state_.motion, state_.contacts);
+        preload_springs();
     }
     state_.origin = state_.motion;
     find_contacts_where_due();
+    state_.ledger.bonds = 0;
+    state_.elastic_at_start = bonds_.elastic_energy(state_.motion, state_.bond);
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
         const RelaxationContact& contact = state_.contacts.contact[index];
         ContactMemory memory = state_.contacts.memory[index];
@@ -130,6 +150,7 @@ void Simulation::begin() {
 
 void Simulation::step() {
     follow_schedules();
+    break_bonds();
     find_contacts_where_due();
     apply_contact_forces();
     apply_loads();
@@ -179,6 +200,37 @@ void Simulation::book_springs_of_removed(std::size_t block) {
                                                      state_.motion[contact.block], state_.motion[contact.other]);
         }
     }
+    for (std::size_t index = 0; index < state_.bond.size(); ++index) {
+        const SharedFace& face = bonds_.list()[index].face;
+        BondMemory& memory = state_.bond[index];
+        if (memory.state == BondState::whole && (face.block == block || face.other == block)) {
+            state_.ledger.friction += bonds_.elastic_energy(index, state_.motion);
+            memory.state = BondState::block_removed;
+            memory.time = state_.time;
+        }
+    }
+}
+
+void Simulation::break_bonds() {
+    if (bonds_.empty()) {
+        return;
+    }
+    just_broken_ = bonds_.stretch(state_.motion, state_.last_step, state_.time, state_.bond);
+    for (const std::size_t bond : just_broken_) {
+        state_.ledger.bonds += bonds_.elastic_energy(bond, state_.motion);
+        state_.travelled = std::numeric_limits<double>::infinity();
+    }
+}
+
+BlockForce Simulation::force_of_joints(std::size_t block) const {
+    BlockForce force = contact_forces_.on_blocks()[block];
+    if (!bonds_.empty()) {
+        const BlockForce& of_bonds = bonds_.on_blocks()[block];
+        force.x += of_bonds.x;
+        force.y += of_bonds.y;
+        force.moment += of_bonds.moment;
+    }
+    return force;
 }
 
 double Simulation::fastest() const {
@@ -189,6 +241,15 @@ double Simulation::fastest() const {
             std::max(speed, std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * bodies_.radius[block]);
     }
     return speed;
+}
+
+void Simulation::find_contacts_within(double margin, bool first) {
+    const std::vector<BlockPair> bonded = bonds_.joined(state_.bond);
+    state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
+                                    {margin, settings_.viscous_damping, first, bonded}, state_.contacts);
+    for (const std::size_t bond : std::exchange(just_broken_, {})) {
+        state_.ledger.bonds -= hand_over(bonds_.list()[bond], bodies_, state_.motion, state_.contacts);
+    }
 }
 
 void Simulation::find_contacts_where_due() {
@@ -208,15 +269,17 @@ void Simulation::find_contacts_where_due() {
     const double slowest = std::sqrt(shortest_edge(bodies_) / std::max(scene_.gravity.acceleration, 1e-3)) / 20;
     const double last = state_.contacts.contact.empty() ? slowest : std::min(state_.step, slowest);
     const double margin = std::max(margin_, steps_ahead * speed * last);
-    state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
-                                    {margin, settings_.viscous_damping, state_.searches == 0}, state_.contacts);
+    find_contacts_within(margin, state_.searches == 0);
     contact_forces_.renew(state_.contacts);
     state_.seen.assign(bodies_.size(), never_seen());
     ++state_.searches;
-    const double stable = stable_step(bodies_, state_.motion, state_.contacts);
+    const double stable = stable_step(bodies_, state_.motion, state_.contacts, bonds_, state_.bond);
     // Blocks in free flight still have to follow gravity and their neighbours-to-be.
     const double seen_ahead = speed > 0 ? margin / (steps_ahead * speed) : slowest;
-    const double largest = std::min({settings_.step_fraction * stable, slowest, seen_ahead});
+    double largest = std::min({settings_.step_fraction * stable, slowest, seen_ahead});
+    if (scene_.belt) {
+        largest = std::min(largest, longest_step(*scene_.belt, scene_.gravity));
+    }
     state_.step = largest;
     if (settings_.time_step) {
         state_.step = *settings_.time_step / std::max(1.0, std::ceil(*settings_.time_step / largest));
@@ -232,26 +295,7 @@ void Simulation::apply_contact_forces() {
 }
 
 void Simulation::apply_loads() {
-    const double ramp = settings_.start == RelaxationStart::ramped && state_.time < settings_.ramp_time
-                            ? state_.time / settings_.ramp_time
-                            : 1;
-    const PlanePoint<> acceleration =
-        ramp * gravity_at(scene_.gravity, state_.time) - value_at(scene_.shaking, state_.time);
-    for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        load_[block] = {bodies_.mass[block] * acceleration.x(), bodies_.mass[block] * acceleration.y(), 0};
-    }
-    const auto add = [&](std::size_t block, const PlanePoint<>& arm, const PlanePoint<>& force) {
-        load_[block].x += force.x();
-        load_[block].y += force.y();
-        load_[block].moment += arm.x() * force.y() - arm.y() * force.x();
-    };
-    for (const PointForce& force : scene_.force) {
-        add(force.block, state_.motion[force.block].turned(force.at - bodies_.centroid[force.block]), force.force);
-    }
-    for (const FacePressure& pressure : scene_.pressure) {
-        const FaceForce force = force_of(pressure, bodies_, state_.motion[pressure.block]);
-        add(pressure.block, force.arm, force.force);
-    }
+    sum_loads(scene_, settings_, bodies_, state_.time, held_, state_.motion, load_);
 }
 
 void Simulation::integrate() {
@@ -297,7 +341,7 @@ void Simulation::integrate() {
 void Simulation::move_block(std::size_t block, StepSums& sums) {
     Motion& motion = state_.motion[block];
     if (held_[block] != 0) {
-        const BlockForce& force = contact_forces_.on_blocks()[block];
+        const BlockForce force = force_of_joints(block);
         // What the others do to a moved block, it does to them.
         sums.prescribed -= (force.x * motion.vx + force.y * motion.vy + force.moment * motion.spin) * state_.step;
     } else if (!kick_block(block, sums)) {
@@ -317,7 +361,7 @@ bool Simulation::kick_block(std::size_t block, StepSums& sums) {
     const double gravity = scene_.gravity.acceleration > 0 ? scene_.gravity.acceleration : 1;
     Motion& motion = state_.motion[block];
     const BlockForce& load = load_[block];
-    BlockForce net = contact_forces_.on_blocks()[block];
+    BlockForce net = force_of_joints(block);
     net.x += load.x;
     net.y += load.y;
     net.moment += load.moment;
@@ -375,37 +419,12 @@ void Simulation::take_velocities_away_at_peaks() {
     state_.kinetic_before = now;
 }
 
-double Simulation::kinetic_energy() const {
-    double sum = 0;
-    for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        if (held_[block] == 0) {
-            const Motion& motion = state_.motion[block];
-            sum += bodies_.inertial_mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy) +
-                   bodies_.inertia[block] * motion.spin * motion.spin;
-        }
-    }
-    return sum / 2;
-}
-
-EnergyLedger Simulation::ledger() const {
-    EnergyLedger ledger = state_.ledger;
-    ledger.kinetic = kinetic_energy();
-    ledger.elastic = -state_.elastic_at_start;
-    for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
-        const RelaxationContact& contact = state_.contacts.contact[index];
-        const ContactMemory& memory = state_.contacts.memory[index];
-        ledger.friction += memory.friction;
-        ledger.dashpots += memory.damping;
-        ledger.elastic += elastic_energy(contact, memory, state_.motion[contact.block], state_.motion[contact.other]);
-    }
-    return ledger;
-}
-
 void Simulation::look() {
     if (state_.steps % steps_between_looks != 0 || outcome() != RelaxationOutcome::undecided) {
         return;
     }
     let_calm_blocks_rest();
+    look_for_crack();
     const double kinetic = kinetic_energy();
     const bool growing = kinetic > state_.kinetic_then;
     state_.kinetic_then = kinetic;
@@ -426,9 +445,29 @@ void Simulation::look() {
     } else if (farthest.rotation > settings_.collapse_rotation ||
                farthest.displacement > settings_.collapse_displacement) {
         decide(RelaxationOutcome::collapse);
-    } else if (settings_.stop_at_equilibrium && !growing && unbalanced < settings_.equilibrium_ratio &&
-               state_.time >= last_scheduled_time(scene_, settings_)) {
+    } else if (settings_.stop_at_equilibrium && !growing && !carried_along() &&
+               unbalanced < settings_.equilibrium_ratio && state_.time >= last_scheduled_time(scene_, settings_)) {
         decide(RelaxationOutcome::equilibrium);
+    }
+}
+
+// A block that a belt carries at an even speed is in balance too, but not at rest.
+bool Simulation::carried_along() const {
+    return scene_.belt && fastest() > settings_.equilibrium_ratio * scene_.belt->speed;
+}
+
+void Simulation::look_for_crack() {
+    if (state_.first_crack || watched_.empty()) {
+        return;
+    }
+    double widest = *settings_.crack_opening;
+    for (const SharedFace& face : watched_) {
+        const double opening = locate(face, state_.motion[face.block], state_.motion[face.other]).widest(face.length);
+        if (opening > widest && state_.removed[face.block] == 0 && state_.removed[face.other] == 0) {
+            widest = opening;
+            const double turned = scene_.motion.empty() ? 0 : state_.motion[scene_.motion.front().block].angle;
+            state_.first_crack = FirstCrack{state_.time, tilt() + turned, face.block, face.other};
+        }
     }
 }
 
@@ -448,49 +487,6 @@ void Simulation::let_calm_blocks_rest() {
             2;
         motion.vx = motion.vy = motion.spin = 0;
     }
-}
-
-RelaxationResult Simulation::result() const {
-    RelaxationResult result;
-    result.outcome = outcome();
-    result.time = state_.time;
-    result.tilt = tilt();
-    if (state_.onset_time >= 0) {
-        result.onset_time = state_.onset_time;
-    }
-    result.unbalanced_ratio = std::max(state_.unbalanced, state_.unbalanced_then);
-    result.ledger = ledger();
-    result.deepest = deepest_contact(bodies_, state_);
-    result.cost = {state_.steps, state_.searches, state_.contacts_evaluated, state_.step};
-    result.block = block_outcomes(bodies_, state_, settings_);
-    return result;
-}
-
-RelaxationResult relax(const RelaxationScene& scene, const RelaxationSettings& settings,
-                       const std::function<bool(const Simulation&)>& watch) {
-    RelaxationResult refused;
-    refused.fault = check_settings(settings);
-    if (refused.fault.check != SceneCheck::valid) {
-        return refused;
-    }
-    refused.fault = check_scene(scene);
-    if (refused.fault.check != SceneCheck::valid) {
-        return refused;
-    }
-    refused.fault = check_start(scene);
-    if (refused.fault.check != SceneCheck::valid) {
-        return refused;
-    }
-    Simulation simulation(scene, settings);
-    while (simulation.running()) {
-        if (watch && !watch(simulation)) {
-            RelaxationResult result = simulation.result();
-            result.outcome = RelaxationOutcome::interrupted;
-            return result;
-        }
-        simulation.step();
-    }
-    return simulation.result();
 }
 
 }  // namespace delabole

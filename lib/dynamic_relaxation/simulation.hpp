@@ -4,8 +4,9 @@
 // Time stepping is the leap-frog of (I) with velocities half a step behind positions, the first kick half as long, so
 // that free motion is exact to second order. What a step does stands in Simulation::step.
 //
-// Limits: rigid blocks, plane, no breaking of blocks. Overlaps are the price of explicit contact: they shift the
-// critical tilt of a single block to tan(tilt) = b/a - (W/(k b)) sqrt(1 + (b/a)^2), and accordingly in systems.
+// Limits: rigid blocks, plane; rock breaks only where a bond stands for it (bonds.hpp). Overlaps are the price of
+// explicit contact: they shift the critical tilt of a single block to tan(tilt) = b/a - (W/(k b)) sqrt(1 + (b/a)^2),
+// and accordingly in systems.
 #pragma once
 
 #include "dynamic_relaxation/outcome.hpp"
@@ -57,9 +58,13 @@ class Simulation {
     void begin();
     void hold_blocks();
     void follow_schedules();
+    void break_bonds();
+    void preload_springs();
     void book_springs_of_removed(std::size_t block);
     double fastest() const;  // m/s, no point of any block is faster
     void find_contacts_where_due();
+    void find_contacts_within(double margin, bool first);
+    BlockForce force_of_joints(std::size_t block) const;
     void apply_contact_forces();
     void apply_loads();
     void integrate();
@@ -67,6 +72,8 @@ class Simulation {
     // False for a block at rest.
     bool kick_block(std::size_t block, StepSums& sums);
     void look();
+    void look_for_crack();
+    bool carried_along() const;
     void let_calm_blocks_rest();
     void take_velocities_away_at_peaks();
 
@@ -77,9 +84,12 @@ class Simulation {
     double margin_ = 0;
     Team team_;
     ContactForces contact_forces_;
-    std::vector<BlockForce> load_ = {};    // of the step
-    std::vector<double> calm_speed_ = {};  // m/s, below which a block may be calm
-    std::vector<char> held_ = {};          // fixed now: fixed blocks, and those held for consolidation
+    Bonds bonds_;
+    std::vector<std::size_t> just_broken_ = {};  // bonds whose contacts have yet to be found
+    std::vector<SharedFace> watched_ = {};       // for the first tension crack
+    std::vector<BlockForce> load_ = {};          // of the step
+    std::vector<double> calm_speed_ = {};        // m/s, below which a block may be calm
+    std::vector<char> held_ = {};                // fixed now: fixed blocks, and those held for consolidation
 };
 
 // Runs to the end. `watch` is called before each step and may end the run by returning false.

@@ -2,30 +2,42 @@
 #pragma once
 
 #include "dynamic_relaxation/bodies.hpp"
+#include "dynamic_relaxation/bonds.hpp"
 #include "dynamic_relaxation/contact_forces.hpp"
 #include "dynamic_relaxation/contacts.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace delabole {
 
-// J per metre run. Applied work = kinetic + elastic + friction + dashpots + local damping + kinetic damping + residual.
+// J per metre run. Applied work = kinetic + elastic + friction + bonds + dashpots + local damping + kinetic damping +
+// residual.
 struct EnergyLedger {
     double applied = 0;          // work of gravity, forces, water and shaking
     double prescribed = 0;       // work of moved fixed blocks on the others
     double kinetic = 0;          // at this time
     double elastic = 0;          // at this time, above that of the start
     double friction = 0;         // dissipated by slip, broken bonds and springs of removed blocks
+    double bonds = 0;            // set free by bonds that broke
     double dashpots = 0;         // dissipated
     double local_damping = 0;    // dissipated
     double kinetic_damping = 0;  // taken out at peaks
 
     double residual() const {
-        return applied + prescribed - kinetic - elastic - friction - dashpots - local_damping - kinetic_damping;
+        return applied + prescribed - kinetic - elastic - friction - bonds - dashpots - local_damping - kinetic_damping;
     }
     // What the residual is compared with.
     double turnover() const;
+};
+
+// Of two free blocks that were neighbours in the drawing.
+struct FirstCrack {
+    double time = 0;  // s
+    double tilt = 0;  // rad, of gravity in the drawing and of the first moved base together
+    std::uint64_t block = 0;
+    std::uint64_t other = 0;
 };
 
 struct RelaxationState {
@@ -43,7 +55,8 @@ struct RelaxationState {
     std::vector<char> removed = {};
     std::vector<double> base_slip = {};  // m, of each block over fixed ones; negative towards -x
     ContactList contacts = {};
-    EnergyLedger ledger = {};  // sums; what is of the moment is filled in when asked for
+    std::vector<BondMemory> bond = {};  // as the scene lists them
+    EnergyLedger ledger = {};           // sums; what is of the moment is filled in when asked for
     double elastic_at_start = 0;
 
     // For the decision.
@@ -52,7 +65,8 @@ struct RelaxationState {
     double kinetic_then = 0;     // J/m, at the last look
     double kinetic_before = 0;   // J/m, a step ago; for kinetic damping
     bool kinetic_rising = false;
-    double onset_time = -1;     // s; negative: none
+    double onset_time = -1;  // s; negative: none
+    std::optional<FirstCrack> first_crack = {};
     std::uint64_t outcome = 0;  // RelaxationOutcome
 };
 

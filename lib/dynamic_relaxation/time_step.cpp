@@ -24,20 +24,21 @@ double greatest_eigenvalue(const Eigen::Matrix3d& matrix) {
 
 }  // namespace
 
-double stable_step(const Bodies& bodies, const std::vector<Motion>& motion, const ContactList& list) {
+double stable_step(const Bodies& bodies, const std::vector<Motion>& motion, const ContactList& list, const Bonds& bonds,
+                   const std::vector<BondMemory>& bond_memory) {
     std::vector<Sums> sums(bodies.size());
     const auto add = [&](std::size_t block, const Eigen::Vector3d& normal, const Eigen::Vector3d& along,
-                         const RelaxationContact& contact, double share) {
+                         const auto& joint, double share) {
         const Eigen::Matrix3d across = share * normal * normal.transpose();
         const Eigen::Matrix3d in_shear = share * along * along.transpose();
-        sums[block].stiffness += contact.normal_stiffness * across + contact.shear_stiffness * in_shear;
-        sums[block].damping += contact.normal_dashpot * across + contact.shear_dashpot * in_shear;
+        sums[block].stiffness += joint.normal_stiffness * across + joint.shear_stiffness * in_shear;
+        sums[block].damping += joint.normal_dashpot * across + joint.shear_dashpot * in_shear;
+    };
+    const auto row = [](double x, double y, double arm_x, double arm_y) {
+        return Eigen::Vector3d(x, y, arm_x * y - arm_y * x);
     };
     for (const RelaxationContact& contact : list.contact) {
         const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
-        const auto row = [](double x, double y, double arm_x, double arm_y) {
-            return Eigen::Vector3d(x, y, arm_x * y - arm_y * x);
-        };
         const bool both_free = bodies.fixed[contact.block] == 0 && bodies.fixed[contact.other] == 0;
         // Of twins, one takes over what the other leaves.
         const double share = (both_free ? 2 : 1) * (contact.twin == no_twin ? 1.0 : 0.5);
@@ -45,6 +46,24 @@ double stable_step(const Bodies& bodies, const std::vector<Motion>& motion, cons
             row(at.along_x(), at.along_y(), at.arm_x, at.arm_y), contact, share);
         add(contact.other, row(at.normal_x, at.normal_y, at.other_arm_x, at.other_arm_y),
             row(at.along_x(), at.along_y(), at.other_arm_x, at.other_arm_y), contact, share);
+    }
+    for (std::size_t index = 0; index < bonds.list().size(); ++index) {
+        if (bond_memory[index].state != BondState::whole) {
+            continue;
+        }
+        const Bond& bond = bonds.list()[index];
+        const std::size_t block = bond.face.block;
+        const std::size_t other = bond.face.other;
+        const FacePosition at = locate(bond.face, motion[block], motion[other]);
+        const double share = bodies.fixed[block] == 0 && bodies.fixed[other] == 0 ? 2 : 1;
+        add(block, row(at.normal_x, at.normal_y, at.arm_x, at.arm_y),
+            row(at.along_x(), at.along_y(), at.arm_x, at.arm_y), bond.stiffest, share);
+        add(other, row(at.normal_x, at.normal_y, at.other_arm_x, at.other_arm_y),
+            row(at.along_x(), at.along_y(), at.other_arm_x, at.other_arm_y), bond.stiffest, share);
+        for (const std::size_t bent : {block, other}) {
+            sums[bent].stiffness(2, 2) += share * bond.stiffest.bending_stiffness;
+            sums[bent].damping(2, 2) += share * bond.stiffest.bending_dashpot;
+        }
     }
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t block = 0; block < bodies.size(); ++block) {

@@ -150,7 +150,7 @@ TEST(RelaxationCheckpoint, PaddingDoesNotShow) {
     advance(run, 500);
     const RelaxationState& state = run.state();
     ASSERT_FALSE(state.contacts.memory.empty());
-    static_assert(sizeof(ContactMemory) > 8 * sizeof(double) + 4 * sizeof(bool), "it has padding");
+    static_assert(sizeof(ContactMemory) > 9 * sizeof(double) + 4 * sizeof(bool), "it has padding");
     RelaxationState copy = state;
     for (std::size_t index = 0; index < copy.contacts.memory.size(); ++index) {
         const ContactMemory& from = state.contacts.memory[index];
@@ -165,6 +165,7 @@ TEST(RelaxationCheckpoint, PaddingDoesNotShow) {
         memory->place = from.place;
         memory->normal_drag = from.normal_drag;
         memory->shear_drag = from.shear_drag;
+        memory->shortened = from.shortened;
         memory->touching = from.touching;
         memory->sliding = from.sliding;
         memory->broken = from.broken;

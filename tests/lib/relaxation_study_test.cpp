@@ -14,7 +14,7 @@ RelaxationStudy one_block(double tilt, double friction, double width, double hei
     RelaxationRow row{};
     row.tilt = tilt;
     row.density = 2700;
-    row.interface = row.base = RelaxationJoint{friction, {}, {}, {}, {}, {}};
+    row.interface = row.base = RelaxationJoint{friction, {}, {}, {}, {}, {}, {}};
     row.block = {{width, height, {}}};
     RelaxationStudy study{};
     study.model.scene = row;
@@ -62,7 +62,7 @@ TEST(RelaxationScene, TheSameBlocksAsARowAndAsPolygonsBehaveAlike) {
     const RelaxationStudy row = one_block(degrees(18.6), degrees(40), 1, 3);
     RelaxationPolygons polygons{};
     polygons.tilt = degrees(18.6);
-    polygons.joint = {{degrees(40), {}, {}, {}, {}, {}}};
+    polygons.joint = {{degrees(40), {}, {}, {}, {}, {}, {}}};
     polygons.block = {{2700, {}, {}, {{0, 0, {}}, {1, 0, {}}, {1, 3, {}}, {0, 3, {}}}},
                       {2700, BlockHold::fixed, {}, {{-3, -1, {}}, {4, -1, {}}, {4, 0, {}}, {-3, 0, {}}}}};
     RelaxationStudy drawn{};
@@ -153,7 +153,7 @@ TEST(RelaxationStudy, ShakingMovesABlockOnceItExceedsFriction) {
 
 TEST(RelaxationStudy, WhatStoodOnARemovedBlockFalls) {
     RelaxationPolygons polygons{};
-    polygons.joint = {{degrees(30), {}, {}, {}, {}, {}}};
+    polygons.joint = {{degrees(30), {}, {}, {}, {}, {}, {}}};
     polygons.block = {{2700, {}, {}, {{0, 1, {}}, {1, 1, {}}, {1, 2, {}}, {0, 2, {}}}},
                       {2700, {}, {}, {{0, 0, {}}, {1, 0, {}}, {1, 1, {}}, {0, 1, {}}}},
                       {2700, BlockHold::fixed, {}, {{-3, -1, {}}, {4, -1, {}}, {4, 0, {}}, {-3, 0, {}}}}};

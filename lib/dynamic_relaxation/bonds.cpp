@@ -1,0 +1,314 @@
+#include "dynamic_relaxation/bonds.hpp"
+
+#include "dynamic_relaxation/contact_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+// Distance of a block's centroid from the line of its face; a fixed block does not deform.
+double depth_behind(const Bodies& bodies, std::size_t edge) {
+    return bodies.fixed[bodies.block_of[edge]] != 0 ? 0 : bodies.normal(edge).dot(bodies.corner[edge]);
+}
+
+// Two contacts at the ends of the face.
+FaceStiffness of_contacts(const JointMaterial& joint, double length, double mass, double viscous_damping) {
+    const double lever_square = length * length / 4;
+    const double normal_dashpot = 2 * viscous_damping * std::sqrt(mass * joint.normal_stiffness);
+    const double shear_dashpot = 2 * viscous_damping * std::sqrt(mass * joint.shear_stiffness);
+    return {2 * joint.normal_stiffness, 2 * joint.shear_stiffness, 2 * joint.normal_stiffness * lever_square,
+            2 * normal_dashpot,         2 * shear_dashpot,         2 * normal_dashpot * lever_square};
+}
+
+FaceStiffness greater_of(const FaceStiffness& one, const FaceStiffness& other) {
+    return {
+        std::max(one.normal_stiffness, other.normal_stiffness),   std::max(one.shear_stiffness, other.shear_stiffness),
+        std::max(one.bending_stiffness, other.bending_stiffness), std::max(one.normal_dashpot, other.normal_dashpot),
+        std::max(one.shear_dashpot, other.shear_dashpot),         std::max(one.bending_dashpot, other.bending_dashpot)};
+}
+
+const JointMaterial& joint_of(const RelaxationScene& scene, const Bodies& bodies, const SharedFace& face) {
+    const JointMaterial& one = scene.material[bodies.material[face.edge]];
+    const JointMaterial& two = scene.material[bodies.material[face.other_edge]];
+    return one.friction_angle < two.friction_angle ? one : two;
+}
+
+Bond make_bond(const SharedFace& face, const BondMaterial& material, const JointMaterial& joint, const Bodies& bodies,
+               double viscous_damping) {
+    const double spacing =
+        material.spacing.value_or(depth_behind(bodies, face.edge) + depth_behind(bodies, face.other_edge));
+    Bond bond{};
+    bond.face = face;
+    bond.normal_stiffness = material.young_modulus / spacing * face.length;
+    bond.shear_stiffness = material.shear_modulus / spacing * face.length;
+    bond.bending_stiffness = bond.normal_stiffness * face.length * face.length / 12;
+    const double mass = 1 / (bodies.inverse_mass[face.block] + bodies.inverse_mass[face.other]);
+    const double inertia = 1 / (bodies.inverse_inertia[face.block] + bodies.inverse_inertia[face.other]);
+    bond.normal_dashpot = 2 * viscous_damping * std::sqrt(mass * bond.normal_stiffness);
+    bond.shear_dashpot = 2 * viscous_damping * std::sqrt(mass * bond.shear_stiffness);
+    bond.bending_dashpot = 2 * viscous_damping * std::sqrt(inertia * bond.bending_stiffness);
+    bond.tension = material.tensile_strength;
+    bond.cohesion = material.cohesion;
+    bond.friction = std::tan(material.friction_angle);
+    bond.stiffest = greater_of(bond, of_contacts(joint, face.length, mass, viscous_damping));
+    return bond;
+}
+
+// What it breaks by, if it is overloaded.
+BondState state_under(const BondLoading& loading) {
+    if (loading.worst() <= 1) {
+        return BondState::whole;
+    }
+    return loading.tension >= loading.shear ? BondState::broken_in_tension : BondState::broken_in_shear;
+}
+
+// Dashpots act half a step on both sides of their moment: the books count half with each velocity. Velocities are those
+// that led here, half a step ago.
+ForceOnCorner advance_bond(const Bond& bond, BondMemory& memory, const Motion& block, const Motion& other,
+                           double step) {
+    const FacePosition at = locate(bond.face, block, other);
+    const double velocity_x = (block.vx - other.vx) - (block.spin * at.arm_y - other.spin * at.other_arm_y);
+    const double velocity_y = (block.vy - other.vy) + (block.spin * at.arm_x - other.spin * at.other_arm_x);
+    const double opening = at.normal_x * velocity_x + at.normal_y * velocity_y;
+    const double shearing = at.along_x() * velocity_x + at.along_y() * velocity_y;
+    const double bending = block.spin - other.spin;
+    const auto book = [&] {
+        memory.damping -=
+            step / 2 * (memory.normal_drag * opening + memory.shear_drag * shearing + memory.bending_drag * bending);
+    };
+    book();
+    memory.normal_drag = memory.shear_drag = memory.bending_drag = 0;
+    memory.state = state_under(loading_of(bond, at));
+    if (memory.state != BondState::whole) {
+        return {};
+    }
+    memory.normal_drag = -bond.normal_dashpot * opening;
+    memory.shear_drag = -bond.shear_dashpot * shearing;
+    memory.bending_drag = -bond.bending_dashpot * bending;
+    book();
+    const double normal = -bond.normal_stiffness * at.opening + memory.normal_drag;
+    const double shear = -bond.shear_stiffness * at.slide + memory.shear_drag;
+    const double moment = -bond.bending_stiffness * at.turn + memory.bending_drag;
+    ForceOnCorner force;
+    force.x = at.normal_x * normal + at.along_x() * shear;
+    force.y = at.normal_y * normal + at.along_y() * shear;
+    force.moment = at.arm_x * force.y - at.arm_y * force.x + moment;
+    force.other_moment = at.other_arm_y * force.x - at.other_arm_x * force.y - moment;
+    return force;
+}
+
+}  // namespace
+
+std::vector<Bond> make_bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping) {
+    std::vector<Bond> bonds;
+    bonds.reserve(scene.bond.size());
+    for (const FaceBond& bond : scene.bond) {
+        const std::optional<SharedFace> face = shared_face(bodies, bodies.range[bond.block].begin + bond.edge,
+                                                           bodies.range[bond.other].begin + bond.other_edge);
+        bonds.push_back(make_bond(*face, scene.bond_material[bond.material], joint_of(scene, bodies, *face), bodies,
+                                  viscous_damping));
+    }
+    return bonds;
+}
+
+std::vector<FaceBond> find_bonds(const RelaxationScene& scene) {
+    const Bodies bodies = make_bodies(scene);
+    std::vector<FaceBond> bonds;
+    for (const SharedFace& face : find_shared_faces(bodies)) {
+        const JointMaterial& one = scene.material[bodies.material[face.edge]];
+        const JointMaterial& two = scene.material[bodies.material[face.other_edge]];
+        if (one.bond && two.bond) {
+            bonds.push_back({face.block, face.edge - bodies.range[face.block].begin, face.other,
+                             face.other_edge - bodies.range[face.other].begin, *joint_of(scene, bodies, face).bond});
+        }
+    }
+    return bonds;
+}
+
+double elastic_energy(const Bond& bond, const FacePosition& at) {
+    return (bond.normal_stiffness * at.opening * at.opening + bond.shear_stiffness * at.slide * at.slide +
+            bond.bending_stiffness * at.turn * at.turn) /
+           2;
+}
+
+BondLoading loading_of(const Bond& bond, const FacePosition& at) {
+    const double length = bond.face.length;
+    const double tension = bond.normal_stiffness * at.widest(length) / length;
+    const double compression = -bond.normal_stiffness * at.opening / length;
+    const double shear = bond.shear_stiffness * std::abs(at.slide) / length;
+    const double strength = std::max(bond.cohesion + compression * bond.friction, 0.0);
+    // Without strength any load is too much, and no load none.
+    const auto share = [](double stress, double most) {
+        return stress <= 0 ? 0 : most > 0 ? stress / most : std::numeric_limits<double>::infinity();
+    };
+    return {share(tension, bond.tension), share(shear, strength)};
+}
+
+Bonds::Bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping, Team& team)
+    : team_(team), bond_(make_bonds(scene, bodies, viscous_damping)), force_(bond_.size()), breaks_(bond_.size(), 0) {
+    if (!bond_.empty()) {
+        force_on_block_.resize(bodies.size());
+    }
+}
+
+std::vector<BlockPair> Bonds::joined(const std::vector<BondMemory>& memory) const {
+    std::vector<BlockPair> pairs;
+    for (std::size_t index = 0; index < bond_.size(); ++index) {
+        if (memory[index].state == BondState::whole) {
+            const SharedFace& face = bond_[index].face;
+            pairs.emplace_back(std::min(face.block, face.other), std::max(face.block, face.other));
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+std::vector<std::size_t> Bonds::stretch(const std::vector<Motion>& motion, double step, double time,
+                                        std::vector<BondMemory>& memory) {
+    constexpr std::size_t worth_dividing = 512;
+    std::fill(breaks_.begin(), breaks_.end(), char{0});
+    const auto advance = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t index = begin; index < end; ++index) {
+            const SharedFace& face = bond_[index].face;
+            force_[index] = {};
+            if (memory[index].state == BondState::whole) {
+                force_[index] = advance_bond(bond_[index], memory[index], motion[face.block], motion[face.other], step);
+                breaks_[index] = memory[index].state == BondState::whole ? 0 : 1;
+            }
+        }
+    };
+    if (bond_.size() < worth_dividing) {
+        advance(0, bond_.size());
+    } else {
+        team_.run([&](std::size_t part) {
+            advance(part_begin(bond_.size(), part, team_.size()), part_begin(bond_.size(), part + 1, team_.size()));
+        });
+    }
+    sum();
+    std::vector<std::size_t> broken;
+    for (std::size_t index = 0; index < bond_.size(); ++index) {
+        if (breaks_[index] != 0) {
+            memory[index].time = time;
+            broken.push_back(index);
+        }
+    }
+    return broken;
+}
+
+void Bonds::sum() {
+    std::fill(force_on_block_.begin(), force_on_block_.end(), BlockForce{});
+    for (std::size_t index = 0; index < bond_.size(); ++index) {
+        const ForceOnCorner& force = force_[index];
+        BlockForce& own = force_on_block_[bond_[index].face.block];
+        own.x += force.x;
+        own.y += force.y;
+        own.moment += force.moment;
+        BlockForce& other = force_on_block_[bond_[index].face.other];
+        other.x -= force.x;
+        other.y -= force.y;
+        other.moment += force.other_moment;
+    }
+}
+
+double Bonds::elastic_energy(std::size_t bond, const std::vector<Motion>& motion) const {
+    const SharedFace& face = bond_[bond].face;
+    return delabole::elastic_energy(bond_[bond], locate(face, motion[face.block], motion[face.other]));
+}
+
+double Bonds::elastic_energy(const std::vector<Motion>& motion, const std::vector<BondMemory>& memory) const {
+    double sum = 0;
+    for (std::size_t index = 0; index < bond_.size(); ++index) {
+        if (memory[index].state == BondState::whole) {
+            sum += elastic_energy(index, motion);
+        }
+    }
+    return sum;
+}
+
+BondState Bonds::state_of(std::size_t bond, const std::vector<Motion>& motion) const {
+    const SharedFace& face = bond_[bond].face;
+    return state_under(loading_of(bond_[bond], locate(face, motion[face.block], motion[face.other])));
+}
+
+std::optional<std::size_t> Bonds::worst_overloaded(const std::vector<Motion>& motion,
+                                                   const std::vector<BondMemory>& memory) const {
+    std::optional<std::size_t> worst;
+    double most = 1;
+    for (std::size_t index = 0; index < bond_.size(); ++index) {
+        if (memory[index].state != BondState::whole) {
+            continue;
+        }
+        const SharedFace& face = bond_[index].face;
+        const double loading = loading_of(bond_[index], locate(face, motion[face.block], motion[face.other])).worst();
+        if (loading > most) {
+            most = loading;
+            worst = index;
+        }
+    }
+    return worst;
+}
+
+double hand_over(const Bond& bond, const Bodies& bodies, const std::vector<Motion>& motion, ContactList& list) {
+    const SharedFace& face = bond.face;
+    const FacePosition at = locate(face, motion[face.block], motion[face.other]);
+    const PlanePoint<> along(at.along_x(), at.along_y());
+    const PlanePoint<> middle = bodies.centroid[face.block] + PlanePoint<>(motion[face.block].x, motion[face.block].y) +
+                                PlanePoint<>(at.arm_x, at.arm_y);
+    // Compression at the start and the end of the other's edge that the linear stress over the face amounts to.
+    const double even = -bond.normal_stiffness * at.opening / 2;
+    const double tilting = bond.normal_stiffness * at.turn * face.length / 12;
+    const std::array<double, 2> pressing{std::max(even - tilting, 0.0), std::max(even + tilting, 0.0)};
+    const double shear = -bond.shear_stiffness * at.slide;
+    std::array<double, 2> weights{0, 0};
+    struct Taker {
+        std::size_t contact;
+        std::size_t end;
+    };
+    std::vector<Taker> takers;
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const RelaxationContact& contact = list.contact[index];
+        const bool own = contact.block == face.block && contact.edge == face.other_edge;
+        if (!own && !(contact.block == face.other && contact.edge == face.edge)) {
+            continue;
+        }
+        const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
+        const double weight = contact_weight(contact, place.position, 0);
+        if (weight > 0) {
+            const bool at_end = along.dot(moved_corner(bodies, motion, contact.corner) - middle) > 0;
+            takers.push_back({index, at_end ? std::size_t{1} : std::size_t{0}});
+            weights[takers.back().end] += weight;
+        }
+    }
+    double held = 0;
+    for (const Taker& taker : takers) {
+        RelaxationContact& contact = list.contact[taker.contact];
+        ContactMemory& memory = list.memory[taker.contact];
+        const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
+        const double force = pressing[taker.end] / weights[taker.end];
+        const double overlap = force / contact.normal_stiffness;
+        if (force == 0 && place.gap >= 0) {
+            continue;
+        }
+        memory.shortened = -overlap - place.gap;
+        contact.gap += memory.shortened;
+        memory.beneath = false;
+        memory.touching = force > 0;
+        memory.overlap = overlap;
+        memory.place = place.slide;
+        if (memory.touching) {
+            const double share = shear * pressing[taker.end] / (pressing[0] + pressing[1]) / weights[taker.end];
+            const double most = force * contact.residual_friction;
+            // Both ways of naming the pair reverse edge and force: the sign is the same.
+            memory.shear = -std::clamp(share, -most, most) / contact.shear_stiffness;
+            held += elastic_energy(contact, memory, motion[contact.block], motion[contact.other]);
+        }
+    }
+    return held;
+}
+
+}  // namespace delabole

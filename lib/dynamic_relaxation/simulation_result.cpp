@@ -1,0 +1,92 @@
+// What a run tells: its books of energy and its result.
+#include "dynamic_relaxation/contact_law.hpp"
+#include "dynamic_relaxation/scene_check.hpp"
+#include "dynamic_relaxation/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+double EnergyLedger::turnover() const {
+    return std::abs(applied) + std::abs(prescribed) + kinetic + std::abs(elastic) + friction + std::abs(bonds) +
+           dashpots + local_damping + kinetic_damping;
+}
+
+double Simulation::kinetic_energy() const {
+    double sum = 0;
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        if (held_[block] == 0) {
+            const Motion& motion = state_.motion[block];
+            sum += bodies_.inertial_mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy) +
+                   bodies_.inertia[block] * motion.spin * motion.spin;
+        }
+    }
+    return sum / 2;
+}
+
+EnergyLedger Simulation::ledger() const {
+    EnergyLedger ledger = state_.ledger;
+    ledger.kinetic = kinetic_energy();
+    ledger.elastic = bonds_.elastic_energy(state_.motion, state_.bond) - state_.elastic_at_start;
+    for (const BondMemory& memory : state_.bond) {
+        ledger.dashpots += memory.damping;
+    }
+    for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
+        const RelaxationContact& contact = state_.contacts.contact[index];
+        const ContactMemory& memory = state_.contacts.memory[index];
+        ledger.friction += memory.friction;
+        ledger.dashpots += memory.damping;
+        ledger.elastic += elastic_energy(contact, memory, state_.motion[contact.block], state_.motion[contact.other]);
+    }
+    return ledger;
+}
+
+RelaxationResult Simulation::result() const {
+    RelaxationResult result;
+    result.outcome = outcome();
+    result.time = state_.time;
+    result.tilt = tilt();
+    if (state_.onset_time >= 0) {
+        result.onset_time = state_.onset_time;
+    }
+    result.unbalanced_ratio = std::max(state_.unbalanced, state_.unbalanced_then);
+    result.first_crack = state_.first_crack;
+    result.broken_bonds = static_cast<std::size_t>(std::ranges::count_if(state_.bond, [](const BondMemory& memory) {
+        return memory.state == BondState::broken_in_tension || memory.state == BondState::broken_in_shear;
+    }));
+    result.ledger = ledger();
+    result.deepest = deepest_contact(bodies_, state_);
+    result.cost = {state_.steps, state_.searches, state_.contacts_evaluated, state_.step};
+    result.block = block_outcomes(bodies_, state_, settings_);
+    return result;
+}
+
+RelaxationResult relax(const RelaxationScene& scene, const RelaxationSettings& settings,
+                       const std::function<bool(const Simulation&)>& watch) {
+    RelaxationResult refused;
+    refused.fault = check_settings(settings);
+    if (refused.fault.check != SceneCheck::valid) {
+        return refused;
+    }
+    refused.fault = check_scene(scene);
+    if (refused.fault.check != SceneCheck::valid) {
+        return refused;
+    }
+    refused.fault = check_start(scene);
+    if (refused.fault.check != SceneCheck::valid) {
+        return refused;
+    }
+    Simulation simulation(scene, settings);
+    while (simulation.running()) {
+        if (watch && !watch(simulation)) {
+            RelaxationResult result = simulation.result();
+            result.outcome = RelaxationOutcome::interrupted;
+            return result;
+        }
+        simulation.step();
+    }
+    return simulation.result();
+}
+
+}  // namespace delabole

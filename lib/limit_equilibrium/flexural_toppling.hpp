@@ -1,0 +1,108 @@
+// Flexural toppling: columns that grow out of intact rock, bend out of the slope and break at their feet (Aydan &
+// Kawamoto 1992; Adhikary et al. 1997), column by column from the uppermost down.
+//
+// Axes along the plane of the feet, which dips out of the slope by `base_dip`: u up-dip, v normal to it, the columns'
+// own direction. A column of width t and height h weighs W = gamma t h. P_r is the push of the column above at height
+// y_r over the feet, P_l what the column below holds at y_l. Bending columns slip past each other: the right face of
+// each moves up along the left face of the next one, so that friction m = tan(phi) at full strength pulls the right
+// face down and the left face up. About the middle of the foot, and along the column,
+//   M = W h sin(d) / 2 + P_r (y_r - m t / 2) - P_l (y_l + m t / 2),     N = W cos(d) + m P_r - m P_l.
+// The foot cracks where its outer fibre reaches the tensile strength s, 6 M / t^2 - N / t = s, which needs
+//   P_l (y_l + m t / 3) = W (h sin(d) / 2 - t cos(d) / 6) + P_r (y_r - 2 m t / 3) - s t^2 / 6.          (bending)
+// A cracked column still stands as a block until it turns about its lower edge, M = N t / 2, which gives Goodman &
+// Bray's toppling:
+//   P_l y_l = W (h sin(d) - t cos(d)) / 2 + P_r (y_r - m t).                                              (toppling)
+// It fails only beyond both, so the smaller of these two pushes is needed; without tensile strength
+// it is the second wherever the foot is pressed, and the model is Goodman & Bray's. And it must not be sheared off its foot of cohesion c and
+// friction mb,
+//   P_l (1 - m mb) = P_r (1 - m mb) + W (sin(d) - mb cos(d)) - c t.                                       (shearing)
+// The largest of shearing, that, and zero is passed on. The slope fails where the toe column would need a push.
+// Printed forms of the literature take h y_r and y_l as shares of the height, as here, and have the bending case alone.
+//
+// Limits: the feet lie in one plane, columns do not break above them, the rock does not crush; water and steps are
+// beyond it.
+// Aydan, O. & Kawamoto, T. (1992) The stability of slopes and underground openings against flexural toppling and their
+// stabilisation. Rock Mech. Rock Eng. 25, 143-165. Adhikary, D.P. et al. (1997) A study of the mechanism of flexural
+// toppling failure of rock slopes. Rock Mech. Rock Eng. 30, 75-93.
+#pragma once
+
+#include "parameters/fields.hpp"
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace delabole {
+
+struct FlexuralColumn {
+    double width;
+    double height;
+    static constexpr auto fields() {
+        using C = FlexuralColumn;
+        return std::tuple{number("width", &C::width, Dimension::length, more_than(0), "along the plane of the feet"),
+                          number("height", &C::height, Dimension::length, more_than(0), "normal to that plane")};
+    }
+};
+
+struct FlexuralSlope {
+    double base_dip;
+    double unit_weight;
+    double joint_friction_angle;
+    double tensile_strength;
+    double cohesion;
+    double friction_angle;
+    double contact_height;
+    std::vector<FlexuralColumn> column;
+    static constexpr auto fields() {
+        using S = FlexuralSlope;
+        return std::tuple{
+            number("base_dip", &S::base_dip, Dimension::angle, right_open(0, degrees(90)),
+                   "of the plane of the feet, out of the slope"),
+            number("unit_weight", &S::unit_weight, Dimension::unit_weight, more_than(0), "of the rock"),
+            number("joint_friction_angle", &S::joint_friction_angle, Dimension::angle, right_open(0, degrees(90)),
+                   "between columns"),
+            number("tensile_strength", &S::tensile_strength, Dimension::stress, at_least(0), "of the rock"),
+            number("cohesion", &S::cohesion, Dimension::stress, at_least(0), "of the rock at the feet"),
+            number("friction_angle", &S::friction_angle, Dimension::angle, right_open(0, degrees(90)),
+                   "of the rock at the feet"),
+            number(
+                "contact_height", &S::contact_height, Dimension::ratio, left_open(0, 1),
+                "of the force between two columns, over the height they share: 1 at the top, about 0.6 to 0.8 before "
+                "cracking"),
+            section("column", &S::column, "columns from the toe up")};
+    }
+};
+
+enum class FlexuralCheck { valid, no_columns, input_out_of_range };
+
+constexpr std::array<std::string_view, 3> enum_names(FlexuralCheck) {
+    return {"valid", "no_columns", "input_out_of_range"};
+}
+
+enum class FlexuralMode { stands, bends, topples, shears };
+
+constexpr std::array<std::string_view, 4> enum_names(FlexuralMode) {
+    return {"stands", "bends", "topples", "shears"};
+}
+
+struct FlexuralColumnState {
+    FlexuralMode mode = FlexuralMode::stands;
+    double push = 0;    // N/m, that it needs from the column below; infinite where no push holds it
+    double moment = 0;  // N, at its foot, where it gets that push
+    double normal = 0;  // N/m, compression at its foot, likewise
+};
+
+struct FlexuralStability {
+    FlexuralCheck check = FlexuralCheck::no_columns;
+    double toe_push = 0;  // N/m, that the toe column would need; 0: the slope stands
+    // Least tensile strength with which the slope stands, all else given; infinite where it is sheared off its feet.
+    double required_tensile_strength = 0;
+    double factor_of_safety = 0;  // tensile strength over the required one; infinite where none is required
+    std::vector<FlexuralColumnState> column = {};
+};
+
+FlexuralStability analyse(const FlexuralSlope& slope);
+
+}  // namespace delabole

@@ -1,0 +1,92 @@
+// Columns bonded to their base, by relaxation, against the limit equilibrium of flexural toppling.
+#include "dynamic_relaxation/bonds.hpp"
+#include "limit_equilibrium/flexural_toppling.hpp"
+#include "relaxation_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+namespace {
+
+using namespace relaxation_scenes;
+
+constexpr double dip = degrees(30);
+constexpr double joint_friction = degrees(20);
+
+FlexuralSlope slope_of(const std::vector<double>& heights) {
+    FlexuralSlope slope{dip, density * gravity, joint_friction, 0, 1e9, degrees(30), 1, {}};
+    for (const double height : heights) {
+        slope.column.push_back({1, height});
+    }
+    return slope;
+}
+
+// Rigid columns on feet of a foot's stiffness, over joints that are stiffer.
+RelaxationScene columns(const std::vector<double>& heights, double tensile_strength) {
+    RelaxationScene scene;
+    double x = 0;
+    for (const double height : heights) {
+        scene.block.push_back({rectangle(x, 0, 1, height), density});
+        scene.block.back().joint = {1, 0, 0, 0};
+        x += 1;
+    }
+    scene.block.push_back(fixed_block(rectangle(-3, -1, x + 6, 1)));
+    scene.block.back().joint = {1, 1, 1, 1};
+    scene.material = {joint(1e12, joint_friction), joint(1e12, degrees(30))};
+    scene.material[1].bond = 0;
+    scene.bond_material = {{8e10, 8e10, tensile_strength, 1e9, degrees(30), 1.0}};
+    scene.gravity.tilt = scene.gravity.final_tilt = dip;
+    scene.bond = find_bonds(scene);
+    return scene;
+}
+
+bool stands(const std::vector<double>& heights, double tensile_strength) {
+    RelaxationSettings settings = until_onset();
+    settings.duration = 20;
+    const RelaxationResult result = relax(columns(heights, tensile_strength), settings);
+    EXPECT_TRUE(result.outcome == RelaxationOutcome::equilibrium || result.outcome == RelaxationOutcome::onset);
+    return result.outcome == RelaxationOutcome::equilibrium;
+}
+
+double strength_by_relaxation(const std::vector<double>& heights, double lower, double upper, double tolerance) {
+    EXPECT_FALSE(stands(heights, lower));
+    EXPECT_TRUE(stands(heights, upper));
+    while (upper - lower > tolerance) {
+        const double middle = (lower + upper) / 2;
+        (stands(heights, middle) ? upper : lower) = middle;
+    }
+    return (lower + upper) / 2;
+}
+
+// A column by itself, and columns of one height, which bend alike and do not press each other.
+TEST(FlexuralRelaxation, AgreesWhereColumnsBearThemselves) {
+    for (const std::vector<double>& heights : {std::vector<double>{8}, std::vector<double>{8, 8, 8}}) {
+        const double required = analyse(slope_of(heights)).required_tensile_strength;
+        // Leaning by W / stiffness, 1e-4, shifts the moment as much.
+        EXPECT_NEAR(strength_by_relaxation(heights, 0.9 * required, 1.1 * required, 1e-3 * required), required,
+                    2e-3 * required);
+    }
+}
+
+// Columns that lean on shorter ones. Limit equilibrium has every foot at its strength at once; brittle feet crack one
+// by one, stiffness deciding which first: they need more than limit equilibrium, if not by much where the feet are
+// alike and turn together, and less than the tallest by itself.
+TEST(FlexuralRelaxation, BrittleFeetNeedMoreThanLimitEquilibrium) {
+    for (const std::vector<double>& heights :
+         {std::vector<double>{5, 8}, std::vector<double>{4, 6, 8}, std::vector<double>{4, 7, 8, 6}}) {
+        const double together = analyse(slope_of(heights)).required_tensile_strength;
+        const double alone =
+            analyse(slope_of({*std::max_element(heights.begin(), heights.end())})).required_tensile_strength;
+        const double found = strength_by_relaxation(heights, 0.5 * together, 1.05 * alone, 0.002 * together);
+        // The bracket is 0.2 % wide.
+        EXPECT_GT(found, 0.998 * together);
+        EXPECT_LT(found, 1.03 * together);
+        EXPECT_LT(found, 0.99 * alone);
+    }
+}
+
+}  // namespace
+}  // namespace delabole
