@@ -66,6 +66,18 @@ class Search {
         if (to_next.dot(normal) < -lean || to_previous.dot(normal) < -lean) {
             return;
         }
+        // A face that runs back into the other block below the edge lies on another edge of it: where a joint comes out
+        // of a slope at an acute angle, corners of both its blocks are at the ends of both their surfaces.
+        const auto dips = [&](const PlanePoint<>& face, double face_length) {
+            const double sine = -face.dot(normal);
+            const double cosine = face.dot(along);
+            const double room = cosine > 0 ? bodies_.length[edge] - position : position;
+            const double depth = sine * std::min(face_length, room / std::max(std::abs(cosine), lean));
+            return depth > deepest * shortest;
+        };
+        if (dips(to_next, bodies_.length[corner]) || dips(to_previous, bodies_.length[before])) {
+            return;
+        }
         // The edge beyond the nearer end, if the corner could bear there too.
         const bool at_start = position < bodies_.length[edge] / 2;
         const std::size_t beyond = at_start ? bodies_.range[other].before(edge) : bodies_.range[other].after(edge);
