@@ -208,7 +208,7 @@ std::string annotated_section(const FieldInfo& info, const Member& member, const
         if (member) {
             return annotated_section(info, *member, path);
         }
-        if constexpr (!NumberType<Inner> && !std::is_enum_v<Inner>) {
+        if constexpr (!NumberType<Inner> && !std::is_enum_v<Inner> && !std::same_as<Inner, std::string>) {
             return after_blank_line(commented(annotated_section(info, example<Inner>(), path).substr(1)));
         }
     } else if constexpr (is_vector<Member>) {

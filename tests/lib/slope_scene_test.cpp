@@ -177,6 +177,31 @@ TEST(SlopeScene, SlopeSlidesWhereItsJointsAreSteeperThanTheirFriction) {
     EXPECT_EQ(run(daylighting_slope(50)).result.outcome, RelaxationOutcome::equilibrium);
 }
 
+TEST(SlopeScene, JointThatComesOutOfAFaceAtAnAcuteAngleHoldsByFrictionAlone) {
+    // A joint at 50 deg below the edge of a face at 60 deg: where it comes out, the corners of both blocks coincide,
+    // and none may catch on the other block's face.
+    for (const double friction : {49.9, 50.1}) {
+        for (const double ratio : {1e5, 1e7}) {
+            const PlanePoint<> up_dip(std::cos(degrees(50)), std::sin(degrees(50)));
+            RelaxationSlope slope = slope_of({{0, 0}, {14, 0}, {14, 8}, {4.6, 8}},
+                                             {cut("joint", line({{1.5 - up_dip.x(), 2.6 - up_dip.y()},
+                                                                 {1.5 + 10 * up_dip.x(), 2.6 + 10 * up_dip.y()}}))});
+            slope.joint[0].strength = strength(friction);
+            slope.frame = SlopeFrame{FrameSides::below_and_behind, 1, 5, "base"};
+            RelaxationStudy study{};
+            study.model.scene = slope;
+            RelaxationNumerics settings{};
+            settings.stiffness_ratio = ratio;
+            settings.stop = RelaxationStop::onset;
+            settings.duration = 5;
+            study.settings = settings;
+            EXPECT_EQ(run(study).result.outcome,
+                      friction < 50 ? RelaxationOutcome::onset : RelaxationOutcome::equilibrium)
+                << friction << ' ' << ratio;
+        }
+    }
+}
+
 TEST(SlopeScene, ExcavationOfTheToeLetsTheSlopeDown) {
     // A block before the foot of a sliding mass holds it by its weight and friction until it is taken away.
     RelaxationStudy study = daylighting_slope(30);
