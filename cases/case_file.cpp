@@ -2,6 +2,7 @@
 
 #include "cases/case_parts.hpp"
 #include "cases/described_reader.hpp"
+#include "cases/jointed_slope_case.hpp"
 
 #include <cerrno>
 #include <fstream>
@@ -149,6 +150,9 @@ CaseFile parse_case(std::string_view text, std::string_view name, const std::vec
     }
     result.model = *std::move(model);
     read_model(root, result.model);
+    if (reading.clean()) {
+        take_outline_file(reading, result.model, std::filesystem::path(name).parent_path());
+    }
     if (reading.clean()) {
         check_model(reading, result.model, "");
     }

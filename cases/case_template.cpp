@@ -104,7 +104,7 @@ void fill_with_examples(const FieldInfo& info, Member& member) {
     } else if constexpr (is_variant<Member>) {
         std::visit([&](auto& alternative) { fill_with_examples(info, alternative); }, member);
     } else if constexpr (std::same_as<Member, std::string>) {
-        member = example_input;
+        member = info.key == "parameter" ? example_input : info.key;
     } else if constexpr (Described<Member>) {
         visit_fields(member,
                      [](const FieldInfo& inner, auto& inner_member) { fill_with_examples(inner, inner_member); });
@@ -165,6 +165,8 @@ std::string annotated_value(const FieldInfo& info, const Member& member) {
             return commented(annotated_value(info, example_number(info)));
         } else if constexpr (std::is_enum_v<Inner>) {
             return commented(annotated_value(info, Inner{}));
+        } else if constexpr (std::same_as<Inner, std::string>) {
+            return commented(annotated_value(info, std::string(info.key)));
         }
     } else if constexpr (NumberType<Member>) {
         const std::string range = readable_range(info.range, info.dimension);
@@ -206,7 +208,7 @@ std::string annotated_section(const FieldInfo& info, const Member& member, const
         if (member) {
             return annotated_section(info, *member, path);
         }
-        if constexpr (!NumberType<Inner> && !std::is_enum_v<Inner>) {
+        if constexpr (!NumberType<Inner> && !std::is_enum_v<Inner> && !std::same_as<Inner, std::string>) {
             return after_blank_line(commented(annotated_section(info, example<Inner>(), path).substr(1)));
         }
     } else if constexpr (is_vector<Member>) {

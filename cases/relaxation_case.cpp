@@ -1,4 +1,5 @@
 // Dynamic relaxation as the reader knows it.
+#include "cases/jointed_slope_case.hpp"
 #include "cases/model_cases.hpp"
 #include "cases/units.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
@@ -66,6 +67,22 @@ void check_blocks(Checker& checker, const RelaxationPolygons& polygons) {
                                polygons.joint.size());
         }
     }
+}
+
+void check_blocks(Checker& checker, const RelaxationSlope& slope) {
+    for (std::size_t index = 0; index < slope.joint.size(); ++index) {
+        check_joint(checker, indexed("scene.joint", index), slope.joint[index].strength);
+    }
+    check_slope(checker, slope);
+}
+
+bool has_blocks(const auto& scene) {
+    return !scene.block.empty();
+}
+
+// A slope makes its own, or says why not.
+bool has_blocks(const RelaxationSlope&) {
+    return true;
 }
 
 // Complains unless it is the number of a block; what it is of that block the caller may go on to ask.
@@ -165,12 +182,15 @@ source = "limiting equilibrium"
 
 void check_case(Checker& checker, const RelaxationStudy& study) {
     const RelaxationScene scene = relaxation_scene(study);
-    const bool any = std::visit([](const auto& kind) { return !kind.block.empty(); }, study.model.scene);
+    const bool any = std::visit([](const auto& kind) { return has_blocks(kind); }, study.model.scene);
     if (!any) {
         checker.complain("scene.block", "is required: at least one [[scene.block]]");
         return;
     }
     std::visit([&](const auto& kind) { check_blocks(checker, kind); }, study.model.scene);
+    if (scene.block.empty()) {
+        return;
+    }
     check_loads(checker, study.model, scene);
     const RelaxationNumerics settings = study.settings.value_or(RelaxationNumerics{});
     check_settings(checker, settings, scene);

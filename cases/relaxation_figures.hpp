@@ -23,7 +23,9 @@ class Upright {
     double sine_;
 };
 
-inline constexpr std::size_t most_drawn_blocks = 1000;
+inline constexpr std::size_t most_drawn_blocks = 2500;
+// Of more blocks the numbers would hide the drawing.
+inline constexpr std::size_t most_labelled_blocks = 300;
 
 // Blocks at the start and at the end, velocities, contact forces, the table of blocks; nothing where there was no run.
 void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report);

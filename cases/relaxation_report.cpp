@@ -1,5 +1,6 @@
 // Dynamic relaxation as the program reports it: how the run ended, the books, each block, and a critical value.
 #include "cases/checkpoint_file.hpp"
+#include "cases/jointed_slope_figures.hpp"
 #include "cases/model_cases.hpp"
 #include "cases/model_reports.hpp"
 #include "cases/relaxation_figures.hpp"
@@ -135,7 +136,8 @@ class Keeper {
 };
 
 std::string joint_key(const RelaxationStudy& study, std::size_t material) {
-    if (std::holds_alternative<RelaxationPolygons>(study.model.scene)) {
+    if (std::holds_alternative<RelaxationPolygons>(study.model.scene) ||
+        std::holds_alternative<RelaxationSlope>(study.model.scene)) {
         return indexed("scene.joint", material);
     }
     return material == 0 ? "scene.interface" : "scene.base";
@@ -165,6 +167,9 @@ Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
         return analysis;
     }
     append_outputs(analysis, answer_of(made.result));
+    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
+        append_cutting_warnings(*slope, analysis);
+    }
     const auto leave_unfinished = [&](std::string_view status, std::string why) {
         if (analysis.unfinished.empty() && !why.empty()) {
             analysis.status = status;
@@ -193,6 +198,9 @@ Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
 void append_case_figures(const RelaxationStudy& study, const Analysis& analysis, const ResultFolder& folder,
                          Report& report) {
     const auto& made = std::any_cast<const RelaxationRun&>(analysis.drawn_from);
+    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
+        append_section_figure(*slope, folder, report);
+    }
     append_block_figures(made, folder, report);
     append_frames(made, folder, report);
     if (study.history) {

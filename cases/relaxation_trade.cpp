@@ -48,11 +48,16 @@ bool gives_stiffness(const RelaxationJoint& joint) {
     return joint.normal_stiffness.has_value();
 }
 
+bool gives_stiffness(const SlopeJoint& joint) {
+    return gives_stiffness(joint.strength);
+}
+
 bool joints_give_stiffness(const RelaxationStudy& study) {
     return std::visit(
         [](const auto& scene) {
             if constexpr (requires { scene.joint; }) {
-                return std::any_of(scene.joint.begin(), scene.joint.end(), gives_stiffness);
+                return std::any_of(scene.joint.begin(), scene.joint.end(),
+                                   [](const auto& joint) { return gives_stiffness(joint); });
             } else {
                 return gives_stiffness(scene.interface) || gives_stiffness(scene.base);
             }

@@ -270,11 +270,28 @@ class BlockPicture {
         }
     }
 
+    void add_rocks() {
+        constexpr std::array shades{Colour::rock,  Colour::sky,    Colour::orange,
+                                    Colour::green, Colour::purple, Colour::vermilion};
+        for (std::size_t rock = 0; rock < drawing_.rocks.size(); ++rock) {
+            std::string legend = drawing_.rocks[rock];
+            for (const DrawnBlock& block : drawing_.blocks) {
+                if (block.rock == rock) {
+                    figure_.series.emplace_back(Region{.outline = block.outline,
+                                                       .legend = std::exchange(legend, ""),
+                                                       .colour = shades[rock % shades.size()],
+                                                       .opacity = 0.4});
+                }
+            }
+        }
+    }
+
     void add_blocks() {
+        add_rocks();
         for (const DrawnMode mode : drawn_modes) {
             std::string legend = legend_of_mode(mode);
             for (const DrawnBlock& block : drawing_.blocks) {
-                if (block.mode == mode) {
+                if (block.mode == mode && !block.rock) {
                     figure_.series.emplace_back(Region{.outline = block.outline,
                                                        .legend = std::exchange(legend, ""),
                                                        .colour = style_of(mode).colour,

@@ -7,6 +7,8 @@
 #include "plots/figures.hpp"
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +26,9 @@ struct DrawnBlock {
     Polyline outline = {};  // corners in order, either way round; the first need not be repeated
     std::string label = {};
     DrawnMode mode = DrawnMode::plain;
-    Polyline displaced = {};  // the outline after the displacement shown; empty: none
+    std::optional<std::size_t> rock = {};  // number among the drawing's rocks, whose shade the block has; absent: the
+                                           // mode's
+    Polyline displaced = {};               // the outline after the displacement shown; empty: none
 };
 
 enum class ForceKind { interblock, base_reaction, thrust, applied, weight };
@@ -43,9 +47,10 @@ struct DrawnForce {
 struct BlockDrawing {
     std::string title = {};
     std::vector<DrawnBlock> blocks = {};
-    Polyline base = {};    // surface of the rock on which the blocks stand; drawn as rock below
-    Polyline ground = {};  // surface of the slope
-    Polyline water = {};   // water level
+    std::vector<std::string> rocks = {};  // names for the legend
+    Polyline base = {};                   // surface of the rock on which the blocks stand; drawn as rock below
+    Polyline ground = {};                 // surface of the slope
+    Polyline water = {};                  // water level
     Polyline tension_crack = {};
     std::vector<DrawnForce> forces = {};
     std::string displaced_legend = "mechanism, displacements enlarged";

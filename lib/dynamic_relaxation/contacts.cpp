@@ -21,6 +21,11 @@ constexpr double closed = 1e-3;
 constexpr double came_over = 0.01;
 // Deeper corners belong to the block's other side.
 constexpr double deepest = 0.25;
+// Of two edges that meet in a tip, a corner at the tip is on the one into whose block its faces dip less by so much
+// (sine).
+constexpr double clearly_less = 0.15;
+// As far from the tip, in shortest edges, as overlaps may not yet tell.
+constexpr double at_tip = 0.05;
 
 std::uint64_t key_of(std::size_t corner, std::size_t edge) {
     return (static_cast<std::uint64_t>(corner) << 32U) | edge;
@@ -69,7 +74,15 @@ class Search {
         const bool at_start = position < bodies_.length[edge] / 2;
         const std::size_t beyond = at_start ? bodies_.range[other].before(edge) : bodies_.range[other].after(edge);
         const PlanePoint<> beyond_normal = motion_[other].turned(bodies_.normal(beyond));
-        const bool rival = to_next.dot(beyond_normal) >= -lean && to_previous.dot(beyond_normal) >= -lean;
+        bool rival = to_next.dot(beyond_normal) >= -lean && to_previous.dot(beyond_normal) >= -lean;
+        const double from_end = at_start ? position : bodies_.length[edge] - position;
+        if (rival && std::abs(from_end) < at_tip * shortest) {
+            const double excess = dip_beyond_that_of(corner, edge, beyond, at_start, shortest);
+            if (excess > clearly_less) {
+                return;
+            }
+            rival = excess >= -clearly_less;
+        }
         // The face of the corner's block that lies on the edge is the one nearer to its direction.
         const std::size_t face = std::abs(to_next.dot(normal)) < std::abs(to_previous.dot(normal)) ? corner : before;
         list.contact.push_back(make(corner, edge, face, blend, {to_next.dot(along), to_previous.dot(along)}));
@@ -81,6 +94,27 @@ class Search {
             contact.rival_sine = std::abs(one.x() * two.y() - one.y() * two.x());
             contact.rival_cosine = -one.dot(two);
         }
+    }
+
+    // Where a joint comes out of a face at an acute angle, the corners of both blocks coincide in the drawing: they
+    // bear on each other's joint, but on each other's face they would hold the joint. By how much the faces of a corner
+    // dip deeper (sine) below one edge than below the one beyond its end; 0 where the corner is not drawn at that end.
+    double dip_beyond_that_of(std::size_t corner, std::size_t edge, std::size_t beyond, bool at_start,
+                              double shortest) const {
+        const std::size_t block = bodies_.block_of[corner];
+        const std::size_t end = at_start ? edge : bodies_.range[bodies_.block_of[edge]].after(edge);
+        const PlanePoint<> apart = (bodies_.centroid[block] - bodies_.centroid[bodies_.block_of[edge]]) +
+                                   (bodies_.corner[corner] - bodies_.corner[end]);
+        if (apart.norm() > closed * shortest) {
+            return 0;
+        }
+        const PlanePoint<>& to_next = bodies_.along[corner];
+        const PlanePoint<> to_previous = -bodies_.along[bodies_.range[block].before(corner)];
+        const auto dip = [&](std::size_t below) {
+            const PlanePoint<> normal = bodies_.normal(below);
+            return -std::min(to_next.dot(normal), to_previous.dot(normal));
+        };
+        return dip(edge) - dip(beyond);
     }
 
     struct Sides {
@@ -182,10 +216,14 @@ double gap_of(const RelaxationContact& contact, const std::vector<Motion>& motio
     return locate(contact, motion[contact.block], motion[contact.other]).gap;
 }
 
-// In the drawing, below the line of the edge but outside another edge of the same block.
+// In the drawing, below the line of the edge but outside another edge of the same block; or farther below than the
+// blocks overlap, as tips of blocks on the other side of a thin one are.
 bool beside(const Bodies& bodies, const RelaxationContact& contact, double shortest) {
     if (contact.gap >= 0) {
         return false;
+    }
+    if (contact.gap < distance_between(bodies, contact.block, contact.other) - blend_way * shortest) {
+        return true;
     }
     const PlanePoint<> between = bodies.centroid[contact.block] - bodies.centroid[contact.other];
     const CornerRange& range = bodies.range[contact.other];
@@ -198,6 +236,22 @@ bool beside(const Bodies& bodies, const RelaxationContact& contact, double short
 }
 
 }  // namespace
+
+double distance_between(const Bodies& bodies, std::size_t first, std::size_t second) {
+    double greatest = -std::numeric_limits<double>::infinity();
+    for (const auto& [block, other] : {std::pair(first, second), std::pair(second, first)}) {
+        const PlanePoint<> between = bodies.centroid[block] - bodies.centroid[other];
+        for (std::size_t edge = bodies.range[other].begin; edge < bodies.range[other].end; ++edge) {
+            double least = std::numeric_limits<double>::infinity();
+            for (std::size_t corner = bodies.range[block].begin; corner < bodies.range[block].end; ++corner) {
+                least =
+                    std::min(least, bodies.normal(edge).dot(between + (bodies.corner[corner] - bodies.corner[edge])));
+            }
+            greatest = std::max(greatest, least);
+        }
+    }
+    return greatest;
+}
 
 ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, const std::vector<Motion>& motion,
                           const std::vector<char>& removed, const SearchOptions& options, const ContactList& previous) {

@@ -92,6 +92,10 @@ struct SearchOptions {
     std::span<const BlockPair> bonded = {};
 };
 
+// In the drawing: greatest distance by which a line along an edge of either block parts them; negative: least way out
+// of an overlap.
+double distance_between(const Bodies& bodies, std::size_t first, std::size_t second);
+
 // Contacts in an order that depends on positions alone. `previous` gives its memory to those that were contacts
 // already.
 ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, const std::vector<Motion>& motion,

@@ -5,10 +5,13 @@
 // radians.
 #pragma once
 
+#include "dynamic_relaxation/slope_parameters.hpp"
+#include "jointed_slope/slope_geometry.hpp"
 #include "parameters/fields.hpp"
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <variant>
@@ -206,7 +209,46 @@ struct RelaxationPolygons {
     }
 };
 
-using BlockScene = std::variant<RelaxationRow, RelaxationColumns, RelaxationPolygons>;
+struct SlopeJoint {
+    std::string name;
+    std::optional<double> water_share;
+    RelaxationJoint strength;
+    static constexpr auto fields() {
+        using J = SlopeJoint;
+        return std::tuple{section("name", &J::name, "by which cuts refer to it"),
+                          number("water_share", &J::water_share, Dimension::ratio, within(0, 1),
+                                 "of the pressure below the water table that acts in it; absent: 1"),
+                          inlined(&J::strength, "strength and stiffness")};
+    }
+};
+
+// A section cut into blocks by joints; see jointed_slope/jointed_section.hpp and dynamic_relaxation/slope_scene.hpp.
+struct RelaxationSlope {
+    std::optional<double> tilt;
+    SlopeGeometry geometry;
+    std::vector<SlopeRock> rock;
+    std::vector<SlopeJoint> joint;
+    std::optional<SlopeFrame> frame;
+    std::optional<SlopeWater> water;
+    std::vector<SlopeArea> fixed;
+    std::vector<SlopeStage> stage;
+
+    static constexpr std::string_view kind = "jointed_slope";
+    static constexpr auto fields() {
+        using S = RelaxationSlope;
+        return std::tuple{number("tilt", &S::tilt, Dimension::angle, between(degrees(-90), degrees(90)),
+                                 "of gravity against the drawing, as if that dipped to -x; absent: 0"),
+                          inlined(&S::geometry, "outline and cuts"),
+                          section("rock", &S::rock, "rocks; all is of the first where no line says otherwise"),
+                          section("joint", &S::joint, "properties of joints; surfaces have those of the first"),
+                          section("frame", &S::frame, "fixed blocks around the section"),
+                          section("water", &S::water, "water in the joints"),
+                          section("fixed", &S::fixed, "areas whose blocks are fixed"),
+                          section("stage", &S::stage, "areas whose blocks are taken away: excavation in stages")};
+    }
+};
+
+using BlockScene = std::variant<RelaxationRow, RelaxationColumns, RelaxationPolygons, RelaxationSlope>;
 
 enum class TiltingFrame { gravity, base };
 

@@ -2,6 +2,7 @@
 #include "dynamic_relaxation/bonds.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
 #include "dynamic_relaxation/scenes.hpp"
+#include "dynamic_relaxation/slope_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -188,6 +189,20 @@ RelaxationScene blocks_of(const RelaxationPolygons& polygons) {
         }
         scene.block.push_back(std::move(block));
     }
+    return scene;
+}
+
+// Without blocks where the slope cannot be cut.
+RelaxationScene blocks_of(const RelaxationSlope& slope) {
+    SlopeScene made = slope_scene(slope);
+    RelaxationScene scene;
+    for (const SlopeJoint& joint : slope.joint) {
+        scene.material.push_back(material_of(joint.strength));
+    }
+    scene.gravity.tilt = scene.gravity.final_tilt = slope.tilt.value_or(0);
+    scene.block = std::move(made.block);
+    scene.pressure = std::move(made.pressure);
+    scene.removal = std::move(made.removal);
     return scene;
 }
 

@@ -1,6 +1,7 @@
 #include "dynamic_relaxation/relaxation_study.hpp"
 
 #include "dynamic_relaxation/scene_check.hpp"
+#include "dynamic_relaxation/slope_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -76,10 +77,20 @@ Quantity critical_quantity(CriticalParameter parameter) {
     return {std::string(name_of_critical(parameter)), Dimension::angle, "between standing and failing"};
 }
 
-Prediction predict(RelaxationStudy study, std::span<const Assignment> assignments) {
+// `blocks`: how many the outputs are of; another spacing may make others of a slope.
+Prediction predict(RelaxationStudy study, std::size_t blocks, std::span<const Assignment> assignments) {
     assign(study.model, assignments);
     if (!in_range(study.model)) {
         return {"input_out_of_range", {}, {}};
+    }
+    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
+        const SlopeScene made = slope_scene(*slope);
+        if (made.check != SlopeCheck::valid) {
+            return {word_of(made.check), {}, {}};
+        }
+        if (made.block.size() != blocks) {
+            return {"other_number_of_blocks", {}, {}};
+        }
     }
     const RelaxationRun run_at = run(study);
     switch (run_at.result.outcome) {
@@ -255,7 +266,9 @@ ModelInterface model_interface(const RelaxationStudy& study) {
     if (study.critical) {
         model.outputs.push_back(critical_quantity(study.critical->parameter));
     }
-    model.predict = [study](std::span<const Assignment> assignments) { return predict(study, assignments); };
+    model.predict = [study, blocks = shape.block.size()](std::span<const Assignment> assignments) {
+        return predict(study, blocks, assignments);
+    };
     return model;
 }
 

@@ -1,6 +1,7 @@
 #include "dynamic_relaxation/scene_check.hpp"
 
 #include "dynamic_relaxation/contact_law.hpp"
+#include "dynamic_relaxation/contacts.hpp"
 #include "dynamic_relaxation/neighbours.hpp"
 #include "dynamic_relaxation/shared_faces.hpp"
 #include "parameters/fields.hpp"
@@ -273,23 +274,6 @@ SceneFault check_belt(const RelaxationScene& scene) {
     }
     const bool pressed = scene.gravity.acceleration > 0;
     return scene.belt->speed > 0 && pressed ? SceneFault{} : SceneFault{SceneCheck::load_out_of_range, 0};
-}
-
-// Greatest distance by which a line along an edge of either block parts them; negative: least way out of an overlap.
-double distance_between(const Bodies& bodies, std::size_t first, std::size_t second) {
-    double greatest = -std::numeric_limits<double>::infinity();
-    for (const auto& [block, other] : {std::pair(first, second), std::pair(second, first)}) {
-        const PlanePoint<> between = bodies.centroid[block] - bodies.centroid[other];
-        for (std::size_t edge = bodies.range[other].begin; edge < bodies.range[other].end; ++edge) {
-            double least = std::numeric_limits<double>::infinity();
-            for (std::size_t corner = bodies.range[block].begin; corner < bodies.range[block].end; ++corner) {
-                least =
-                    std::min(least, bodies.normal(edge).dot(between + (bodies.corner[corner] - bodies.corner[edge])));
-            }
-            greatest = std::max(greatest, least);
-        }
-    }
-    return greatest;
 }
 
 double softest_joint(const RelaxationScene& scene, const Bodies& bodies, std::size_t block) {

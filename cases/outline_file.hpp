@@ -1,0 +1,27 @@
+// The outline of a section from a drawing or a table of points.
+//
+// DXF: the LINE, LWPOLYLINE and POLYLINE entities of the drawing, joined at their ends, have to make one closed outline
+// of straight parts; texts, points and dimensions are passed over. Lengths are in the drawing's unit ($INSUNITS), or
+// metres where it has none. CSV: a line "x_m,y_m", then one corner on each line.
+#pragma once
+
+#include "jointed_slope/slope_geometry.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+struct OutlineFile {
+    std::vector<SectionPoint> outline = {};
+    std::string problem = {};  // for a reader: one clause about the file, empty where there is none
+};
+
+OutlineFile outline_of_dxf(std::string_view text);
+OutlineFile outline_of_csv(std::string_view text);
+// By the ending of the file's name.
+OutlineFile read_outline_file(const std::filesystem::path& path);
+
+}  // namespace delabole

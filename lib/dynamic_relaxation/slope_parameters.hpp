@@ -1,0 +1,80 @@
+// What a slope cut by joints has besides its geometry and joints: rocks, fixed boundaries, water, stages of excavation.
+// Section axes and metres as in jointed_slope/slope_geometry.hpp.
+#pragma once
+
+#include "jointed_slope/slope_geometry.hpp"
+#include "parameters/fields.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace delabole {
+
+struct SlopeRock {
+    std::string name;
+    double density;
+    static constexpr auto fields() {
+        using R = SlopeRock;
+        return std::tuple{section("name", &R::name, "by which lines and sets refer to it"),
+                          number("density", &R::density, Dimension::density, more_than(0), "of the rock")};
+    }
+};
+
+enum class FrameSides { below, below_and_behind, all_around };
+
+constexpr std::array<std::string_view, 3> enum_names(FrameSides) {
+    return {"below", "below_and_behind", "all_around"};
+}
+
+// Fixed blocks along the lowest edges of the outline, along those farthest into the slope, and along those in front.
+struct SlopeFrame {
+    FrameSides sides;
+    double thickness;
+    std::optional<double> reach;
+    std::string joint;
+    static constexpr auto fields() {
+        using F = SlopeFrame;
+        return std::tuple{section("sides", &F::sides, "of the section that rest on fixed blocks"),
+                          number("thickness", &F::thickness, Dimension::length, more_than(0), "of the fixed blocks"),
+                          number("reach", &F::reach, Dimension::length, at_least(0),
+                                 "of the block below, beyond the section where there is none beside it; absent: 0"),
+                          section("joint", &F::joint, "name of the properties along the frame")};
+    }
+};
+
+// Pressure grows with depth below the table in every joint that has a share in it, and on surfaces below it. Beyond its
+// ends the table is level. A joint keeps its pressure however it moves.
+struct SlopeWater {
+    double unit_weight;
+    std::vector<SectionPoint> vertex;
+    static constexpr auto fields() {
+        using W = SlopeWater;
+        return std::tuple{
+            number("unit_weight", &W::unit_weight, Dimension::unit_weight, more_than(0), "unit weight of water"),
+            section("vertex", &W::vertex, "points of the water table, x increasing")};
+    }
+};
+
+struct SlopeArea {
+    std::vector<SectionPoint> vertex;
+    static constexpr auto fields() {
+        return std::tuple{
+            section("vertex", &SlopeArea::vertex, "corners of an area; it has the blocks whose centre is in it")};
+    }
+};
+
+struct SlopeStage {
+    double time;
+    std::vector<SectionPoint> vertex;
+    static constexpr auto fields() {
+        using S = SlopeStage;
+        return std::tuple{number("time", &S::time, Dimension::time, at_least(0), "at which its blocks are taken away"),
+                          section("vertex", &S::vertex, "corners of an area; it has the blocks whose centre is in it")};
+    }
+};
+
+}  // namespace delabole

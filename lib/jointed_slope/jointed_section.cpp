@@ -1,0 +1,192 @@
+#include "jointed_slope/jointed_section.hpp"
+
+#include "jointed_slope/cutting_work.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace delabole {
+
+namespace {
+
+constexpr double least_snap = 4e-6;  // of the section's size: keeps the rounding of corners below straight_sine
+constexpr double snap_of_spacing = 0.002;
+constexpr double snap_of_section = 1e-4;
+constexpr double greatest_snap_of_spacing = 0.25;
+constexpr double standard_sliver_share = 0.02;
+
+MeshIndex index_of(const std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? no_index : static_cast<MeshIndex>(found - names.begin());
+}
+
+double size_of(const Polygon<>& outline) {
+    double greatest = 0;
+    for (const PlanePoint<>& corner : outline) {
+        greatest = std::max({greatest, std::abs(corner.x()), std::abs(corner.y())});
+    }
+    return greatest;
+}
+
+struct FinestSet {
+    std::size_t cut;
+    double spacing;
+};
+
+std::optional<FinestSet> finest_set(const SlopeGeometry& geometry) {
+    std::optional<FinestSet> finest;
+    for (std::size_t index = 0; index < geometry.cut.size(); ++index) {
+        const auto* set = std::get_if<JointSetCut>(&geometry.cut[index].trace);
+        if (set != nullptr && (!finest || set->spacing < finest->spacing)) {
+            finest = {index, set->spacing};
+        }
+    }
+    return finest;
+}
+
+// Too many blocks where a set is so fine that no snap distance suits both it and the section.
+SlopeCheck choose_snap(const SlopeGeometry& geometry, double size, JointedSection& section) {
+    const std::optional<FinestSet> finest = finest_set(geometry);
+    const double least = least_snap * size;
+    const double greatest = greatest_snap_of_spacing * std::min(finest ? finest->spacing : size, size);
+    if (!(least <= greatest)) {
+        section.cut_at_fault = finest ? finest->cut : 0;
+        return finest ? SlopeCheck::too_many_blocks : SlopeCheck::outline_too_short;
+    }
+    const double standard = finest ? snap_of_spacing * std::min(finest->spacing, size) : snap_of_section * size;
+    section.snap_distance = geometry.snap_distance.value_or(std::max(standard, least));
+    return section.snap_distance >= least && section.snap_distance <= greatest ? SlopeCheck::valid
+                                                                               : SlopeCheck::snap_distance_out_of_range;
+}
+
+class Cutter {
+  public:
+    Cutter(CuttingWork& work, const std::vector<std::string>& rocks, const std::vector<std::string>& joints)
+        : work_(work), rocks_(rocks), joints_(joints) {}
+
+    SlopeCheck check() const { return check_; }
+
+    CutCount make(const SlopeCut& cut, std::size_t number) {
+        const MeshIndex joint = index_of(joints_, cut.joint);
+        require(joint != no_index, SlopeCheck::unknown_joint);
+        return std::visit([&](const auto& trace) { return make(cut, trace, number, joint); }, cut.trace);
+    }
+
+  private:
+    CutCount make(const SlopeCut& cut, const JointSetCut& set, std::size_t number, MeshIndex joint) {
+        require(set.persistence.value_or(1) >= 1 || set.trace_length, SlopeCheck::persistence_without_trace_length);
+        require(set.ends_on.has_value() == set.side.has_value(), SlopeCheck::feature_and_side);
+        require(set.staggered_by.has_value() == set.stagger.has_value(), SlopeCheck::stagger_without_set);
+        require(!set.ends_on || work_.line.contains(*set.ends_on), SlopeCheck::unknown_line);
+        require(!set.staggered_by || work_.set.contains(*set.staggered_by), SlopeCheck::unknown_set);
+        require(set.region.empty() || set.region.size() > 2, SlopeCheck::region_too_short);
+        const MeshIndex rock = rock_of(set.rock);
+        return check_ == SlopeCheck::valid ? cut_set(work_, cut, set, number, joint, rock, check_) : CutCount{};
+    }
+
+    CutCount make(const SlopeCut& cut, const LineCut& line, std::size_t, MeshIndex joint) {
+        require(line.thickness.has_value() == line.gouge.has_value(), SlopeCheck::gouge_and_thickness);
+        const RocksOfLine rocks{rock_of(line.gouge), rock_of(line.rock_above), rock_of(line.rock_below)};
+        return check_ == SlopeCheck::valid ? cut_line(work_, cut, line, joint, rocks, check_) : CutCount{};
+    }
+
+    void require(bool holds, SlopeCheck otherwise) {
+        if (check_ == SlopeCheck::valid && !holds) {
+            check_ = otherwise;
+        }
+    }
+
+    MeshIndex rock_of(const std::optional<std::string>& name) {
+        const MeshIndex rock = name ? index_of(rocks_, *name) : no_index;
+        require(!name || rock != no_index, SlopeCheck::unknown_rock);
+        return rock;
+    }
+
+    CuttingWork& work_;
+    const std::vector<std::string>& rocks_;
+    const std::vector<std::string>& joints_;
+    SlopeCheck check_ = SlopeCheck::valid;
+};
+
+void collect(const CuttingWork& work, JointedSection& section) {
+    const SectionMesh& mesh = work.mesh;
+    std::vector<MeshIndex> number(mesh.points().size(), no_index);
+    for (MeshIndex face = 0; face < mesh.face_count(); ++face) {
+        if (!mesh.alive(face)) {
+            continue;
+        }
+        SlopeBlock block{{}, {}, mesh.face(face).rock};
+        mesh.for_each_edge(face, [&](MeshIndex edge) {
+            const HalfEdge& half = mesh.edge(edge);
+            MeshIndex& vertex = number[half.origin];
+            if (vertex == no_index) {
+                vertex = static_cast<MeshIndex>(section.vertex.size());
+                section.vertex.push_back(work.origin + mesh.points()[half.origin]);
+            }
+            block.vertex.push_back(vertex);
+            block.joint.push_back(half.joint);
+            section.intact_edges += half.joint == intact_rock && half.twin < edge ? 1 : 0;
+        });
+        section.block.push_back(std::move(block));
+    }
+}
+
+}  // namespace
+
+JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::string>& rocks,
+                         const std::vector<std::string>& joints) {
+    JointedSection section;
+    const auto refuse = [&](SlopeCheck check, std::size_t cut = 0) {
+        JointedSection refused;
+        refused.check = check;
+        refused.cut_at_fault = cut;
+        return refused;
+    };
+    if (!in_range(geometry)) {
+        return refuse(SlopeCheck::number_out_of_range);
+    }
+    if (rocks.empty() || joints.empty()) {
+        return refuse(rocks.empty() ? SlopeCheck::unknown_rock : SlopeCheck::unknown_joint);
+    }
+    Polygon<> outline = prepared_outline(geometry, section);
+    if (outline.size() < 3) {
+        return refuse(SlopeCheck::outline_too_short);
+    }
+    const PlanePoint<> origin = outline.front();
+    for (PlanePoint<>& corner : outline) {
+        corner -= origin;
+    }
+    const SlopeCheck snap = choose_snap(geometry, size_of(outline), section);
+    if (snap != SlopeCheck::valid) {
+        return refuse(snap, section.cut_at_fault);
+    }
+    if (crosses_itself(outline, section.snap_distance)) {
+        return refuse(SlopeCheck::outline_crosses_itself);
+    }
+    CuttingWork work{SectionMesh(outline, 0), origin, section.snap_distance};
+    divide_into_convex(work.mesh, work.snap);
+    Cutter cutter(work, rocks, joints);
+    for (std::size_t index = 0; index < geometry.cut.size(); ++index) {
+        section.cut.push_back(cutter.make(geometry.cut[index], index));
+        if (cutter.check() != SlopeCheck::valid) {
+            return refuse(cutter.check(), index);
+        }
+    }
+    rejoin_intact(work.mesh);
+    section.typical_area = typical_area(work);
+    merge_slivers(work, geometry.sliver_share.value_or(standard_sliver_share), section);
+    collect(work, section);
+    return section;
+}
+
+Polygon<> outline_of(const JointedSection& section, const SlopeBlock& block) {
+    Polygon<> outline;
+    outline.reserve(block.vertex.size());
+    for (const MeshIndex vertex : block.vertex) {
+        outline.push_back(section.vertex[vertex]);
+    }
+    return outline;
+}
+
+}  // namespace delabole

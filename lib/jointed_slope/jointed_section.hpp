@@ -1,0 +1,110 @@
+// Blocks of a slope that joints, faults and boundaries cut, in exact contact.
+//
+// The outline is first divided into convex parts, from each corner that points inwards to the opposite side. Then the
+// cuts are made in their order, each through every block that it crosses from side to side. Last, what was divided only
+// to stay convex is put together again where that leaves a convex block, and so are slivers. Blocks that share an edge
+// share the numbers of its ends: the areas add up to that of the outline to rounding, and nothing overlaps.
+//
+// All lengths count from the outline's first corner: a section moved by a number that its coordinates can hold,
+// mirrored or scaled by a power of two gives the same blocks to the last bit. Cost: about the number of blocks times
+// that of the corners of a block; a hundred thousand blocks take less than a few seconds.
+#pragma once
+
+#include "jointed_slope/section_mesh.hpp"
+#include "jointed_slope/slope_geometry.hpp"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+enum class SlopeCheck {
+    valid,
+    number_out_of_range,         // not finite, or outside the range of its field
+    outline_too_short,           // fewer than three corners
+    outline_crosses_itself,      // or touches itself
+    snap_distance_out_of_range,  // less than 4e-6 of the section's size, or more than a quarter of a spacing
+    too_many_blocks,             // more than two million, or 60 000 joints of a set
+    line_too_short,              // fewer than two points apart
+    line_folds_back,             // turns by more than about 150 deg
+    region_too_short,
+    persistence_without_trace_length,
+    gouge_and_thickness,  // one without the other
+    feature_and_side,     // likewise
+    stagger_without_set,  // likewise
+    unknown_rock,
+    unknown_joint,
+    unknown_line,
+    unknown_set,
+    intact_joint_missing,  // rock is divided where a block would not be convex, and the division has no properties
+    frame_without_edge,    // nothing of the outline lies along a side of the frame
+    water_table_too_short,
+    water_table_not_increasing,  // in x
+    area_too_short,              // fewer than three corners
+    area_without_block,          // holds the centre of none
+};
+
+constexpr std::array<std::string_view, 23> enum_names(SlopeCheck) {
+    return {"valid",
+            "number_out_of_range",
+            "outline_too_short",
+            "outline_crosses_itself",
+            "snap_distance_out_of_range",
+            "too_many_blocks",
+            "line_too_short",
+            "line_folds_back",
+            "region_too_short",
+            "persistence_without_trace_length",
+            "gouge_and_thickness",
+            "feature_and_side",
+            "stagger_without_set",
+            "unknown_rock",
+            "unknown_joint",
+            "unknown_line",
+            "unknown_set",
+            "intact_joint_missing",
+            "frame_without_edge",
+            "water_table_too_short",
+            "water_table_not_increasing",
+            "area_too_short",
+            "area_without_block"};
+}
+
+struct SlopeBlock {
+    std::vector<MeshIndex> vertex;  // anticlockwise; corners of neighbours on its faces are among them
+    std::vector<MeshIndex> joint;   // along each edge, to the next vertex: index of a name, free_surface or intact_rock
+    MeshIndex rock;                 // index of a name
+};
+
+// What a cut has done, in the order of the cuts. None made: it misses the section, or its spacing is larger than that.
+struct CutCount {
+    std::size_t made = 0;     // blocks divided
+    std::size_t dropped = 0;  // blocks that a joint of it would divide if it reached from side to side
+};
+
+struct JointedSection {
+    SlopeCheck check = SlopeCheck::valid;
+    std::size_t cut_at_fault = 0;  // where the check concerns a cut
+    std::vector<PlanePoint<>> vertex = {};
+    std::vector<SlopeBlock> block = {};
+    std::vector<CutCount> cut = {};
+    bool outline_reversed = false;    // was clockwise
+    std::size_t corners_dropped = 0;  // of the outline, that repeated the one before or the first
+    std::size_t slivers_merged = 0;
+    std::size_t slivers_kept = 0;  // no neighbour makes a convex block with it
+    std::size_t intact_edges = 0;  // left between blocks of the same rock
+    double snap_distance = 0;      // m
+    double typical_area = 0;       // m2, of the middling block
+};
+
+// Names of rocks and joints, to whose indices blocks refer. All of the section is of the first rock until a line says
+// otherwise; there is at least one of each.
+JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::string>& rocks,
+                         const std::vector<std::string>& joints);
+
+Polygon<> outline_of(const JointedSection& section, const SlopeBlock& block);
+
+}  // namespace delabole

@@ -1,0 +1,200 @@
+// Single joints, faults with gouge, boundaries of rocks: lines of straight pieces.
+//
+// At a bend inside a block the block is first divided along the line that halves the bend, so that both pieces of the
+// line run from side to side of convex blocks; what of that division is not needed is taken back in the end.
+#include "jointed_slope/cutting_work.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+PlanePoint<> left_of(const PlanePoint<>& way) {
+    return {-way.y(), way.x()};
+}
+
+// Both faces of a fault, or the line itself, and the ways along which its bends are halved.
+struct Faces {
+    std::vector<Polyline> line;
+    Polyline halving;  // of each point; unused at the ends
+    bool folds_back = false;
+};
+
+Faces faces_of(const Polyline& middle, double half_thickness) {
+    Faces faces;
+    const std::size_t count = middle.size();
+    Polyline normals;
+    for (std::size_t index = 1; index < count; ++index) {
+        normals.push_back(left_of(middle[index] - middle[index - 1]).normalized());
+    }
+    Polyline shifts;
+    for (std::size_t index = 0; index < count; ++index) {
+        const PlanePoint<>& before = normals[index == 0 ? 0 : index - 1];
+        const PlanePoint<>& after = normals[std::min(index, count - 2)];
+        const PlanePoint<> sum = before + after;
+        // Beyond 150 deg a mitre is four times as long as the fault is thick, and more.
+        constexpr double sharpest = 0.26;
+        const double cosine = sum.norm() / 2;
+        faces.folds_back = faces.folds_back || !(cosine > sharpest);
+        faces.halving.push_back(sum.normalized());
+        shifts.push_back(faces.halving.back() * (half_thickness / cosine));
+    }
+    const std::vector<double> sides = half_thickness > 0 ? std::vector<double>{1, -1} : std::vector<double>{0};
+    for (const double side : sides) {
+        Polyline line;
+        for (std::size_t index = 0; index < count; ++index) {
+            line.push_back(middle[index] + side * shifts[index]);
+        }
+        faces.line.push_back(std::move(line));
+    }
+    return faces;
+}
+
+// The face that holds a point well inside; no_index where there is none.
+MeshIndex face_around(const SectionMesh& mesh, const PlanePoint<>& point, double snap) {
+    for (MeshIndex face = 0; face < mesh.face_count(); ++face) {
+        bool inside = mesh.alive(face);
+        if (inside) {
+            mesh.for_each_edge(face, [&](MeshIndex edge) {
+                const PlanePoint<> along = mesh.end(edge) - mesh.start(edge);
+                inside = inside && left_of(along).dot(point - mesh.start(edge)) > snap * along.norm();
+            });
+        }
+        if (inside) {
+            return face;
+        }
+    }
+    return no_index;
+}
+
+// A vertex at a point that lies on an edge.
+void put_vertex(SectionMesh& mesh, const PlanePoint<>& point, double snap) {
+    const auto edges = static_cast<MeshIndex>(mesh.edge_count());
+    for (MeshIndex edge = 0; edge < edges; ++edge) {
+        if (mesh.edge(edge).face == no_index) {
+            continue;
+        }
+        const PlanePoint<> way = (mesh.end(edge) - mesh.start(edge)).normalized();
+        const PlanePoint<> from_start = point - mesh.start(edge);
+        const double passed = way.dot(from_start);
+        const double left = way.dot(mesh.end(edge) - point);
+        if (std::abs(left_of(way).dot(from_start)) < snap && passed > snap && left > snap) {
+            // On the edge itself, which a snapped cut may bend a little past the point.
+            const MeshSegment& segment = mesh.segment_of(edge);
+            mesh.split_edge(edge, point_between(segment, std::abs(way.dot(point - segment.first)),
+                                                std::abs(way.dot(segment.second - point))));
+            return;
+        }
+    }
+}
+
+void divide_at_bend(SectionMesh& mesh, const PlanePoint<>& bend, const PlanePoint<>& halving, double snap) {
+    const MeshIndex face = face_around(mesh, bend, snap);
+    if (face != no_index) {
+        const PlanePoint<> normal = left_of(halving);
+        const StraightLine line{normal, halving, normal.dot(bend)};
+        cut_face(mesh, face, line, snap, intact_rock, [](double, double) { return true; });
+    }
+    // A bend on an edge, be it the division just made, one made for the fault's other face, or a joint.
+    put_vertex(mesh, bend, snap);
+}
+
+StraightLine line_through(const PlanePoint<>& a, const PlanePoint<>& b) {
+    const PlanePoint<> along = (b - a).normalized();
+    const PlanePoint<> normal = left_of(along);
+    // Between the distances of both ends, neither preferred.
+    return {normal, along, (normal.dot(a) + normal.dot(b)) / 2};
+}
+
+void give_rocks(CuttingWork& work, const Polyline& middle, double half_thickness, const RocksOfLine& rocks) {
+    SectionMesh& mesh = work.mesh;
+    for (MeshIndex face = 0; face < mesh.face_count(); ++face) {
+        if (half_thickness > 0) {
+            bool between = true;
+            mesh.for_each_edge(face, [&](MeshIndex edge) {
+                // Over a bend a mitre reaches farther than the thickness.
+                between = between && std::abs(signed_distance(middle, mesh.start(edge))) < 4 * half_thickness;
+            });
+            if (between && std::abs(signed_distance(middle, centroid_of(mesh, face))) < half_thickness) {
+                mesh.set_rock(face, rocks.gouge);
+                continue;
+            }
+        }
+        if (rocks.above == no_index && rocks.below == no_index) {
+            continue;
+        }
+        const bool above = signed_distance(middle, centroid_of(mesh, face)) > 0;
+        const MeshIndex rock = above ? rocks.above : rocks.below;
+        if (rock != no_index) {
+            mesh.set_rock(face, rock);
+        }
+    }
+}
+
+}  // namespace
+
+CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line, MeshIndex joint,
+                  const RocksOfLine& rocks, SlopeCheck& check) {
+    CutCount count;
+    SectionMesh& mesh = work.mesh;
+    Polyline middle;
+    for (const SectionPoint& point : line.vertex) {
+        const PlanePoint<> at = PlanePoint<>(point.x, point.y) - work.origin;
+        if (middle.empty() || (at - middle.back()).norm() > work.snap) {
+            middle.push_back(at);
+        }
+    }
+    if (middle.size() < 2) {
+        check = SlopeCheck::line_too_short;
+        return count;
+    }
+    const PlanePoint<> way = middle.back() - middle.front();
+    if (way.x() < 0 || (way.x() == 0 && way.y() < 0)) {
+        std::reverse(middle.begin(), middle.end());
+    }
+    work.line[named.name] = middle;
+    const double half_thickness = line.thickness.value_or(0) / 2;
+    const Faces faces = faces_of(middle, half_thickness);
+    if (faces.folds_back) {
+        check = SlopeCheck::line_folds_back;
+        return count;
+    }
+    for (const Polyline& face_line : faces.line) {
+        for (std::size_t bend = 1; bend + 1 < face_line.size(); ++bend) {
+            divide_at_bend(mesh, face_line[bend], faces.halving[bend], work.snap);
+        }
+    }
+    for (const Polyline& face_line : faces.line) {
+        for (std::size_t piece = 1; piece < face_line.size(); ++piece) {
+            const StraightLine straight = line_through(face_line[piece - 1], face_line[piece]);
+            // A cut ends at the corner that a bend has snapped to.
+            const double first = straight.place(face_line[piece - 1]) - 2 * work.snap;
+            const double last = straight.place(face_line[piece]) + 2 * work.snap;
+            const std::size_t before = mesh.face_count();
+            for (MeshIndex face = 0; face < before; ++face) {
+                const FaceCutResult result =
+                    cut_face(mesh, face, straight, work.snap, joint,
+                             [&](double from, double to) { return from >= first && to <= last; });
+                count.made += result.cut == FaceCut::made ? 1 : 0;
+                if (result.cut == FaceCut::dropped) {
+                    const Chord chord = *find_chord(mesh, face, straight, work.snap);
+                    const double one = straight.place(chord.rising.at);
+                    const double other = straight.place(chord.falling.at);
+                    const bool reached =
+                        std::max(one, other) > first + 4 * work.snap && std::min(one, other) < last - 4 * work.snap;
+                    count.dropped += reached ? 1 : 0;
+                }
+            }
+        }
+    }
+    if (half_thickness > 0) {
+        work.gouge.push_back(rocks.gouge);
+    }
+    give_rocks(work, middle, half_thickness, rocks);
+    return count;
+}
+
+}  // namespace delabole

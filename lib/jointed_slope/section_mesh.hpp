@@ -1,0 +1,110 @@
+// A section divided into faces that share vertices and edges: no gaps, no overlaps, whatever rounding does.
+//
+// Half-edges: each edge between two faces is a pair of directed ones, each with its face on the left; an edge of the
+// outline has no twin. Vertices are only ever added, and only on edges or as ends of chords between existing ones, so
+// that the faces always fill the outline exactly and a convex face that is split leaves convex ones.
+#pragma once
+
+#include "geometry/polygon.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace delabole {
+
+using MeshIndex = std::uint32_t;
+inline constexpr MeshIndex no_index = std::numeric_limits<MeshIndex>::max();
+
+// What an edge is where it is no joint.
+inline constexpr MeshIndex free_surface = no_index;     // of the outline
+inline constexpr MeshIndex intact_rock = no_index - 1;  // divided only because blocks are convex
+
+struct HalfEdge {
+    MeshIndex origin;
+    MeshIndex twin;
+    MeshIndex next;
+    MeshIndex previous;
+    MeshIndex face;
+    MeshIndex joint;
+    MeshIndex segment;
+};
+
+// What an edge was cut from: its points are found between these ends, in whatever order it is divided.
+struct MeshSegment {
+    PlanePoint<> first;
+    PlanePoint<> second;
+};
+
+struct MeshFace {
+    MeshIndex edge;  // one of its edges; no_index: merged into another face
+    MeshIndex rock;
+};
+
+class SectionMesh {
+  public:
+    // One face; the outline anticlockwise.
+    SectionMesh(const Polygon<>& outline, MeshIndex rock);
+
+    std::size_t face_count() const { return faces_.size(); }
+    bool alive(MeshIndex face) const { return faces_[face].edge != no_index; }
+    const MeshFace& face(MeshIndex index) const { return faces_[index]; }
+    void set_rock(MeshIndex face, MeshIndex rock) { faces_[face].rock = rock; }
+    std::size_t edge_count() const { return edges_.size(); }
+    const HalfEdge& edge(MeshIndex index) const { return edges_[index]; }
+    const std::vector<PlanePoint<>>& points() const { return points_; }
+    const MeshSegment& segment_of(MeshIndex edge) const { return segments_[edges_[edge].segment]; }
+    const PlanePoint<>& start(MeshIndex edge) const { return points_[edges_[edge].origin]; }
+    const PlanePoint<>& end(MeshIndex edge) const { return start(edges_[edge].next); }
+
+    // Calls function(edge) for the edges of a face, anticlockwise.
+    template <class Function>
+    void for_each_edge(MeshIndex face, Function&& function) const {
+        const MeshIndex first = faces_[face].edge;
+        MeshIndex edge = first;
+        do {
+            function(edge);
+            edge = edges_[edge].next;
+        } while (edge != first);
+    }
+    Polygon<> outline_of(MeshIndex face) const;
+
+    // Puts a vertex on an edge, in both its faces. The edge keeps its start; returned is the part from the new vertex.
+    MeshIndex split_edge(MeshIndex edge, const PlanePoint<>& at);
+
+    // Splits a face along the chord between the starts of two of its edges. The part from `from` to `to` becomes a new
+    // face, which is returned.
+    MeshIndex split_face(MeshIndex from, MeshIndex to, MeshIndex joint);
+
+    // Whether the faces on both sides of an edge, which has a twin, make one convex face.
+    bool union_is_convex(MeshIndex edge) const;
+    // Whether all that two faces share at an edge is of one joint.
+    bool shares_only(MeshIndex edge, MeshIndex joint) const;
+    // Length of all that two faces share at an edge.
+    double shared_length(MeshIndex edge) const;
+    // Takes away all that two faces share at an edge, which has a twin; the face on its left remains.
+    void merge(MeshIndex edge);
+
+  private:
+    struct Chain {
+        MeshIndex first;
+        MeshIndex last;
+    };
+    Chain shared_chain(MeshIndex edge) const;
+
+    std::vector<PlanePoint<>> points_ = {};
+    std::vector<HalfEdge> edges_ = {};
+    std::vector<MeshSegment> segments_ = {};
+    std::vector<MeshFace> faces_ = {};
+};
+
+// Of the corner at b between a and c, anticlockwise: negative where a polygon is not convex.
+double sine_of_turn(const PlanePoint<>& a, const PlanePoint<>& b, const PlanePoint<>& c);
+
+// Between the ends of a segment, nearer to the one whose number is less; neither end is preferred.
+PlanePoint<> point_between(const MeshSegment& segment, double from_first, double from_second);
+
+// A corner on a straight face is off it by rounding: far below what the engine takes for convex, 1e-9.
+inline constexpr double straight_sine = 1e-10;
+
+}  // namespace delabole

@@ -1,0 +1,144 @@
+// A section through a jointed slope as a case file has it: its outline and the cuts that make blocks of it, in the
+// order in which they are made.
+//
+// Section axes: x into the slope, y up, origin at the toe, metres. The dip of a joint set is positive towards -x, out
+// of the slope, and negative into it: joint A of Delabole dips 70 deg, joint B -85 deg. Rocks and joints have names.
+#pragma once
+
+#include "parameters/fields.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+namespace delabole {
+
+struct SectionPoint {
+    double x;
+    double y;
+    static constexpr auto fields() {
+        using P = SectionPoint;
+        return std::tuple{number("x", &P::x, Dimension::length, any_number(), "in the section"),
+                          number("y", &P::y, Dimension::length, any_number(), "in the section")};
+    }
+};
+
+enum class SideOfLine { above, below };
+
+constexpr std::array<std::string_view, 2> enum_names(SideOfLine) {
+    return {"above", "below"};
+}
+
+// Parallel joints. A spacing is uniformly distributed between (1 - scatter) and (1 + scatter) times the mean. With a
+// persistence below 1 each joint is a row of traces of equal length with gaps between them, which begins at random.
+// Whatever bounds a joint (trace, region, feature, rock), only blocks that it cuts from side to side are cut: blocks
+// stay convex, and a trace that ends inside a block does not count there.
+struct JointSetCut {
+    double dip;
+    double spacing;
+    std::optional<double> scatter;
+    std::optional<double> offset;
+    std::optional<SectionPoint> through;
+    std::optional<double> persistence;
+    std::optional<double> trace_length;
+    std::optional<double> seed;
+    std::optional<std::string> rock;
+    std::optional<std::string> ends_on;
+    std::optional<SideOfLine> side;
+    std::optional<std::string> staggered_by;
+    std::optional<double> stagger;
+    std::vector<SectionPoint> region;
+
+    static constexpr std::string_view kind = "set";
+    static constexpr auto fields() {
+        using S = JointSetCut;
+        return std::tuple{
+            number("dip", &S::dip, Dimension::angle, within(degrees(-90), degrees(90)),
+                   "positive out of the slope, towards -x"),
+            number("spacing", &S::spacing, Dimension::length, more_than(0), "mean, normal to the joints"),
+            number("scatter", &S::scatter, Dimension::ratio, right_open(0, 1),
+                   "of the spacing, greatest share more or less; absent: none"),
+            number("offset", &S::offset, Dimension::length, any_number(),
+                   "of one joint from the point, downwards and normal to the joints; absent: 0"),
+            section("through", &S::through, "point from which the offset is measured; absent: the toe, (0, 0)"),
+            number("persistence", &S::persistence, Dimension::ratio, left_open(0, 1),
+                   "length of traces over that of traces and gaps; absent: 1"),
+            number("trace_length", &S::trace_length, Dimension::length, more_than(0),
+                   "of each trace; needed where the persistence is below 1"),
+            number("seed", &S::seed, Dimension::ratio, within(0, 9007199254740992.0),
+                   "of scatter and traces; absent: the number of the cut"),
+            section("rock", &S::rock, "the only rock that is cut; absent: all"),
+            section("ends_on", &S::ends_on, "name of an earlier line that bounds the set"),
+            section("side", &S::side,
+                    "of that line, on which there are joints; of a line that stands upright, above is "
+                    "towards -x"),
+            section("staggered_by", &S::staggered_by,
+                    "name of an earlier set, from one column of which to the next the joints are shifted"),
+            number("stagger", &S::stagger, Dimension::ratio, within(0, 1), "shift as share of the spacing"),
+            section("region", &S::region,
+                    "corners of the polygon outside which there are no joints; absent: everywhere")};
+    }
+};
+
+// A single joint, a fault or a boundary between rocks. A fault with a thickness has two faces that far apart, half on
+// either side of the line, with gouge between them.
+struct LineCut {
+    std::optional<double> thickness;
+    std::optional<std::string> gouge;
+    std::optional<std::string> rock_above;
+    std::optional<std::string> rock_below;
+    std::vector<SectionPoint> vertex;
+
+    static constexpr std::string_view kind = "line";
+    static constexpr auto fields() {
+        using L = LineCut;
+        return std::tuple{
+            number("thickness", &L::thickness, Dimension::length, more_than(0), "of the gouge; absent: none"),
+            section("gouge", &L::gouge, "name of the rock between the faces"),
+            section("rock_above", &L::rock_above, "name of the rock above the line; absent: as before"),
+            section("rock_below", &L::rock_below, "name of the rock below the line; absent: as before"),
+            section("vertex", &L::vertex, "points of the line, which may run out of the section")};
+    }
+};
+
+struct SlopeCut {
+    std::string name;
+    std::string joint;
+    std::variant<JointSetCut, LineCut> trace;
+    static constexpr auto fields() {
+        using C = SlopeCut;
+        return std::tuple{section("name", &C::name, "by which others refer to it"),
+                          section("joint", &C::joint, "name of the properties along it"),
+                          section("trace", &C::trace, "where it runs")};
+    }
+};
+
+struct SlopeGeometry {
+    std::optional<std::string> outline_file;
+    std::optional<std::string> intact_joint;
+    std::optional<double> snap_distance;
+    std::optional<double> sliver_share;
+    std::vector<SectionPoint> outline;
+    std::vector<SlopeCut> cut;
+    static constexpr auto fields() {
+        using G = SlopeGeometry;
+        return std::tuple{
+            section("outline_file", &G::outline_file, "DXF or CSV file with the outline, beside the case; or outline"),
+            section("intact_joint", &G::intact_joint,
+                    "name of the properties where rock is divided only because blocks are convex"),
+            number("snap_distance", &G::snap_distance, Dimension::length, more_than(0),
+                   "a cut this near to a corner runs through it; absent: 1/500 of the least spacing"),
+            number(
+                "sliver_share", &G::sliver_share, Dimension::ratio, right_open(0, 1),
+                "of the middling block's area, or of its size in width: less is a sliver, merged where that leaves a "
+                "convex block; absent: 0.02"),
+            section("outline", &G::outline, "corners of the section, either way round"),
+            section("cut", &G::cut, "joints, faults and boundaries in the order of cutting")};
+    }
+};
+
+}  // namespace delabole

@@ -1,0 +1,230 @@
+#include "dynamic_relaxation/slope_scene.hpp"
+
+#include "dynamic_relaxation/relaxation_study.hpp"
+#include "dynamic_relaxation/scene_check.hpp"
+
+#include "tests/support/jointed_slopes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+namespace {
+
+using testing::cut;
+using testing::joint_set;
+using testing::line;
+using testing::square;
+
+constexpr double water_weight = 9810;
+
+RelaxationJoint strength(double friction) {
+    return {degrees(friction), {}, {}, {}, {}, {}};
+}
+
+RelaxationSlope slope_of(std::vector<SectionPoint> outline, std::vector<SlopeCut> cuts) {
+    RelaxationSlope slope{};
+    slope.geometry = testing::section(std::move(outline), std::move(cuts));
+    slope.rock = {{"slate", 2700}, {"gouge", 2000}};
+    slope.joint = {{"joint", {}, strength(30)}, {"intact", {}, strength(60)}, {"base", {}, strength(40)}};
+    slope.geometry.intact_joint = "intact";
+    return slope;
+}
+
+std::vector<SlopeCut> bricks() {
+    return {cut("upright", joint_set(degrees(90), 2, 1)), cut("level", joint_set(0, 2, 1))};
+}
+
+PlanePoint<> water_force(const SlopeScene& scene, std::size_t block) {
+    PlanePoint<> sum(0, 0);
+    const Polygon<>& outline = scene.block[block].outline;
+    for (const FacePressure& pressure : scene.pressure) {
+        if (pressure.block == block) {
+            const PlanePoint<> along = outline[(pressure.edge + 1) % outline.size()] - outline[pressure.edge];
+            sum += (pressure.at_first + pressure.at_second) / 2 * PlanePoint<>(-along.y(), along.x());
+        }
+    }
+    return sum;
+}
+
+TEST(SlopeScene, WaterLiftsEachBlockByWhatItDisplaces) {
+    RelaxationSlope slope = slope_of({{0, 0}, {20, 0}, {20, 12}, {12, 12}},
+                                     {cut("a", joint_set(degrees(70), 2)), cut("b", joint_set(degrees(-15), 1.3)),
+                                      cut("c", joint_set(degrees(-88), 3))});
+    // A pond in front of the slope: pressure on the face too.
+    slope.water = SlopeWater{water_weight, {{-5, 6.3}, {30, 6.3}}};
+    const SlopeScene scene = slope_scene(slope);
+    ASSERT_EQ(scene.check, SlopeCheck::valid) << word_of(scene.check);
+    const HalfPlane<> wet{{30, 6.3}, {-5, 6.3}};
+    std::size_t partly = 0;
+    for (std::size_t block = 0; block < scene.block.size(); ++block) {
+        const double displaced = area_properties(clip(scene.block[block].outline, wet)).area;
+        const double whole = area_properties(scene.block[block].outline).area;
+        const PlanePoint<> force = water_force(scene, block);
+        partly += displaced > 0.01 * whole && displaced < 0.99 * whole ? 1 : 0;
+        // Where the table passes nearer than the snap distance to a corner it is taken to pass through it.
+        const double near = water_weight * 12 * scene.section.snap_distance;
+        EXPECT_NEAR(force.x(), 0, near);
+        EXPECT_NEAR(force.y(), water_weight * displaced, near);
+    }
+    EXPECT_GT(partly, 10U);
+}
+
+TEST(SlopeScene, WaterActsByTheShareOfTheJoint) {
+    RelaxationSlope slope = slope_of(square(6), bricks());
+    slope.water = SlopeWater{water_weight, {{-1, 10}, {10, 10}}};
+    const auto total = [](const RelaxationSlope& of) {
+        double sum = 0;
+        for (const FacePressure& pressure : slope_scene(of).pressure) {
+            sum += pressure.at_first + pressure.at_second;
+        }
+        return sum;
+    };
+    RelaxationSlope dry = slope;
+    dry.joint[0].water_share = 0;
+    RelaxationSlope half = slope;
+    half.joint[0].water_share = 0.5;
+    // The surface, which is under water too, keeps its whole pressure.
+    EXPECT_GT(total(dry), 0);
+    EXPECT_NEAR(total(half), (total(dry) + total(slope)) / 2, 1e-9 * total(slope));
+}
+
+TEST(SlopeScene, FrameHoldsTheSidesAsked) {
+    RelaxationSlope slope = slope_of(square(6), bricks());
+    slope.frame = SlopeFrame{FrameSides::below, 1, 4, "base"};
+    const SlopeScene below = slope_scene(slope);
+    slope.frame->sides = FrameSides::all_around;
+    const SlopeScene around = slope_scene(slope);
+    ASSERT_EQ(below.check, SlopeCheck::valid);
+    EXPECT_EQ(around.block.size(), below.block.size() + 2);
+    const auto last = below.block.back();
+    EXPECT_TRUE(last.fixed);
+    EXPECT_EQ(area_properties(last.outline).area, 14);
+    // The lowest row stands on the frame's joint, the others on their own.
+    const RelaxationBlock& lowest = below.block.front();
+    EXPECT_EQ(std::count(lowest.joint.begin(), lowest.joint.end(), 2U), 1);
+    // The first is the one in the corner.
+    EXPECT_EQ(std::count(around.block.front().joint.begin(), around.block.front().joint.end(), 2U), 2);
+    RelaxationStudy study{};
+    study.model.scene = slope;
+    EXPECT_EQ(check(study).check, SceneCheck::valid);
+}
+
+TEST(SlopeScene, FrameNeedsAnEdge) {
+    RelaxationSlope slope = slope_of({{0, 0}, {10, 1}, {10, 6}, {3, 6}}, bricks());
+    slope.frame = SlopeFrame{FrameSides::below, 1, {}, "base"};
+    EXPECT_EQ(slope_scene(slope).check, SlopeCheck::frame_without_edge);
+}
+
+TEST(SlopeScene, AreasFixAndRemoveTheirBlocks) {
+    RelaxationSlope slope = slope_of(square(6), bricks());
+    slope.fixed = {{{{-1, -1}, {7, -1}, {7, 1}, {-1, 1}}}};
+    slope.stage = {{1.5, {{-1, 5}, {7, 5}, {7, 7}, {-1, 7}}}, {3, {{-1, 3}, {1, 3}, {1, 5}, {-1, 5}}}};
+    const SlopeScene scene = slope_scene(slope);
+    ASSERT_EQ(scene.check, SlopeCheck::valid);
+    // Joints at 1, 3, 5 both ways: four rows of four.
+    ASSERT_EQ(scene.block.size(), 16U);
+    for (std::size_t block = 0; block < 16; ++block) {
+        EXPECT_EQ(scene.block[block].fixed, block >= 12) << "fixed blocks are counted last";
+    }
+    EXPECT_EQ(std::count_if(scene.removal.begin(), scene.removal.end(),
+                            [](const Removal& removal) { return removal.time == 1.5; }),
+              4);
+    EXPECT_EQ(scene.removal.size(), 5U);
+    slope.stage[1].vertex = {{20, 3}, {21, 3}, {21, 5}};
+    EXPECT_EQ(slope_scene(slope).check, SlopeCheck::area_without_block);
+}
+
+TEST(SlopeScene, CornersOfNeighboursAreNoCornersOfABlock) {
+    JointSetCut cross = joint_set(0, 2);
+    cross.staggered_by = "upright";
+    cross.stagger = 0.5;
+    const SlopeScene scene =
+        slope_scene(slope_of(square(6), {cut("upright", joint_set(degrees(90), 2)), cut("cross", cross)}));
+    for (const RelaxationBlock& block : scene.block) {
+        EXPECT_EQ(block.outline.size(), 4U);
+    }
+}
+
+TEST(SlopeScene, DividedRockNeedsAJoint) {
+    RelaxationSlope slope = slope_of({{0, 0}, {10, 0}, {10, 6}, {6, 6}, {6, 3}, {0, 3}}, {});
+    EXPECT_EQ(slope_scene(slope).check, SlopeCheck::valid);
+    slope.geometry.intact_joint.reset();
+    EXPECT_EQ(slope_scene(slope).check, SlopeCheck::intact_joint_missing);
+}
+
+RelaxationStudy daylighting_slope(double friction) {
+    // Joints at 40 deg that daylight in a face of 60 deg, cut up by steep ones.
+    RelaxationSlope slope =
+        slope_of({{0, 0}, {14, 0}, {14, 8}, {4.6, 8}},
+                 {cut("sliding", joint_set(degrees(40), 2, -0.5)), cut("steep", joint_set(degrees(-80), 3))});
+    slope.joint[0].strength = strength(friction);
+    slope.frame = SlopeFrame{FrameSides::below_and_behind, 1, 5, "base"};
+    RelaxationStudy study{};
+    study.model.scene = slope;
+    RelaxationNumerics settings{};
+    settings.stiffness_ratio = 1e5;
+    settings.stop = RelaxationStop::onset;
+    settings.duration = 5;
+    study.settings = settings;
+    return study;
+}
+
+TEST(SlopeScene, SlopeSlidesWhereItsJointsAreSteeperThanTheirFriction) {
+    EXPECT_EQ(run(daylighting_slope(30)).result.outcome, RelaxationOutcome::onset);
+    EXPECT_EQ(run(daylighting_slope(50)).result.outcome, RelaxationOutcome::equilibrium);
+}
+
+TEST(SlopeScene, JointThatComesOutOfAFaceAtAnAcuteAngleHoldsByFrictionAlone) {
+    // A joint at 50 deg below the edge of a face at 60 deg: where it comes out, the corners of both blocks coincide,
+    // and none may catch on the other block's face.
+    for (const double friction : {49.9, 50.1}) {
+        for (const double ratio : {1e5, 1e7}) {
+            const PlanePoint<> up_dip(std::cos(degrees(50)), std::sin(degrees(50)));
+            RelaxationSlope slope = slope_of({{0, 0}, {14, 0}, {14, 8}, {4.6, 8}},
+                                             {cut("joint", line({{1.5 - up_dip.x(), 2.6 - up_dip.y()},
+                                                                 {1.5 + 10 * up_dip.x(), 2.6 + 10 * up_dip.y()}}))});
+            slope.joint[0].strength = strength(friction);
+            slope.frame = SlopeFrame{FrameSides::below_and_behind, 1, 5, "base"};
+            RelaxationStudy study{};
+            study.model.scene = slope;
+            RelaxationNumerics settings{};
+            settings.stiffness_ratio = ratio;
+            settings.stop = RelaxationStop::onset;
+            settings.duration = 5;
+            study.settings = settings;
+            EXPECT_EQ(run(study).result.outcome,
+                      friction < 50 ? RelaxationOutcome::onset : RelaxationOutcome::equilibrium)
+                << friction << ' ' << ratio;
+        }
+    }
+}
+
+TEST(SlopeScene, ExcavationOfTheToeLetsTheSlopeDown) {
+    // A block before the foot of a sliding mass holds it by its weight and friction until it is taken away.
+    RelaxationStudy study = daylighting_slope(30);
+    auto& slope = std::get<RelaxationSlope>(study.model.scene);
+    slope.geometry.outline = {{-6, 0}, {14, 0}, {14, 8}, {-6, 8}};
+    slope.frame->sides = FrameSides::all_around;
+    const RelaxationOutcome before = run(study).result.outcome;
+    EXPECT_EQ(before, RelaxationOutcome::equilibrium);
+    slope.stage = {{0.2, {{-7, -1}, {0, 0}, {4.6, 8}, {4.6, 9}, {-7, 9}}}};
+    study.settings->stop = RelaxationStop::collapse;
+    study.settings->collapse_displacement = 0.02;
+    EXPECT_EQ(run(study).result.outcome, RelaxationOutcome::collapse);
+}
+
+TEST(SlopeScene, BlocksOtherThanTheOutputsAreOfAreAFailedPrediction) {
+    const RelaxationStudy study = daylighting_slope(50);
+    const ModelInterface model = model_interface(study);
+    const auto spacing = std::find_if(model.inputs.begin(), model.inputs.end(),
+                                      [](const Quantity& input) { return input.name == "scene.cut[1].trace.spacing"; });
+    ASSERT_NE(spacing, model.inputs.end());
+    const auto index = static_cast<std::size_t>(spacing - model.inputs.begin());
+    EXPECT_EQ(model.predict(std::vector<Assignment>{{index, 4.0}}).failure, "other_number_of_blocks");
+}
+
+}  // namespace
+}  // namespace delabole

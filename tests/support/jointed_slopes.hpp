@@ -1,0 +1,55 @@
+// Slopes to be cut, for tests and benchmarks.
+#pragma once
+
+#include "jointed_slope/jointed_section.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delabole::testing {
+
+inline JointSetCut joint_set(double dip, double spacing, double offset = 0) {
+    JointSetCut set{};
+    set.dip = dip;
+    set.spacing = spacing;
+    set.offset = offset;
+    return set;
+}
+
+inline SlopeCut cut(std::string name, std::variant<JointSetCut, LineCut> trace) {
+    return {std::move(name), "joint", std::move(trace)};
+}
+
+inline LineCut line(std::vector<SectionPoint> vertex) {
+    LineCut made{};
+    made.vertex = std::move(vertex);
+    return made;
+}
+
+inline SlopeGeometry section(std::vector<SectionPoint> outline, std::vector<SlopeCut> cuts = {}) {
+    SlopeGeometry geometry{};
+    geometry.outline = std::move(outline);
+    geometry.cut = std::move(cuts);
+    return geometry;
+}
+
+inline std::vector<SectionPoint> square(double size) {
+    return {{0, 0}, {size, 0}, {size, size}, {0, size}};
+}
+
+// Two faces at 60 and 45 deg with a bench between them.
+inline std::vector<SectionPoint> benched_slope() {
+    return {{-10, -8}, {60, -8}, {60, 30}, {30, 30}, {16, 16}, {11, 16}, {2, 0}, {-10, 0}};
+}
+
+inline std::vector<SlopeCut> three_sets() {
+    return {cut("a", joint_set(degrees(70), 5, 0.3)), cut("b", joint_set(degrees(-85), 3, 1.1)),
+            cut("cleavage", joint_set(degrees(-10), 2, 0.7))};
+}
+
+inline JointedSection cut_in_one_rock(const SlopeGeometry& geometry) {
+    return cut_slope(geometry, {"slate", "gouge", "other"}, {"joint"});
+}
+
+}  // namespace delabole::testing
