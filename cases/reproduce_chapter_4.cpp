@@ -12,8 +12,6 @@
 
 namespace delabole {
 
-namespace {
-
 Reproduction reproduce_fig_3_4(const ResultFolder& folder, Report& report) {
     Figure figure = tilt_figure("Single column: critical tilt", "a / b", "");
     Line theory;
@@ -44,6 +42,8 @@ Reproduction reproduce_fig_3_4(const ResultFolder& folder, Report& report) {
     result.json["critical_tilt_deg"] = model / degrees(1);
     return result;
 }
+
+namespace {
 
 BlockMotion onset(double slenderness_angle, double inclination, double friction_angle) {
     SingleBlock<> block{};
