@@ -31,10 +31,6 @@ RowAnswer row_answer(const std::vector<double>& heights, double interface_fricti
     return analyse(row).answer;
 }
 
-std::vector<double> equal_columns(int count, double height) {
-    return std::vector<double>(static_cast<std::size_t>(count), height);
-}
-
 // 1, 2, ... up and down again; the greatest height stands twice where the number of columns is even (3.3.2.2).
 std::vector<double> growing_and_falling(int count) {
     std::vector<double> heights;
@@ -59,79 +55,113 @@ std::string crack_place(const std::string& mode) {
     return std::to_string(first) + " and " + std::to_string(first + 1);
 }
 
-struct FrameFriction {
-    double interface_friction;
-    double base_friction;
+// Equal columns: those that may part turn one by one; pressed together they drag on one another.
+struct EqualColumns {
+    bool slides;    // before any turns
+    double parted;  // rad, critical tilts
+    double pressed;
 };
+
+EqualColumns equal_columns(int count, double height, double interface_friction, double base_friction) {
+    const std::vector<double> heights(static_cast<std::size_t>(count), height);
+    const RowAnswer answer = row_answer(heights, interface_friction, base_friction);
+    const bool slides = answer.mode.find_first_not_of(row_role::slides) == std::string::npos;
+    const bool pressed = count > 1 && !slides;
+    return {slides, answer.critical_tilt, pressed ? answer.critical_tilt_in_contact : answer.critical_tilt};
+}
+
+constexpr double slip_friction = degrees(20);     // of interfaces: what chapter 4 takes for short slips
+constexpr double plaster_friction = degrees(35);  // of the base
+constexpr int least_height = 2;                   // in, of the tests
+constexpr int most_height = 9;
+
+struct EqualRows {
+    std::array<Line, 4> pressed;  // deg over inches, one to four columns
+    Line on_tin;                  // two columns
+    Table table{"Critical tilt, deg: interfaces 20 deg, base 35 deg, on tin 18 deg",
+                {{"height, in", true},
+                 {"one", true},
+                 {"two or more, parted", true},
+                 {"two, pressed", true},
+                 {"three", true},
+                 {"four", true},
+                 {"two on tin, pressed", true}},
+                {}};
+    bool more_is_stabler = true;
+    double parted_spread = 0;   // rad, of parted rows about the single column
+    double tin_difference = 0;  // rad, greatest where columns topple on the tin
+    int slides_on_tin = 0;      // heights
+};
+
+EqualRows equal_rows() {
+    const double tin = angle_of("tin_friction");
+    EqualRows rows;
+    for (int height = least_height; height <= most_height; ++height) {
+        std::vector<double> pressed;
+        std::vector<double> parted;
+        for (int count = 1; count <= 4; ++count) {
+            const EqualColumns columns = equal_columns(count, height, slip_friction, plaster_friction);
+            pressed.push_back(columns.pressed);
+            parted.push_back(columns.parted);
+            rows.pressed[pressed.size() - 1].points.emplace_back(height, columns.pressed / degrees(1));
+            rows.more_is_stabler =
+                rows.more_is_stabler && (count == 1 || columns.pressed > pressed[pressed.size() - 2]);
+            rows.parted_spread = std::max(rows.parted_spread, std::abs(columns.parted - parted.front()));
+        }
+        const EqualColumns on_tin = equal_columns(2, height, slip_friction, tin);
+        rows.on_tin.points.emplace_back(height, on_tin.pressed / degrees(1));
+        rows.slides_on_tin += on_tin.slides ? 1 : 0;
+        rows.tin_difference =
+            std::max(rows.tin_difference, on_tin.slides ? 0.0 : std::abs(on_tin.pressed - pressed[1]));
+        const auto shown = [](double tilt) { return human_number(tilt / degrees(1), 4); };
+        rows.table.rows.push_back({std::to_string(height), shown(pressed[0]), shown(parted[1]), shown(pressed[1]),
+                                   shown(pressed[2]), shown(pressed[3]),
+                                   on_tin.slides ? "slides" : shown(on_tin.pressed)});
+    }
+    return rows;
+}
 
 }  // namespace
 
 Reproduction reproduce_fig_3_6(const ResultFolder& folder, Report& report) {
     constexpr std::array colours{Colour::grey, Colour::blue, Colour::vermilion, Colour::green};
-    constexpr std::array names{"one column", "two columns", "three columns", "four columns"};
-    const FrameFriction plaster{degrees(20), degrees(35)};
-    const double tin = angle_of("tin_friction");
+    constexpr std::array legends{"one column, and any that part", "two, pressed together", "three", "four"};
+    EqualRows rows = equal_rows();
     Figure figure = tilt_figure("Equal columns on the tilting frame", "height", "in");
-    Table table{
-        "Critical tilt, deg: interfaces 20 deg, base 35 deg; on tin 18 deg",
-        {{"height, in", true}, {"one", true}, {"two", true}, {"three", true}, {"four", true}, {"two on tin", true}},
-        {}};
-    std::array<Line, 4> lines;
-    Line on_tin;
-    on_tin.legend = "two columns on tin";
-    on_tin.colour = Colour::blue;
-    on_tin.dash = Dash::dotted;
-    bool more_is_stabler = true;
-    int slides_on_tin = 0;
-    double tin_difference = 0;
+    for (std::size_t index = 0; index < legends.size(); ++index) {
+        rows.pressed[index].legend = legends[index];
+        rows.pressed[index].colour = colours[index];
+        figure.series.emplace_back(rows.pressed[index]);
+    }
+    rows.on_tin.legend = "two on tin";
+    rows.on_tin.colour = Colour::blue;
+    rows.on_tin.dash = Dash::dotted;
+    figure.series.emplace_back(rows.on_tin);
     Reproduction result;
-    for (int height = 2; height <= 9; ++height) {
-        std::vector<std::string> cells = {std::to_string(height)};
-        double before = 0;
-        double two = 0;
-        for (int count = 1; count <= 4; ++count) {
-            const double tilt =
-                row_answer(equal_columns(count, height), plaster.interface_friction, plaster.base_friction)
-                    .critical_tilt;
-            lines[static_cast<std::size_t>(count - 1)].points.emplace_back(height, tilt / degrees(1));
-            cells.push_back(human_number(tilt / degrees(1), 4));
-            more_is_stabler = more_is_stabler && tilt > before;
-            before = tilt;
-            two = count == 2 ? tilt : two;
-            result.json["tilt_deg"][std::to_string(height)].push_back(tilt / degrees(1));
-        }
-        const RowAnswer answer = row_answer(equal_columns(2, height), plaster.interface_friction, tin);
-        const bool slides = answer.mode.find_first_not_of(row_role::slides) == std::string::npos;
-        slides_on_tin += slides ? 1 : 0;
-        tin_difference = std::max(tin_difference, slides ? 0.0 : std::abs(answer.critical_tilt - two));
-        on_tin.points.emplace_back(height, answer.critical_tilt / degrees(1));
-        cells.push_back(slides ? "slides" : human_number(answer.critical_tilt / degrees(1), 4));
-        table.rows.push_back(cells);
-    }
-    for (std::size_t index = 0; index < lines.size(); ++index) {
-        lines[index].legend = names[index];
-        lines[index].colour = colours[index];
-        figure.series.emplace_back(lines[index]);
-    }
-    figure.series.emplace_back(on_tin);
-    result.rows.push_back({"more columns of equal height", "stand at greater tilt", more_is_stabler ? "yes" : "not all",
-                           "", statement(more_is_stabler)});
+    result.rows.push_back({"more columns, pressed together", "stand at greater tilt",
+                           rows.more_is_stabler ? "at every height" : "not at every height", "",
+                           statement(rows.more_is_stabler)});
+    result.rows.push_back({"columns that part", "gently touching ones separate and topple",
+                           "as one column does, within " + human_number(rows.parted_spread / degrees(1), 2) + " deg",
+                           "", "so the number of columns matters only while they are held together"});
     result.rows.push_back({"two columns on tin (17 to 19 deg) against plaster", "quite close",
-                           "within " + human_number(tin_difference / degrees(1), 2) + " deg where they topple", "",
-                           std::to_string(slides_on_tin) + " of 8 heights slide on the tin before they topple"});
-    result.json["more_columns_stabler"] = more_is_stabler;
-    result.json["heights_that_slide_on_tin"] = slides_on_tin;
-    result.json["tin_difference_deg"] = tin_difference / degrees(1);
+                           "up to " + human_number(rows.tin_difference / degrees(1), 3) + " deg apart", "",
+                           std::to_string(rows.slides_on_tin) +
+                               " of 8 heights slide on the tin before they topple; the text does not say so"});
+    result.json["more_columns_stabler"] = rows.more_is_stabler;
+    result.json["parted_spread_deg"] = rows.parted_spread / degrees(1);
+    result.json["heights_that_slide_on_tin"] = rows.slides_on_tin;
+    result.json["tin_difference_deg"] = rows.tin_difference / degrees(1);
     report.blocks.emplace_back(Heading{"Fig 3.6: columns of equal height"});
     report.blocks.emplace_back(printed_table("Statements of 3.3.2.1", result.rows));
-    report.blocks.emplace_back(table);
-    report.blocks.emplace_back(folder.draw(figure, "fig_3_6", "Limit equilibrium, least stable mode of each row."));
+    report.blocks.emplace_back(rows.table);
+    report.blocks.emplace_back(folder.draw(figure, "fig_3_6", "Critical tilt by limit equilibrium."));
     return result;
 }
 
 namespace {
 
-constexpr int most_columns = 18;  // of the tests
+constexpr int most_in_a_row = 18;  // of the tests
 
 struct RowOfHeights {
     double highest_alone;  // rad, tilt at which the highest column would topple by itself
@@ -187,7 +217,7 @@ Reproduction reproduce_fig_3_7(const ResultFolder& folder, Report& report) {
     int between = 0;
     int cracks_at_three = 0;
     int cracks_expected = 0;
-    for (int count = 3; count <= most_columns; ++count) {
+    for (int count = 3; count <= most_in_a_row; ++count) {
         const RowOfHeights row = row_of_heights(count, friction);
         const std::string crack = crack_place(row.answer.mode);
         tilts.push_back(row.answer.critical_tilt);

@@ -74,7 +74,7 @@ TEST(DataTable, OrderOfColumnsUnitsAndLineEndsAreFree) {
 
 TEST(DataTable, ComplaintsNameLineColumnAndValue) {
     EXPECT_EQ(complaint_of_row("a,60,12,12,yes\nb,95,12,12,yes\n"),
-              "slopes.csv:3:3: slope_angle = \"95 deg\": must be more than 0 deg, at most 90 deg");
+              "slopes.csv:3:3: slope_angle = \"95 deg\": must be more than 0 and at most 90 deg");
     // Columns count characters, not bytes.
     EXPECT_TRUE(complaint_of_row("Größe,95,12,12,yes\n").starts_with("slopes.csv:2:7: slope_angle"))
         << complaint_of_row("Größe,95,12,12,yes\n");
