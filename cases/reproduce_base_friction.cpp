@@ -122,16 +122,19 @@ Figure behaviour_figure(const States& states) {
     figure.y.title = "slope height / joint spacing";
     figure.y.range = {10, 26};
     std::array<Points, behaviours.size()> series;
-    std::vector<Point> taken;
+    const auto place_of = [](const BaseFrictionState& state) {
+        return Point(state.slope_angle / degrees(1), state.height_over_spacing);
+    };
     for (const BaseFrictionState& state : states) {
-        const Point place(state.slope_angle / degrees(1), state.height_over_spacing);
-        const auto before =
-            std::ranges::count_if(taken, [&](const Point& other) { return (other - place).norm() < 0.1; });
-        taken.push_back(place);
-        // Eleven states share one place at most, six to a line.
-        const double right = 0.6 * (static_cast<double>(before % 6) - 2.5);
-        const double up = before < 6 ? 0.0 : 0.8;
-        series[static_cast<std::size_t>(state.behaviour)].points.emplace_back(place.x() + right, place.y() + up);
+        const Point place = place_of(state);
+        const auto same = [&](const BaseFrictionState& other) { return (place_of(other) - place).norm() < 0.1; };
+        const long all = count(states, same);
+        const long before = std::count_if(states.data(), &state, same);
+        // In lines of six, one above the other, centred at the place.
+        const long in_line = std::min(6L, all - before / 6 * 6);
+        const double right = 0.6 * (static_cast<double>(before % 6) - static_cast<double>(in_line - 1) / 2);
+        series[static_cast<std::size_t>(state.behaviour)].points.emplace_back(
+            place.x() + right, place.y() + 0.8 * static_cast<double>(before / 6));
     }
     for (std::size_t index = 0; index < series.size(); ++index) {
         series[index].legend = legends[index];
@@ -236,7 +239,7 @@ Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report) {
                            statement(failed == static_cast<long>(steep.size()))});
     const States slow =
         chosen(steep, [](const BaseFrictionState& state) { return state.crack_time_to.value_or(0) > 5.5 * minute; });
-    result.rows.push_back({"... within five minutes", "all, very quickly",
+    result.rows.push_back({"those that failed within five minutes", "all, very quickly",
                            of(static_cast<long>(steep.size() - slow.size()), steep.size()), "",
                            slow.empty() ? "" : "all but " + tests_and_times(slow)});
     const States gentle = chosen(states, [](const BaseFrictionState& state) { return !is_steep(state); });
