@@ -17,6 +17,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace delabole {
 
@@ -191,19 +192,28 @@ constexpr int most_in_a_row = 18;  // of the tests
 
 struct RowOfHeights {
     int columns;
-    double highest_alone;  // rad, tilt at which the highest column would topple by itself
-    double average_alone;  // the same of a column of average height
-    std::optional<RowAnswer> answer;
+    double highest_alone;             // rad, tilt at which the highest column would topple by itself
+    double average_alone;             // the same of a column of average height
+    std::optional<RowAnswer> answer;  // where a motion is admissible
 
     double tilt() const { return answer ? answer->critical_tilt : std::numeric_limits<double>::quiet_NaN(); }
     std::string crack() const { return answer ? crack_place(answer->mode) : std::string(); }
 };
 
+// Toes that all slide forward below standing columns: no motion but the most that pressing can hold.
+bool is_limit_of_pressing(const std::string& mode) {
+    return mode.find(row_role::stands) != std::string::npos && mode.find(row_role::forward) != std::string::npos &&
+           mode.find_first_of({row_role::pivot, row_role::backward}) == std::string::npos;
+}
+
 RowOfHeights row_of_heights(int columns, double friction) {
     const std::vector<double> heights = growing_and_falling(columns);
     const double sum = std::accumulate(heights.begin(), heights.end(), 0.0);
-    return {columns, std::atan(1 / *std::ranges::max_element(heights)), std::atan(columns / sum),
-            row_answer(heights, friction, friction)};
+    std::optional<RowAnswer> answer = row_answer(heights, friction, friction);
+    if (answer && is_limit_of_pressing(answer->mode)) {
+        answer.reset();
+    }
+    return {columns, std::atan(1 / *std::ranges::max_element(heights)), std::atan(columns / sum), std::move(answer)};
 }
 
 std::vector<RowOfHeights> rows_of_heights(double friction) {
@@ -301,7 +311,7 @@ Table heights_table(const std::vector<RowOfHeights>& rows, Json& json) {
         const std::string number = std::to_string(row.columns);
         table.rows.push_back({number, human_number(row.highest_alone / degrees(1), 4),
                               human_number(row.average_alone / degrees(1), 4),
-                              row.answer ? human_number(row.tilt() / degrees(1), 4) : "no admissible mode found",
+                              row.answer ? human_number(row.tilt() / degrees(1), 4) : "none found",
                               row.answer ? row.answer->mode : "", row.crack()});
         if (row.answer) {
             json["tilt_deg"][number] = row.tilt() / degrees(1);
@@ -360,6 +370,10 @@ Reproduction reproduce_fig_3_7(const ResultFolder& folder, Report& report) {
                                   : "no friction gives it; shown for 30 deg"});
     result.rows.push_back({"nine columns: place of the crack", "between 6 and 7", "between " + nine.crack(), "",
                            statement(nine.crack() == "6 and 7")});
+    const std::string mode = nine.answer ? nine.answer->mode : "";
+    result.rows.push_back({"nine columns: which slide, which turn", "1 slides, 2 to 6 turn", mode, "",
+                           std::to_string(std::ranges::count(mode, row_role::slides)) +
+                               " slide (S), the next turn (F with a sliding toe, P not), the last stand (0)"});
     const auto score_row = [&](const std::string& what, const std::string& printed, const Score& score) {
         result.rows.push_back({what, printed, score.words(), "", score.remark()});
         result.json[what] = score.json();
@@ -377,7 +391,7 @@ Reproduction reproduce_fig_3_7(const ResultFolder& folder, Report& report) {
         "One friction everywhere, solved from the tilt at which the nine columns of Plate 3.XIV cracked; all else is "
         "predicted. A crack in front of the 3 inch column says that the 4 inch column has turned, which by itself it "
         "does from 14.04 deg on: the rows of 13 to 17 columns must have stood up to that tilt, at more friction than "
-        "this one."});
+        "this one. Where no tilt is given, no motion among those examined is admissible."});
     report.blocks.emplace_back(printed_table("Statements of 3.3.2.2", result.rows));
     report.blocks.emplace_back(heights_table(rows, result.json));
     report.blocks.emplace_back(folder.draw(heights_figure(rows, friction, tilt), "fig_3_7",
