@@ -5,6 +5,7 @@
 
 namespace delabole {
 
+Reproduction reproduce_mechanisms(const ResultFolder& folder, Report& report);
 Reproduction reproduce_groundwater(const ResultFolder& folder, Report& report);
 
 }  // namespace delabole

@@ -1,4 +1,4 @@
-// What `delabole reproduce chapter3` says, and what chapter 2 says of groundwater.
+// What `delabole reproduce chapter3` says, and `chapter2` of its models.
 #include "reproduction_fixture.hpp"
 
 #include <cmath>
@@ -11,9 +11,9 @@ class Chapter3 : public testing::ReproductionTest {
     Chapter3() : ReproductionTest(chapter_3()) {}
 };
 
-class Groundwater : public testing::ReproductionTest {
+class Models : public testing::ReproductionTest {
   protected:
-    Groundwater() : ReproductionTest(chapter_2()) {}
+    Models() : ReproductionTest(chapter_2()) {}
 };
 
 bool all_met(const Json& score) {
@@ -75,7 +75,18 @@ TEST_F(Chapter3, NineColumnsCrackWhereTheyDid) {
     }
 }
 
-TEST_F(Groundwater, Observations) {
+TEST_F(Models, ModesThatHappenedCanHappen) {
+    const Reproduction result = reproduce("mechanisms");
+    EXPECT_EQ(result.rows.size(), 7U);  // the face of Plate 2.VI is not printed
+    for (const PrintedRow& row : result.rows) {
+        EXPECT_EQ(row.remark.find("NOT"), std::string::npos) << row.what;
+    }
+    // tan 40.5 / tan 50, by hand.
+    EXPECT_NEAR(result.json["sliding"]["2.I"].get<double>(), 0.7167, 5e-5);
+    EXPECT_NEAR(result.json["toppling_least_face_deg"]["2.III"].get<double>(), 45.5, 1e-12);
+}
+
+TEST_F(Models, Groundwater) {
     const Json json = reproduce("groundwater").json;
     EXPECT_FALSE(json["density_matters"].get<bool>());
     EXPECT_GT(json["mixture_over_cork"].get<double>(), 0);
