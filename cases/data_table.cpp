@@ -136,10 +136,8 @@ std::string example_column(const TableColumnField& field) {
 }
 
 void complain_unknown(const Cell& cell, const std::vector<TableColumnField>& fields, Reading& reading) {
-    std::vector<std::string> names;
-    for (const TableColumnField& field : fields) {
-        names.push_back(example_column(field));
-    }
+    std::vector<std::string> names(fields.size());
+    std::ranges::transform(fields, names.begin(), example_column);
     reading.complain(cell.place, cell.text, "", "is not a column of this table" + suggestion(cell.text, names));
 }
 

@@ -140,10 +140,11 @@ Figure behaviour_figure(const States& states) {
         const long all = count(states, same);
         const long before = std::count_if(states.data(), &state, same);
         // In lines of six, one above the other, centred at the place.
-        const long in_line = std::min(6L, all - before / 6 * 6);
+        const long line = before / 6;
+        const long in_line = std::min(6L, all - 6 * line);
         const double right = 0.6 * (static_cast<double>(before % 6) - static_cast<double>(in_line - 1) / 2);
-        series[static_cast<std::size_t>(state.behaviour)].points.emplace_back(
-            place.x() + right, place.y() + 0.8 * static_cast<double>(before / 6));
+        const double up = 0.8 * static_cast<double>(line);
+        series[static_cast<std::size_t>(state.behaviour)].points.emplace_back(place.x() + right, place.y() + up);
     }
     for (std::size_t index = 0; index < series.size(); ++index) {
         series[index].legend = legends[index];
