@@ -271,12 +271,14 @@ struct PrintedTrend {
     std::string parameter;
     std::string response;
     PrintedChange change;
+    std::string doubt;
     static constexpr auto fields() {
         using T = PrintedTrend;
         return std::tuple{section("conclusion", &T::conclusion, "number of the conclusion"),
                           section("parameter", &T::parameter, "what was varied"),
                           section("response", &T::response, "what was observed"),
-                          section("change", &T::change, "of the response as the parameter grows")};
+                          section("change", &T::change, "of the response as the parameter grows"),
+                          section("doubt", &T::doubt, detail::doubt_meaning)};
     }
 };
 

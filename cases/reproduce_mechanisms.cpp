@@ -29,11 +29,12 @@ Table verdict_table(const std::vector<MechanismVerdict>& verdicts) {
 }
 
 Table trend_table() {
-    Table table{
-        "Conclusions of 2.3.4, from Figs 2.11 to 2.14", {{"conclusion"}, {"as this grows"}, {"this"}, {"changes"}}, {}};
+    Table table{"Conclusions of 2.3.4, from Figs 2.11 to 2.14",
+                {{"conclusion"}, {"as this grows"}, {"this"}, {"changes"}, {"doubt"}},
+                {}};
     for (const PrintedTrend& trend : printed_trends()) {
         table.rows.push_back({trend.conclusion, human_name(trend.parameter), human_name(trend.response),
-                              human_name(word_of(trend.change))});
+                              human_name(word_of(trend.change)), trend.doubt});
     }
     return table;
 }

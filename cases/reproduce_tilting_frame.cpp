@@ -17,6 +17,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 namespace delabole {
@@ -50,6 +51,9 @@ std::vector<double> growing_and_falling(int count) {
 double angle_of(std::string_view key) {
     const std::vector<TiltingFrameAngle> angles = tilting_frame_angles();
     const auto found = std::ranges::find(angles, key, &TiltingFrameAngle::key);
+    if (found == angles.end()) {
+        throw std::logic_error("tilting_frame.csv has no " + std::string(key));
+    }
     return (found->least + found->most) / 2;
 }
 

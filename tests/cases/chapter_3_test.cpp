@@ -2,6 +2,7 @@
 #include "reproduction_fixture.hpp"
 
 #include <cmath>
+#include <set>
 
 namespace delabole {
 namespace {
@@ -18,6 +19,15 @@ class Models : public testing::ReproductionTest {
 
 bool all_met(const Json& score) {
     return score["met"] == score["of"] && score["of"] > 0;
+}
+
+// Fig 3.4 is an item of two chapters.
+TEST_F(Chapter3, EveryNameIsListedOnce) {
+    std::set<std::string> names;
+    for (const auto& [name, meaning] : reproducible()) {
+        EXPECT_TRUE(names.insert(name).second) << name;
+    }
+    EXPECT_TRUE(names.contains("fig3.4"));
 }
 
 // Sections 3.2 and 3.4.1.
