@@ -52,17 +52,19 @@ bool is_steep(const BaseFrictionState& state) {
     return state.slope_angle > degrees(69.5);
 }
 
-constexpr std::array slope_angles{60.0, 65.0, 70.0, 80.0};
+constexpr std::array slope_angles{60.0, 65.0, 70.0, 80.0};  // deg, of the tests
 constexpr std::array behaviours{SlopeBehaviour::stable, SlopeBehaviour::limiting, SlopeBehaviour::unstable};
 
-Table behaviour_table(const States& states) {
+Table behaviour_table(const States& states, Json& json) {
     Table table{"States by slope angle",
                 {{"slope angle, deg", true}, {"stable", true}, {"limiting", true}, {"unstable", true}},
                 {}};
     for (const double angle : slope_angles) {
         std::vector<std::string> row = {number_in_words(angle)};
         for (const SlopeBehaviour behaviour : behaviours) {
-            row.push_back(std::to_string(count(states, angle, behaviour)));
+            const long number = count(states, degrees(angle), behaviour);
+            row.push_back(std::to_string(number));
+            json["by_slope_angle"][number_in_words(angle)].push_back(number);
         }
         table.rows.push_back(row);
     }
@@ -271,7 +273,7 @@ Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report) {
         Paragraph{"Statements of sections 3.2 and 3.4.1, counted in the tables. A model that was changed during its "
                   "test has a state for each configuration."});
     report.blocks.emplace_back(printed_table("Statements and tables", result.rows));
-    report.blocks.emplace_back(behaviour_table(states));
+    report.blocks.emplace_back(behaviour_table(states, result.json));
     report.blocks.emplace_back(guess_table(states, result.json));
     report.blocks.emplace_back(folder.draw(behaviour_figure(states), "table_3_2",
                                            "Behaviour over slope angle and height; tests of one geometry side by "

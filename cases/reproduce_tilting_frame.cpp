@@ -370,7 +370,7 @@ Reproduction reproduce_fig_3_7(const ResultFolder& folder, Report& report) {
                            value_in_words(nine.tilt(), Dimension::angle),
                            difference_in_words((nine.tilt() - tilt) / degrees(1)) + " deg",
                            fitted ? "solved for the friction: " + value_in_words(friction, Dimension::angle) +
-                                        ", what chapter 4 takes for short slips"
+                                        "; chapter 4 takes 20 deg for short slips"
                                   : "no friction gives it; shown for 30 deg"});
     result.rows.push_back({"nine columns: place of the crack", "between 6 and 7", "between " + nine.crack(), "",
                            statement(nine.crack() == "6 and 7")});

@@ -38,6 +38,14 @@ TEST_F(Chapter3, TablesMeetTheText) {
     }
     const Json& behaviour = result.json["behaviour"];
     EXPECT_EQ(behaviour["S"].get<int>() + behaviour["L.E."].get<int>() + behaviour["U"].get<int>(), 52);
+    int listed = 0;
+    for (const Json& numbers : result.json["by_slope_angle"]) {
+        for (const Json& number : numbers) {
+            listed += number.get<int>();
+        }
+    }
+    EXPECT_EQ(listed, 52);
+    EXPECT_EQ(result.json["by_slope_angle"]["80"], Json::parse("[0, 0, 6]"));
     EXPECT_EQ(result.json["steep"]["failed"], result.json["steep"]["of"]);
     for (const Json& guess : result.json["guesses"]) {
         EXPECT_EQ(guess["of"].get<int>(), behaviour["S"].get<int>() + behaviour["U"].get<int>());
