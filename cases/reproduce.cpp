@@ -6,6 +6,7 @@
 #include "fitting/words.hpp"
 #include "version/version.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -14,7 +15,8 @@ namespace delabole {
 namespace {
 
 const std::vector<ReproductionChapter>& chapters() {
-    static const std::vector<ReproductionChapter> all = {chapter_2(), chapter_4(), chapter_5(), appendix_a_chapter()};
+    static const std::vector<ReproductionChapter> all = {chapter_2(), chapter_3(), chapter_4(), chapter_5(),
+                                                         appendix_a_chapter()};
     return all;
 }
 
@@ -24,13 +26,18 @@ struct Chosen {
     std::vector<const ReproductionItem*> items;
 };
 
+// Fig 3.4 belongs to chapter 3 and, by its equation, to chapter 4.
+bool has(const std::vector<const ReproductionItem*>& items, const std::string& name) {
+    return std::ranges::any_of(items, [&](const ReproductionItem* item) { return item->name == name; });
+}
+
 // A chapter, one item of any chapter, or everything.
 Chosen choose(const std::string& what) {
     Chosen chosen{what.empty() ? "thesis" : what, "Thesis: printed and computed", {}};
     for (const ReproductionChapter& chapter : chapters()) {
         const bool whole = what.empty() || what == chapter.name;
         for (const ReproductionItem& item : chapter.items) {
-            if (whole || what == item.name) {
+            if ((whole || what == item.name) && !has(chosen.items, item.name)) {
                 chosen.items.push_back(&item);
                 chosen.title = what.empty() ? chosen.title : chapter.title;
             }
@@ -86,7 +93,9 @@ std::vector<std::pair<std::string, std::string>> reproducible() {
     for (const ReproductionChapter& chapter : chapters()) {
         names.emplace_back(chapter.name, "all that follows: " + chapter.meaning);
         for (const ReproductionItem& item : chapter.items) {
-            names.emplace_back(item.name, item.meaning);
+            if (std::ranges::find(names, item.name, &std::pair<std::string, std::string>::first) == names.end()) {
+                names.emplace_back(item.name, item.meaning);
+            }
         }
     }
     return names;

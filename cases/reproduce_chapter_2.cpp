@@ -1,6 +1,6 @@
 // The calculations of the thesis's chapter 2.
 #include "cases/fig_2_8.hpp"
-#include "cases/reproduction.hpp"
+#include "cases/reproduction_chapter_2.hpp"
 #include "cases/units.hpp"
 #include "fitting/words.hpp"
 #include "plots/figures.hpp"
@@ -168,6 +168,10 @@ ReproductionChapter chapter_2() {
             {
                 {"fig2.8", "plane failure of the west face; its unprinted crack depth and curves", reproduce_fig_2_8},
                 {"tilting", "groundwater by tilting the model, section 2.3.5", reproduce_tilting},
+                {"mechanisms", "modes of failure tried on models of the west face, verdicts of section 2.3.3.2",
+                 reproduce_mechanisms},
+                {"groundwater", "one column with groundwater: tests and observations of section 2.3.5",
+                 reproduce_groundwater},
                 {"dry_friction", "dry factor of safety of section 2.3.3.2 A", reproduce_dry_friction},
             }};
 }

@@ -39,6 +39,7 @@ struct ReproductionChapter {
 };
 
 ReproductionChapter chapter_2();
+ReproductionChapter chapter_3();
 ReproductionChapter chapter_4();
 ReproductionChapter chapter_5();
 ReproductionChapter appendix_a_chapter();

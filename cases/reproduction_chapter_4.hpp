@@ -9,6 +9,8 @@
 
 namespace delabole {
 
+Reproduction reproduce_fig_3_4(const ResultFolder& folder, Report& report);
+
 Reproduction reproduce_fig_4_3(const ResultFolder& folder, Report& report);
 Reproduction reproduce_fig_4_4(const ResultFolder& folder, Report& report);
 Reproduction reproduce_fig_4_6(const ResultFolder& folder, Report& report);

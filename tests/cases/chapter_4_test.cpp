@@ -1,43 +1,21 @@
 // What `delabole reproduce chapter4` says: the numbers of the verification deck.
-#include "cases/reproduction.hpp"
 #include "cases/single_block_chart.hpp"
 #include "limit_equilibrium/single_block.hpp"
+#include "reproduction_fixture.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
 namespace delabole {
 namespace {
 
-class Chapter4 : public ::testing::Test {
+class Chapter4 : public testing::ReproductionTest {
   protected:
-    Chapter4() { std::filesystem::remove_all(path_); }
-    ~Chapter4() override { std::filesystem::remove_all(path_); }
-    Chapter4(const Chapter4&) = delete;
-    Chapter4& operator=(const Chapter4&) = delete;
-
-    Reproduction reproduce(const std::string& name) const {
-        const ReproductionChapter chapter = chapter_4();
-        const auto item = std::ranges::find(chapter.items, name, &ReproductionItem::name);
-        Options options;
-        options.out = path_.string();
-        options.quiet = true;
-        const ResultFolder folder(options, name, OnInterrupt::stop);
-        Report report;
-        return item->reproduce(folder, report);
-    }
-
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_ =
-        std::filesystem::temp_directory_path() /
-        ("chapter_4_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    Chapter4() : ReproductionTest(chapter_4()) {}
 };
 
 // The boundaries are given to two decimals, the back-analysed ratios to four.

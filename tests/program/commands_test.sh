@@ -122,7 +122,7 @@ expect_complete_results_of_reproduce() {
 }
 expect_complete_results_of_reproduce results/thesis
 expect_figures results/thesis 4
-for what in fig2.8 tilting dry_friction limiting_friction friction_angles; do
+for what in fig2.8 tilting dry_friction table3.2 limiting_friction friction_angles; do
     delabole reproduce "$what" --out "part_$what"
     expect_status 0
     expect_complete_results_of_reproduce "part_$what"

@@ -1,0 +1,11 @@
+// The items of the thesis's chapter 2 that stand in files of their own.
+#pragma once
+
+#include "cases/reproduction.hpp"
+
+namespace delabole {
+
+Reproduction reproduce_mechanisms(const ResultFolder& folder, Report& report);
+Reproduction reproduce_groundwater(const ResultFolder& folder, Report& report);
+
+}  // namespace delabole
