@@ -101,7 +101,7 @@ class Splitter {
     Reading* reading_;
 };
 
-struct Column {
+struct TableColumn {
     const TableColumnField* field;
     std::string unit;  // as a quantity has it, "kg/m3"; empty for a ratio, a word or a text
 };
@@ -141,7 +141,7 @@ void complain_unknown(const Cell& cell, const std::vector<TableColumnField>& fie
     reading.complain(cell.place, cell.text, "", "is not a column of this table" + suggestion(cell.text, names));
 }
 
-bool unit_fits(const Cell& cell, const Column& column, Reading& reading) {
+bool unit_fits(const Cell& cell, const TableColumn& column, Reading& reading) {
     if (!has_unit(*column.field)) {
         return true;
     }
@@ -157,37 +157,38 @@ bool unit_fits(const Cell& cell, const Column& column, Reading& reading) {
 }
 
 // Empty when a column is wrong.
-std::vector<Column> read_header(const Line& line, const std::vector<TableColumnField>& fields, Reading& reading) {
+std::vector<TableColumn> read_header(const Line& line, const std::vector<TableColumnField>& fields, Reading& reading) {
     std::vector<Cell> cells;
     if (!Splitter(line, reading).split(cells)) {
         return {};
     }
-    std::vector<Column> columns;
+    std::vector<TableColumn> columns;
     for (const Cell& cell : cells) {
         const TableColumnField* field = field_of(cell.text, fields);
         if (field == nullptr) {
             complain_unknown(cell, fields, reading);
             continue;
         }
-        Column column{field, {}};
+        TableColumn column{field, {}};
         if (cell.text.size() > field->key.size()) {
             column.unit = unit_of(std::string_view(cell.text).substr(field->key.size() + 1));
         }
-        if (std::ranges::find(columns, field, &Column::field) != columns.end()) {
+        if (std::ranges::find(columns, field, &TableColumn::field) != columns.end()) {
             reading.complain(cell.place, cell.text, "", "is given twice");
         } else if (unit_fits(cell, column, reading)) {
             columns.push_back(std::move(column));
         }
     }
     for (const TableColumnField& field : fields) {
-        if (field.required && reading.clean() && std::ranges::find(columns, &field, &Column::field) == columns.end()) {
+        if (field.required && reading.clean() &&
+            std::ranges::find(columns, &field, &TableColumn::field) == columns.end()) {
             reading.complain(line.place, field.key, "", "is missing: a column " + example_column(field));
         }
     }
-    return reading.clean() ? columns : std::vector<Column>{};
+    return reading.clean() ? columns : std::vector<TableColumn>{};
 }
 
-Node node_of(const Cell& cell, const Column& column) {
+Node node_of(const Cell& cell, const TableColumn& column) {
     Node node;
     node.place = node.key_place = cell.place;
     node.kind = Node::Kind::text;
@@ -210,7 +211,7 @@ std::vector<Node> table_rows(std::string_view text, const std::vector<TableColum
         reading.complain({.line = 1, .column = 1}, "", "", "holds no table: its first line names the columns");
         return {};
     }
-    const std::vector<Column> columns = read_header(lines.front(), fields, reading);
+    const std::vector<TableColumn> columns = read_header(lines.front(), fields, reading);
     std::vector<Node> rows;
     for (std::size_t index = 1; index < lines.size() && !columns.empty(); ++index) {
         std::vector<Cell> cells;

@@ -196,9 +196,12 @@ RelaxationScene blocks_of(const RelaxationPolygons& polygons) {
 RelaxationScene blocks_of(const RelaxationSlope& slope) {
     SlopeScene made = slope_scene(slope);
     RelaxationScene scene;
+    std::vector<RelaxationJoint> joints;
     for (const SlopeJoint& joint : slope.joint) {
+        joints.push_back(joint.strength);
         scene.material.push_back(material_of(joint.strength));
     }
+    add_bonds(scene, joints);
     scene.gravity.tilt = scene.gravity.final_tilt = slope.tilt.value_or(0);
     scene.block = std::move(made.block);
     scene.pressure = std::move(made.pressure);
