@@ -18,7 +18,7 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 61> examples{{
+constexpr std::array<ExampleNumber, 67> examples{{
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -76,6 +76,12 @@ constexpr std::array<ExampleNumber, 61> examples{{
     {"collapse_displacement", 1.0},
     {"most_steps", 1e8},
     {"overlap_limit", 0.05},
+    {"crack_opening", 0.01},
+    {"young_modulus", 5e9},
+    {"shear_modulus", 2e9},
+    {"height_deviation", 0.05},
+    {"friction_deviation", degrees(2)},
+    {"belt_speed", 0.02},
     {"lower_inclination", degrees(20)},
     {"upper_inclination", degrees(50)},
     {"lower_end_height", 5.0},

@@ -313,7 +313,7 @@ TEST(Bonds, GoOnFromCheckpointsAndForAnyNumberOfThreads) {
     ASSERT_GT(scene.bond.size(), 512U);
     Simulation whole(scene, dropped(1));
     Simulation divided(scene, dropped(2));
-    constexpr int steps = 1200;
+    constexpr int steps = 500;
     std::string middle;
     for (int step = 0; step < steps; ++step) {
         if (step == steps / 2) {
