@@ -122,7 +122,7 @@ void collect(const CuttingWork& work, JointedSection& section) {
             MeshIndex& vertex = number[half.origin];
             if (vertex == no_index) {
                 vertex = static_cast<MeshIndex>(section.vertex.size());
-                section.vertex.push_back(work.origin + mesh.points()[half.origin]);
+                section.vertex.emplace_back(work.origin + mesh.points()[half.origin]);
             }
             block.vertex.push_back(vertex);
             block.joint.push_back(half.joint);
