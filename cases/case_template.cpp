@@ -18,7 +18,7 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 67> examples{{
+constexpr std::array<ExampleNumber, 71> examples{{
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -48,6 +48,10 @@ constexpr std::array<ExampleNumber, 67> examples{{
     {"joint_dip", degrees(70)},
     {"spacing", 5.0},
     {"stagger", 1.5},
+    {"snap_distance", 0.01},
+    {"sliver_share", 0.02},
+    {"scatter", 0.2},
+    {"thickness", 1.0},
     {"base_inclination", degrees(35)},
     {"base_end_height", 25.0},
     {"step_above", 1.0},

@@ -101,7 +101,7 @@ std::optional<SlopeComplaint> complaint_of(const RelaxationSlope& slope) {
     case SlopeCheck::feature_and_side:
         return SlopeComplaint{trace + ".ends_on", "and side, above or below, go together"};
     case SlopeCheck::stagger_without_set:
-        return SlopeComplaint{trace + ".stagger", "and staggered_by, a set, go together"};
+        return SlopeComplaint{trace + ".stagger_share", "and staggered_by, a set, go together"};
     case SlopeCheck::unknown_rock:
         return slope.rock.empty()
                    ? SlopeComplaint{"scene.rock", "is required: at least one [[scene.rock]]"}

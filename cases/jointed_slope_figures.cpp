@@ -73,7 +73,7 @@ void append_cutting_warnings(const RelaxationSlope& slope, Analysis& analysis) {
         }
     }
     if (section.outline_reversed) {
-        analysis.warnings.push_back("scene.outline runs clockwise and was turned round");
+        analysis.warnings.emplace_back("scene.outline runs clockwise and was turned round");
     }
     if (section.slivers_kept > 0) {
         analysis.warnings.push_back(std::to_string(section.slivers_kept) +

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -15,6 +14,7 @@ namespace {
 
 std::vector<std::string> names_of(const auto& list) {
     std::vector<std::string> names;
+    names.reserve(list.size());
     for (const auto& entry : list) {
         names.push_back(entry.name);
     }
@@ -227,7 +227,8 @@ class SlopeSceneMaker {
             double x;
             double y;
             std::size_t index;
-            auto operator<=>(const Place&) const = default;
+
+            auto key() const { return std::tie(fixed, level, x, y, index); }
         };
         std::vector<Place> order;
         for (std::size_t index = 0; index < section().block.size(); ++index) {
@@ -241,7 +242,8 @@ class SlopeSceneMaker {
             const double level = std::round((centre.y() - bounds_.bottom) / section().snap_distance);
             order.push_back({fixed, level, centre.x(), centre.y(), index});
         }
-        std::sort(order.begin(), order.end());
+        std::sort(order.begin(), order.end(),
+                  [](const Place& one, const Place& other) { return one.key() < other.key(); });
         for (const Place& place : order) {
             add_block(section().block[place.index], place.fixed, table);
             for (std::size_t stage = 0; stage < slope_.stage.size(); ++stage) {

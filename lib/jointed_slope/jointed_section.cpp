@@ -77,7 +77,7 @@ class Cutter {
     CutCount make(const SlopeCut& cut, const JointSetCut& set, std::size_t number, MeshIndex joint) {
         require(set.persistence.value_or(1) >= 1 || set.trace_length, SlopeCheck::persistence_without_trace_length);
         require(set.ends_on.has_value() == set.side.has_value(), SlopeCheck::feature_and_side);
-        require(set.staggered_by.has_value() == set.stagger.has_value(), SlopeCheck::stagger_without_set);
+        require(set.staggered_by.has_value() == set.stagger_share.has_value(), SlopeCheck::stagger_without_set);
         require(!set.ends_on || work_.line.contains(*set.ends_on), SlopeCheck::unknown_line);
         require(!set.staggered_by || work_.set.contains(*set.staggered_by), SlopeCheck::unknown_set);
         require(set.region.empty() || set.region.size() > 2, SlopeCheck::region_too_short);
@@ -122,7 +122,7 @@ void collect(const CuttingWork& work, JointedSection& section) {
             MeshIndex& vertex = number[half.origin];
             if (vertex == no_index) {
                 vertex = static_cast<MeshIndex>(section.vertex.size());
-                section.vertex.push_back(work.origin + mesh.points()[half.origin]);
+                section.vertex.emplace_back(work.origin + mesh.points()[half.origin]);
             }
             block.vertex.push_back(vertex);
             block.joint.push_back(half.joint);

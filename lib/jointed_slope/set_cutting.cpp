@@ -124,7 +124,7 @@ double shift_at(const JointSetCut& set, const CutSet* columns, const PlanePoint<
     }
     const auto after = std::upper_bound(columns->position.begin(), columns->position.end(), columns->normal.dot(point));
     const auto column = static_cast<double>(after - columns->position.begin());
-    const double shift = column * set.stagger.value_or(0);
+    const double shift = column * set.stagger_share.value_or(0);
     return set.spacing * (shift - std::floor(shift));
 }
 

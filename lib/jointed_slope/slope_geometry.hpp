@@ -50,7 +50,7 @@ struct JointSetCut {
     std::optional<std::string> ends_on;
     std::optional<SideOfLine> side;
     std::optional<std::string> staggered_by;
-    std::optional<double> stagger;
+    std::optional<double> stagger_share;
     std::vector<SectionPoint> region;
 
     static constexpr std::string_view kind = "set";
@@ -69,7 +69,7 @@ struct JointSetCut {
                    "length of traces over that of traces and gaps; absent: 1"),
             number("trace_length", &S::trace_length, Dimension::length, more_than(0),
                    "of each trace; needed where the persistence is below 1"),
-            number("seed", &S::seed, Dimension::ratio, within(0, 9007199254740992.0),
+            number("seed", &S::seed, Dimension::ratio, within(0, 1e15),
                    "of scatter and traces; absent: the number of the cut"),
             section("rock", &S::rock, "the only rock that is cut; absent: all"),
             section("ends_on", &S::ends_on, "name of an earlier line that bounds the set"),
@@ -78,7 +78,7 @@ struct JointSetCut {
                     "towards -x"),
             section("staggered_by", &S::staggered_by,
                     "name of an earlier set, from one column of which to the next the joints are shifted"),
-            number("stagger", &S::stagger, Dimension::ratio, within(0, 1), "shift as share of the spacing"),
+            number("stagger_share", &S::stagger_share, Dimension::ratio, within(0, 1), "shift as share of the spacing"),
             section("region", &S::region,
                     "corners of the polygon outside which there are no joints; absent: everywhere")};
     }

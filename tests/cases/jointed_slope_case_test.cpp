@@ -69,7 +69,7 @@ kind = "set"
 dip = "5 deg"
 spacing = "2 m"
 staggered_by = "a"
-stagger = 0.5
+stagger_share = 0.5
 [settings]
 stiffness_ratio = 1e4
 duration = "1 s"

@@ -128,7 +128,8 @@ TEST(RelaxationCase, RefusesWhatContradictsItself) {
               std::string::npos);
     EXPECT_NE(complaint(changed(blocks_text, "joint = 1", "joint = 2")).find("must be the number of a [[scene.joint]]"),
               std::string::npos);
-    EXPECT_NE(complaint(changed(row_text, "kind = \"row\"", "kind = \"wall\"")).find("row, stepped_base or blocks"),
+    EXPECT_NE(complaint(changed(row_text, "kind = \"row\"", "kind = \"wall\""))
+                  .find("row, stepped_base, blocks or jointed_slope"),
               std::string::npos);
 }
 

@@ -79,7 +79,7 @@ class RandomSlopes {
         }
         if (!last_set_.empty() && chance(0.4)) {
             set.staggered_by = last_set_;
-            set.stagger = between(0, 1);
+            set.stagger_share = between(0, 1);
         }
         return set;
     }

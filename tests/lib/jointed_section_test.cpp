@@ -164,7 +164,7 @@ TEST(JointedSection, PersistenceIsTheShareOfBlocksCut) {
 TEST(JointedSection, CrossJointsAreStaggeredFromColumnToColumn) {
     JointSetCut cross = joint_set(0, 1);
     cross.staggered_by = "columns";
-    cross.stagger = 0.5;
+    cross.stagger_share = 0.5;
     const JointedSection made =
         cut_in_one_rock(section(square(8), {cut("columns", joint_set(degrees(90), 1)), cut("cross", cross)}));
     expect_fills(made, square(8));
@@ -402,7 +402,7 @@ TEST(JointedSection, BadGeometryIsNamed) {
     EXPECT_EQ(with_set([](JointSetCut& set) { set.spacing = 1e-9; }), SlopeCheck::too_many_blocks);
     EXPECT_EQ(with_set([](JointSetCut& set) { set.persistence = 0.5; }), SlopeCheck::persistence_without_trace_length);
     EXPECT_EQ(with_set([](JointSetCut& set) { set.side = SideOfLine::above; }), SlopeCheck::feature_and_side);
-    EXPECT_EQ(with_set([](JointSetCut& set) { set.stagger = 0.5; }), SlopeCheck::stagger_without_set);
+    EXPECT_EQ(with_set([](JointSetCut& set) { set.stagger_share = 0.5; }), SlopeCheck::stagger_without_set);
     EXPECT_EQ(with_set([](JointSetCut& set) { set.rock = "granite"; }), SlopeCheck::unknown_rock);
     EXPECT_EQ(with_set([](JointSetCut& set) { set.region = {{0, 0}, {1, 1}}; }), SlopeCheck::region_too_short);
     EXPECT_EQ(with_set([](JointSetCut& set) {
@@ -412,7 +412,7 @@ TEST(JointedSection, BadGeometryIsNamed) {
               SlopeCheck::unknown_line);
     EXPECT_EQ(with_set([](JointSetCut& set) {
                   set.staggered_by = "b";
-                  set.stagger = 0.5;
+                  set.stagger_share = 0.5;
               }),
               SlopeCheck::unknown_set);
     EXPECT_EQ(check(square(10), {cut("a", line({{0, 5}, {0, 5}}))}), SlopeCheck::line_too_short);

@@ -140,7 +140,7 @@ TEST(SlopeScene, AreasFixAndRemoveTheirBlocks) {
 TEST(SlopeScene, CornersOfNeighboursAreNoCornersOfABlock) {
     JointSetCut cross = joint_set(0, 2);
     cross.staggered_by = "upright";
-    cross.stagger = 0.5;
+    cross.stagger_share = 0.5;
     const SlopeScene scene =
         slope_scene(slope_of(square(6), {cut("upright", joint_set(degrees(90), 2)), cut("cross", cross)}));
     for (const RelaxationBlock& block : scene.block) {
