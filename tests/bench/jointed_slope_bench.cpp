@@ -33,7 +33,8 @@ void make_scene(benchmark::State& state) {
     RelaxationSlope slope{};
     slope.geometry = crossed_square(state.range(0));
     slope.rock = {{"slate", 2700}};
-    slope.joint = {{"joint", {}, {degrees(30), {}, {}, {}, {}, {}}}};
+    slope.joint = {{"joint", {}, {}}};
+    slope.joint[0].strength.friction_angle = degrees(30);
     slope.frame = SlopeFrame{FrameSides::all_around, 1, {}, "joint"};
     const double level = std::sqrt(static_cast<double>(state.range(0))) / 2;
     slope.water = SlopeWater{9810, {{0, level}, {1, level}}};

@@ -112,7 +112,8 @@ RelaxationStudy study_of(const SlopeGeometry& geometry) {
     slope.geometry = geometry;
     slope.geometry.intact_joint = "joint";
     slope.rock = {{"slate", 2700}, {"gouge", 2000}, {"other", 2600}};
-    slope.joint = {{"joint", {}, {degrees(30), {}, {}, {}, {}, {}}}};
+    slope.joint = {{"joint", {}, {}}};
+    slope.joint[0].strength.friction_angle = degrees(30);
     RelaxationStudy study{};
     study.model.scene = slope;
     return study;

@@ -21,7 +21,9 @@ using testing::square;
 constexpr double water_weight = 9810;
 
 RelaxationJoint strength(double friction) {
-    return {degrees(friction), {}, {}, {}, {}, {}};
+    RelaxationJoint joint{};
+    joint.friction_angle = degrees(friction);
+    return joint;
 }
 
 RelaxationSlope slope_of(std::vector<SectionPoint> outline, std::vector<SlopeCut> cuts) {
