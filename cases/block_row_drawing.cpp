@@ -37,9 +37,9 @@ bool turns(char role) {
 }
 
 // Corners of every block after the motion, in the plane's axes; empty for blocks that stay and where nothing moves.
-class Motion {
+class RowMotion {
   public:
-    Motion(const BlockRow<>& row, std::string_view roles, double turn)
+    RowMotion(const BlockRow<>& row, std::string_view roles, double turn)
         : row_(row), roles_(roles), turn_(turn), toes_(toes_of(row)) {
         outlines_.resize(row.block.size());
         const std::size_t pivot = roles.find_first_of("PB");
@@ -132,7 +132,7 @@ BlockDrawing row_drawing(const BlockRow<>& row, std::string_view roles, double t
     drawing.displaced_legend = "mechanism, displacement enlarged";
     const Plane plane(tilt);
     const std::vector<double> toes = toes_of(row);
-    const Motion motion(row, roles, turn);
+    const RowMotion motion(row, roles, turn);
     for (std::size_t index = 0; index < row.block.size(); ++index) {
         const RowBlock<>& block = row.block[index];
         DrawnBlock drawn;

@@ -15,6 +15,7 @@ constexpr std::string_view stiffness_ratio = "stiffness_ratio";
 constexpr std::string_view local_damping = "local_damping";
 constexpr std::string_view viscous_damping = "viscous_damping";
 constexpr std::string_view kinetic_damping = "kinetic_damping";
+constexpr std::string_view mass_scaling = "mass_scaling";
 constexpr std::string_view start = "start";
 constexpr std::string_view equilibrium_ratio = "equilibrium_ratio";
 constexpr std::string_view onset_threshold = "onset_threshold";
@@ -23,15 +24,15 @@ constexpr double number_of(RelaxationStart value) {
     return static_cast<double>(value);
 }
 
-constexpr double number_of(KineticDamping value) {
+constexpr double number_of(OffOn value) {
     return static_cast<double>(value);
 }
 
 constexpr double preloaded = number_of(RelaxationStart::preloaded);
 constexpr double dropped = number_of(RelaxationStart::dropped);
 constexpr double ramped = number_of(RelaxationStart::ramped);
-constexpr double kinetic_off = number_of(KineticDamping::off);
-constexpr double kinetic_on = number_of(KineticDamping::on);
+constexpr double off = number_of(OffOn::off);
+constexpr double on = number_of(OffOn::on);
 
 template <class Enum>
 std::vector<std::string> words_of(Enum value) {
@@ -83,10 +84,13 @@ std::vector<Corner> corners() {
         list.push_back({{stiffness_ratio, ratio}, {step_fraction, 0.2}, {equilibrium_ratio, 1e-7}});
     }
     for (const double viscous : {0.0, 0.2}) {
-        list.push_back({{kinetic_damping, kinetic_on}, {local_damping, 0}, {viscous_damping, viscous}});
+        list.push_back({{kinetic_damping, on}, {local_damping, 0}, {viscous_damping, viscous}});
     }
     for (const double local : {0.3, 0.8}) {
         list.push_back({{local_damping, local}, {viscous_damping, 0}});
+    }
+    for (const double ratio : {1e5, 1e7}) {
+        list.push_back({{stiffness_ratio, ratio}, {mass_scaling, on}});
     }
     // Stiff blocks that are dropped, ramped or followed far take longer than all others together.
     for (const double ratio : {1e4, 1e6}) {
@@ -98,7 +102,7 @@ std::vector<Corner> corners() {
     }
     list.push_back({{stiffness_ratio, 1e4}, {start, ramped}});
     list.push_back({{start, dropped}, {local_damping, 0.8}});
-    list.push_back({{start, dropped}, {kinetic_damping, kinetic_on}});
+    list.push_back({{start, dropped}, {kinetic_damping, on}});
     return list;
 }
 
@@ -172,10 +176,8 @@ std::vector<TradeKnob> trade_knobs(const RelaxationStudy& study) {
         {std::string(stiffness_ratio), {1e4, 1e5, 1e6, 1e7, 1e8}, stiffness_ratio_of(study), {}},
         {std::string(local_damping), {0, 0.1, 0.2, 0.3, 0.5, 0.8}, own.local_damping, {}},
         {std::string(viscous_damping), {0, 0.1, 0.2, 0.5, 1}, own.viscous_damping, {}},
-        {std::string(kinetic_damping),
-         {kinetic_off, kinetic_on},
-         own.kinetic_damping ? kinetic_on : kinetic_off,
-         words_of(KineticDamping{})},
+        {std::string(kinetic_damping), {off, on}, own.kinetic_damping ? on : off, words_of(OffOn{})},
+        {std::string(mass_scaling), {off, on}, own.mass_scaling ? on : off, words_of(OffOn{})},
         {std::string(start), {preloaded, dropped, ramped}, number_of(own.start), words_of(RelaxationStart{})},
         {std::string(equilibrium_ratio), {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}, own.equilibrium_ratio, {}},
         {std::string(onset_threshold), {1e-3, 3e-3, 0.01, 0.03, 0.1}, own_threshold(study), {}}};
@@ -195,7 +197,8 @@ RelaxationStudy with_knobs(const RelaxationStudy& study, const std::vector<Trade
     numerics.stiffness_ratio = number(stiffness_ratio, stiffness_ratio_of(study));
     numerics.local_damping = number(local_damping, own.local_damping);
     numerics.viscous_damping = number(viscous_damping, own.viscous_damping);
-    numerics.kinetic_damping = number(kinetic_damping, kinetic_off) > 0 ? KineticDamping::on : KineticDamping::off;
+    numerics.kinetic_damping = number(kinetic_damping, off) > 0 ? OffOn::on : OffOn::off;
+    numerics.mass_scaling = number(mass_scaling, off) > 0 ? OffOn::on : OffOn::off;
     numerics.equilibrium_ratio = number(equilibrium_ratio, own.equilibrium_ratio);
     const double threshold = number(onset_threshold, own_threshold(study));
     numerics.onset_rotation = threshold;

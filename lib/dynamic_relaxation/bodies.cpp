@@ -13,6 +13,7 @@ Bodies make_bodies(const RelaxationScene& scene) {
         const double mass = block.density * area.area;
         const double inertia = block.density * area.polar_second_moment;
         bodies.mass.push_back(mass);
+        bodies.inertial_mass.push_back(mass);
         bodies.inertia.push_back(inertia);
         bodies.inverse_mass.push_back(block.fixed ? 0 : 1 / mass);
         bodies.inverse_inertia.push_back(block.fixed ? 0 : 1 / inertia);
@@ -39,6 +40,23 @@ Bodies make_bodies(const RelaxationScene& scene) {
         bodies.shortest_edge.push_back(shortest);
     }
     return bodies;
+}
+
+void scale_masses(Bodies& bodies) {
+    constexpr double most = 100;
+    double heaviest = 0;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        heaviest = bodies.fixed[block] != 0 ? heaviest : std::max(heaviest, bodies.mass[block]);
+    }
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (bodies.fixed[block] == 0) {
+            const double factor = std::min(heaviest / bodies.mass[block], most);
+            bodies.inertial_mass[block] *= factor;
+            bodies.inertia[block] *= factor;
+            bodies.inverse_mass[block] /= factor;
+            bodies.inverse_inertia[block] /= factor;
+        }
+    }
 }
 
 void Motion::set_angle(double value) {

@@ -21,8 +21,9 @@ struct CornerRange {
 
 // Struct of arrays. Corners and edges of all blocks are numbered through; edge n leads from corner n to the next one.
 struct Bodies {
-    std::vector<double> mass = {};             // kg per metre run
-    std::vector<double> inertia = {};          // kg m2 per metre run, about the centroid
+    std::vector<double> mass = {};             // kg per metre run; gravity and shaking act on it
+    std::vector<double> inertial_mass = {};    // kg per metre run, against acceleration: the same unless scaled
+    std::vector<double> inertia = {};          // kg m2 per metre run, about the centroid; scaled alike
     std::vector<double> inverse_mass = {};     // 0 for fixed blocks
     std::vector<double> inverse_inertia = {};  // 0 for fixed blocks
     std::vector<double> radius = {};           // farthest corner from the centroid
@@ -42,6 +43,11 @@ struct Bodies {
 
 // The scene must be valid.
 Bodies make_bodies(const RelaxationScene& scene);
+
+// Gives free blocks more inertia: as if as heavy as the heaviest, at most a hundredfold. Equilibria stay what they are,
+// in which nothing accelerates, but the lightest block no longer sets the stable step. Motion is no longer that of the
+// rock. Known as mass or density scaling (Cundall 1982).
+void scale_masses(Bodies& bodies);
 
 // One block's motion since the drawing, and its velocity half a step ago. Displacements instead of positions: the
 // overlap of stiff joints would drown in the rounding of coordinates. One cache line, because contacts visit blocks at

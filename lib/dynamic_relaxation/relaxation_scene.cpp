@@ -352,7 +352,8 @@ RelaxationSettings relaxation_settings(const RelaxationStudy& study) {
     settings.time_step = numerics.time_step;
     take(settings.viscous_damping, numerics.viscous_damping);
     take(settings.local_damping, numerics.local_damping);
-    settings.kinetic_damping = numerics.kinetic_damping == KineticDamping::on;
+    settings.kinetic_damping = numerics.kinetic_damping == OffOn::on;
+    settings.mass_scaling = numerics.mass_scaling == OffOn::on;
     take(settings.start, numerics.start);
     take(settings.ramp_time, numerics.ramp_time);
     take(settings.consolidation_time, numerics.consolidation_time);

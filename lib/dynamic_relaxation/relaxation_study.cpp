@@ -23,7 +23,10 @@ SceneFault check(const RelaxationScene& scene, const RelaxationSettings& setting
 
 RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work) {
     RelaxationSettings settings = relaxation_settings(study);
-    settings.threads = work.threads;
+    // Fewer blocks are done before another thread has woken up.
+    constexpr std::size_t blocks_worth_a_thread = 500;
+    settings.threads = std::clamp<std::size_t>(relaxation_scene(study).block.size() / blocks_worth_a_thread, 1,
+                                               std::max(work.threads, 1U));
     return settings;
 }
 

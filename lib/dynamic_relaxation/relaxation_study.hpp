@@ -31,9 +31,9 @@ constexpr std::array<std::string_view, 3> enum_names(RelaxationStop) {
     return {"equilibrium", "onset", "collapse"};
 }
 
-enum class KineticDamping { off, on };
+enum class OffOn { off, on };
 
-constexpr std::array<std::string_view, 2> enum_names(KineticDamping) {
+constexpr std::array<std::string_view, 2> enum_names(OffOn) {
     return {"off", "on"};
 }
 
@@ -45,7 +45,8 @@ struct RelaxationNumerics {
     std::optional<double> time_step;
     std::optional<double> viscous_damping;
     std::optional<double> local_damping;
-    std::optional<KineticDamping> kinetic_damping;
+    std::optional<OffOn> kinetic_damping;
+    std::optional<OffOn> mass_scaling;
     std::optional<RelaxationStart> start;
     std::optional<double> ramp_time;
     std::optional<double> consolidation_time;
@@ -75,6 +76,8 @@ struct RelaxationNumerics {
             number("local_damping", &N::local_damping, Dimension::ratio, right_open(0, 1),
                    "share of the unbalanced force that opposes the velocity; absent: 0.2"),
             section("kinetic_damping", &N::kinetic_damping, "all velocities to zero at energy peaks; absent: off"),
+            section("mass_scaling", &N::mass_scaling,
+                    "light blocks have the inertia of heavy ones: quicker to equilibrium, motion wrong; absent: off"),
             section("start", &N::start, "springs at the start; absent: preloaded"),
             number("ramp_time", &N::ramp_time, Dimension::time, at_least(0), "of a ramped start; absent: 0"),
             number("consolidation_time", &N::consolidation_time, Dimension::time, at_least(0),

@@ -36,6 +36,14 @@ std::vector<double> unnoticed_ways(const RelaxationScene& scene, const Bodies& b
     return ways;
 }
 
+Bodies bodies_of(const RelaxationScene& scene, const RelaxationSettings& settings) {
+    Bodies bodies = make_bodies(scene);
+    if (settings.mass_scaling) {
+        scale_masses(bodies);
+    }
+    return bodies;
+}
+
 // Nowhere: every block counts as moved.
 SeenPose never_seen() {
     return {std::numeric_limits<double>::quiet_NaN(), 0, 0};
@@ -50,7 +58,7 @@ double shortest_edge(const Bodies& bodies) {
 Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
     : scene_(std::move(scene)),
       settings_(settings),
-      bodies_(make_bodies(scene_)),
+      bodies_(bodies_of(scene_, settings_)),
       team_(std::max<std::size_t>(settings_.threads, 1)),
       contact_forces_(bodies_, unnoticed_ways(scene_, bodies_), team_),
       bonds_(scene_, bodies_, settings_.viscous_damping, team_) {
@@ -67,7 +75,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
 Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, RelaxationState state)
     : scene_(std::move(scene)),
       settings_(settings),
-      bodies_(make_bodies(scene_)),
+      bodies_(bodies_of(scene_, settings_)),
       state_(std::move(state)),
       team_(std::max<std::size_t>(settings_.threads, 1)),
       contact_forces_(bodies_, unnoticed_ways(scene_, bodies_), team_),
@@ -85,7 +93,7 @@ void Simulation::prepare() {
     }
     // Of a spring that swings with the force that counts as balance.
     const double gravity = scene_.gravity.acceleration > 0 ? scene_.gravity.acceleration : 1;
-    for (const double mass : bodies_.mass) {
+    for (const double mass : bodies_.inertial_mass) {
         calm_speed_.push_back(rest_ratio() * gravity * std::sqrt(mass / stiffest));
     }
     hold_blocks();
@@ -359,7 +367,7 @@ bool Simulation::kick_block(std::size_t block, StepSums& sums) {
     net.moment += load.moment;
     const double force = std::sqrt(net.x * net.x + net.y * net.y);
     const double out_of_balance =
-        (force + std::abs(net.moment) / bodies_.radius[block]) * bodies_.inverse_mass[block] / gravity;
+        (force + std::abs(net.moment) / bodies_.radius[block]) / (bodies_.mass[block] * gravity);
     sums.unbalanced = std::max(sums.unbalanced, out_of_balance);
     if (rests(state_.calm[block])) {
         if (out_of_balance <= 4 * rest_ratio()) {
@@ -473,9 +481,10 @@ void Simulation::let_calm_blocks_rest() {
             continue;
         }
         Motion& motion = state_.motion[block];
-        state_.ledger.kinetic_damping += (bodies_.mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy) +
-                                          bodies_.inertia[block] * motion.spin * motion.spin) /
-                                         2;
+        state_.ledger.kinetic_damping +=
+            (bodies_.inertial_mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy) +
+             bodies_.inertia[block] * motion.spin * motion.spin) /
+            2;
         motion.vx = motion.vy = motion.spin = 0;
     }
 }

@@ -18,7 +18,7 @@ double Simulation::kinetic_energy() const {
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
         if (held_[block] == 0) {
             const Motion& motion = state_.motion[block];
-            sum += bodies_.mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy) +
+            sum += bodies_.inertial_mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy) +
                    bodies_.inertia[block] * motion.spin * motion.spin;
         }
     }

@@ -1,6 +1,8 @@
 // The laws of contacts and loads at their thresholds, against limit equilibrium and the equation of motion.
 #include "relaxation_scenes.hpp"
 
+#include "dynamic_relaxation/scenes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -366,6 +368,43 @@ TEST(KineticDamping, FindsTheSameThreshold) {
             EXPECT_LT(energy_error(result, 1e-6 * plane.weight()), 0.02);
         }
     }
+}
+
+// Columns of Appendix A, 0.4 to 4 m high: limiting friction 41.14 deg.
+TEST(MassScaling, DecidesTheSameInFewerSteps) {
+    StandingBlocks columns;
+    for (const double height : {1.0, 2.0, 3.0, 4.0, 3.1, 2.2, 1.3, 0.4}) {
+        columns.block.push_back({1, height, 0.5});
+    }
+    columns.density = density;
+    columns.tilt = degrees(21.8);
+    const double stiffness = stiffness_of_ratio(1e6, columns.block[3], density, gravity);
+    for (const double friction : {40.6, 41.7}) {
+        columns.interface = columns.base = {stiffness, stiffness, degrees(friction)};
+        RelaxationSettings settings = until_onset();
+        const RelaxationResult own = relax(column_scene(columns), settings);
+        settings.mass_scaling = true;
+        const RelaxationResult scaled = relax(column_scene(columns), settings);
+        EXPECT_EQ(own.outcome, friction < 41 ? RelaxationOutcome::onset : RelaxationOutcome::equilibrium);
+        EXPECT_EQ(scaled.outcome, own.outcome);
+        // The stable step goes with the root of the lightest block's inertia, a tenth of the heaviest's.
+        EXPECT_GT(scaled.cost.step, 1.8 * own.cost.step);
+        EXPECT_LT(energy_error(scaled, 1e-6 * density * gravity), 0.02);
+    }
+}
+
+TEST(MassScaling, LeavesEqualBlocksAlone) {
+    OnPlane plane;
+    plane.height_to_width = 3;
+    plane.friction = degrees(40);
+    plane.tilt = degrees(25);
+    RelaxationSettings settings;
+    const RelaxationResult own = relax(scene_of(plane), settings);
+    settings.mass_scaling = true;
+    const RelaxationResult scaled = relax(scene_of(plane), settings);
+    EXPECT_EQ(own.outcome, RelaxationOutcome::collapse);
+    EXPECT_EQ(scaled.time, own.time);
+    EXPECT_EQ(scaled.block[0].rotation, own.block[0].rotation);
 }
 
 }  // namespace

@@ -45,7 +45,9 @@ misused fit good_fit.toml --seed 99999999999999999999999
 misused fit good_fit.toml good_fit.toml
 misused trade good.toml --seed 1
 misused trade good.toml --threads 0
-misused run good.toml --threads 2
+misused run good.toml --threads 0
+misused run good.toml --checkpoint-every -1
+misused run good.toml --seed 1
 misused init plane_falure
 expect_error 'did you mean plane_failure?'
 misused init slope --out slope.toml
