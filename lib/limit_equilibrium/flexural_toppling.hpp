@@ -13,8 +13,8 @@
 // Bray's toppling:
 //   P_l y_l = W (h sin(d) - t cos(d)) / 2 + P_r (y_r - m t).                                              (toppling)
 // It fails only beyond both, so the smaller of these two pushes is needed; without tensile strength
-// it is the second wherever the foot is pressed, and the model is Goodman & Bray's. And it must not be sheared off its foot of cohesion c and
-// friction mb,
+// it is the second wherever the foot is pressed, and the model is Goodman & Bray's. And it must not be sheared off its
+// foot of cohesion c and friction mb,
 //   P_l (1 - m mb) = P_r (1 - m mb) + W (sin(d) - mb cos(d)) - c t.                                       (shearing)
 // The largest of shearing, that, and zero is passed on. The slope fails where the toe column would need a push.
 // Printed forms of the literature take h y_r and y_l as shares of the height, as here, and have the bending case alone.

@@ -62,7 +62,8 @@ Required required_value(const SteppedBase<>& problem, const std::string& paramet
 }
 
 Polyline profile_after_failure(const SteppedBase<>& problem, const SteppedBaseResult& result) {
-    return ground_after_toppling(problem.scene, static_cast<std::size_t>(result.uppermost_moving), BaseOutline::envelope);
+    return ground_after_toppling(problem.scene, static_cast<std::size_t>(result.uppermost_moving),
+                                 BaseOutline::envelope);
 }
 
 ModelInterface model_interface(const SteppedBaseStudy<>& study) {
