@@ -29,7 +29,7 @@ struct CuttingWork {
     std::vector<MeshIndex> gouge = {};  // rocks that may be thin
 };
 
-inline constexpr std::size_t most_blocks = 2000000;
+inline constexpr std::size_t most_slope_blocks = 2000000;
 
 PlanePoint<> centroid_of(const SectionMesh& mesh, MeshIndex face);
 

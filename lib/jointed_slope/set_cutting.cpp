@@ -35,7 +35,7 @@ std::vector<double> joint_positions(const JointSetCut& set, std::uint64_t seed, 
     const double scatter = set.scatter.value_or(0);
     const double farthest = std::max(std::abs(extent.lowest - first), std::abs(extent.highest - first));
     std::vector<double> positions;
-    if (!(farthest / set.spacing < static_cast<double>(most_blocks))) {
+    if (!(farthest / set.spacing < static_cast<double>(most_slope_blocks))) {
         check = SlopeCheck::too_many_blocks;
         return positions;
     }
@@ -183,7 +183,7 @@ CutCount cut_set(CuttingWork& work, const SlopeCut& named, const JointSetCut& se
             count.dropped += result.cut == FaceCut::dropped ? 1 : 0;
             rest = result.cut == FaceCut::made ? result.beyond : rest;
         }
-        if (mesh.face_count() > most_blocks) {
+        if (mesh.face_count() > most_slope_blocks) {
             check = SlopeCheck::too_many_blocks;
         }
     }
