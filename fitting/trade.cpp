@@ -191,6 +191,7 @@ std::vector<std::size_t> best_of_each_decade(const TradeResult& result) {
         }
     }
     std::vector<std::size_t> rows;
+    rows.reserve(best.size());
     for (const auto& entry : best) {
         rows.push_back(entry.second);
     }

@@ -24,6 +24,7 @@ struct Entry {
     std::int64_t column;
     std::uint32_t block;
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes a defaulted comparison for one with zero.
     auto operator<=>(const Entry&) const = default;
 };
 
