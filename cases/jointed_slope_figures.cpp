@@ -29,22 +29,13 @@ Polyline drawn_table(const RelaxationSlope& slope, const std::vector<RelaxationB
         }
     }
     const std::vector<SectionPoint>& points = slope.water->vertex;
-    const auto height = [&](double x) {
-        const auto after = std::upper_bound(points.begin(), points.end(), x,
-                                            [](double at, const SectionPoint& p) { return at < p.x; });
-        if (after == points.begin() || after == points.end()) {
-            return after == points.end() ? points.back().y : points.front().y;
-        }
-        const SectionPoint& before = *(after - 1);
-        return before.y + (x - before.x) / (after->x - before.x) * (after->y - before.y);
-    };
-    table.emplace_back(left, height(left));
+    table.emplace_back(left, water_table_height(points, left));
     for (const SectionPoint& point : points) {
         if (point.x > left && point.x < right) {
             table.emplace_back(point.x, point.y);
         }
     }
-    table.emplace_back(right, height(right));
+    table.emplace_back(right, water_table_height(points, right));
     return table;
 }
 

@@ -36,16 +36,11 @@ void check_scatter(Checker& checker, const std::optional<RelaxationScatter>& sca
     }
 }
 
-void check_blocks(Checker& checker, const RelaxationRow& row) {
-    check_scatter(checker, row.scatter);
-    check_joint(checker, "scene.interface", row.interface);
-    check_joint(checker, "scene.base", row.base);
-}
-
-void check_blocks(Checker& checker, const RelaxationColumns& columns) {
-    check_scatter(checker, columns.scatter);
-    check_joint(checker, "scene.interface", columns.interface);
-    check_joint(checker, "scene.base", columns.base);
+// A row or columns.
+void check_blocks(Checker& checker, const auto& standing) {
+    check_scatter(checker, standing.scatter);
+    check_joint(checker, "scene.interface", standing.interface);
+    check_joint(checker, "scene.base", standing.base);
 }
 
 void check_blocks(Checker& checker, const RelaxationPolygons& polygons) {

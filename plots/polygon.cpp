@@ -44,17 +44,4 @@ double chord(const Polyline& outline, const Point& through, int axis) {
     return std::isfinite(after - before) ? after - before : 0;
 }
 
-bool inside(const Polyline& outline, const Point& point) {
-    bool result = false;
-    for (std::size_t index = 0; index < outline.size(); ++index) {
-        const Point& from = outline[index];
-        const Point& to = outline[(index + 1) % outline.size()];
-        if ((from.y() > point.y()) != (to.y() > point.y()) &&
-            point.x() < from.x() + (to.x() - from.x()) * (point.y() - from.y()) / (to.y() - from.y())) {
-            result = !result;
-        }
-    }
-    return result;
-}
-
 }  // namespace delabole

@@ -22,12 +22,11 @@ SceneFault check(const RelaxationScene& scene, const RelaxationSettings& setting
     return fault.check == SceneCheck::valid ? check_start(scene) : fault;
 }
 
-RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work) {
+RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work, std::size_t blocks) {
     RelaxationSettings settings = relaxation_settings(study);
     // Fewer blocks are done before another thread has woken up.
     constexpr std::size_t blocks_worth_a_thread = 500;
-    settings.threads = std::clamp<std::size_t>(relaxation_scene(study).block.size() / blocks_worth_a_thread, 1,
-                                               std::max(work.threads, 1U));
+    settings.threads = std::clamp<std::size_t>(blocks / blocks_worth_a_thread, 1, std::max(work.threads, 1U));
     return settings;
 }
 
@@ -126,7 +125,8 @@ SceneFault check(const RelaxationStudy& study) {
 }
 
 RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress) {
-    RelaxationRun made{relaxation_scene(study), settings_for(study, work), {}, {}};
+    RelaxationRun made{relaxation_scene(study), {}, {}, {}};
+    made.settings = settings_for(study, work, made.scene.block.size());
     made.result.fault = check(made.scene, made.settings);
     if (made.result.fault.check != SceneCheck::valid) {
         return made;
@@ -208,7 +208,7 @@ double bracket_width(const CriticalRequest& request) {
 CriticalValue find_critical(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress) {
     const CriticalRequest& request = *study.critical;
     const RelaxationScene scene = relaxation_scene(study);
-    RelaxationSettings settings = settings_for(study, work);
+    RelaxationSettings settings = settings_for(study, work, scene.block.size());
     // What happens after onset does not matter to a search.
     settings.stop_at_onset = true;
     settings.stop_at_equilibrium = true;

@@ -26,16 +26,21 @@ std::optional<std::size_t> index_of(const std::vector<std::string>& names, const
     return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
 }
 
-bool holds(const std::vector<SectionPoint>& area, const PlanePoint<>& point) {
-    bool inside = false;
-    for (std::size_t index = 0; index < area.size(); ++index) {
-        const SectionPoint& a = area[index];
-        const SectionPoint& b = area[(index + 1) % area.size()];
-        if ((a.y > point.y()) != (b.y > point.y()) && point.x() < a.x + (point.y() - a.y) / (b.y - a.y) * (b.x - a.x)) {
-            inside = !inside;
-        }
+Polygon<> polygon_of(const std::vector<SectionPoint>& area) {
+    Polygon<> polygon;
+    polygon.reserve(area.size());
+    for (const SectionPoint& point : area) {
+        polygon.emplace_back(point.x, point.y);
     }
-    return inside;
+    return polygon;
+}
+
+std::vector<Polygon<>> polygons_of(const auto& areas) {
+    std::vector<Polygon<>> polygons;
+    for (const auto& area : areas) {
+        polygons.push_back(polygon_of(area.vertex));
+    }
+    return polygons;
 }
 
 class WaterTable {
@@ -43,16 +48,7 @@ class WaterTable {
     explicit WaterTable(const std::vector<SectionPoint>& points) : points_(points) {}
 
     // Negative above the table.
-    double depth(const PlanePoint<>& point) const {
-        const auto after = std::upper_bound(points_.begin(), points_.end(), point.x(),
-                                            [](double x, const SectionPoint& at) { return x < at.x; });
-        if (after == points_.begin() || after == points_.end()) {
-            return (after == points_.end() ? points_.back().y : points_.front().y) - point.y();
-        }
-        const SectionPoint& left = *(after - 1);
-        const double share = (point.x() - left.x) / (after->x - left.x);
-        return left.y + share * (after->y - left.y) - point.y();
-    }
+    double depth(const PlanePoint<>& point) const { return water_table_height(points_, point.x()) - point.y(); }
 
     // Where a straight face between a point above and one below meets the table.
     PlanePoint<> crossing(PlanePoint<> one, PlanePoint<> other) const {
@@ -230,12 +226,14 @@ class SlopeSceneMaker {
 
             auto key() const { return std::tie(fixed, level, x, y, index); }
         };
+        const std::vector<Polygon<>> fixed_areas = polygons_of(slope_.fixed);
+        const std::vector<Polygon<>> stages = polygons_of(slope_.stage);
         std::vector<Place> order;
         for (std::size_t index = 0; index < section().block.size(); ++index) {
             const PlanePoint<> centre = area_properties(outline_of(section(), section().block[index])).centroid;
             bool fixed = false;
             for (std::size_t area = 0; area < slope_.fixed.size(); ++area) {
-                if (holds(slope_.fixed[area].vertex, centre)) {
+                if (inside(fixed_areas[area], centre)) {
                     fixed = used_[area] = true;
                 }
             }
@@ -247,7 +245,7 @@ class SlopeSceneMaker {
         for (const Place& place : order) {
             add_block(section().block[place.index], place.fixed, table);
             for (std::size_t stage = 0; stage < slope_.stage.size(); ++stage) {
-                if (holds(slope_.stage[stage].vertex, {place.x, place.y})) {
+                if (inside(stages[stage], {place.x, place.y})) {
                     used_[slope_.fixed.size() + stage] = true;
                     scene_.removal.push_back({scene_.block.size() - 1, slope_.stage[stage].time});
                 }
@@ -372,6 +370,16 @@ class SlopeSceneMaker {
 };
 
 }  // namespace
+
+double water_table_height(const std::vector<SectionPoint>& table, double x) {
+    const auto after = std::upper_bound(table.begin(), table.end(), x,
+                                        [](double at, const SectionPoint& point) { return at < point.x; });
+    if (after == table.begin() || after == table.end()) {
+        return after == table.end() ? table.back().y : table.front().y;
+    }
+    const SectionPoint& before = *(after - 1);
+    return before.y + (x - before.x) / (after->x - before.x) * (after->y - before.y);
+}
 
 SlopeScene slope_scene(const RelaxationSlope& slope) {
     return SlopeSceneMaker(slope).make();

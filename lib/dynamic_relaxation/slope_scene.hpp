@@ -27,4 +27,7 @@ struct SlopeScene {
 
 SlopeScene slope_scene(const RelaxationSlope& slope);
 
+// y of a table of at least one point, x increasing; level beyond its ends.
+double water_table_height(const std::vector<SectionPoint>& table, double x);
+
 }  // namespace delabole

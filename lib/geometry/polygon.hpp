@@ -117,6 +117,20 @@ SplitPolygon<T> split(const Polygon<T>& polygon, const HalfPlane<T>& line) {
     return parts;
 }
 
+// By the number of edges to the right of the point. On an edge either answer may come.
+inline bool inside(const Polygon<>& polygon, const PlanePoint<>& point) {
+    bool result = false;
+    for (std::size_t index = 0; index < polygon.size(); ++index) {
+        const PlanePoint<>& from = polygon[index];
+        const PlanePoint<>& to = polygon[(index + 1) % polygon.size()];
+        if ((from.y() > point.y()) != (to.y() > point.y()) &&
+            point.x() < from.x() + (to.x() - from.x()) * (point.y() - from.y()) / (to.y() - from.y())) {
+            result = !result;
+        }
+    }
+    return result;
+}
+
 // The part of a polygon in a half-plane; empty where there is none.
 template <class T>
 Polygon<T> clip(const Polygon<T>& polygon, const HalfPlane<T>& half_plane) {

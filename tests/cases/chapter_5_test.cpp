@@ -1,39 +1,19 @@
 // What `delabole reproduce chapter5` says of the thesis's dynamic relaxation.
-#include "cases/reproduction.hpp"
+#include "reproduction_fixture.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <string>
 
 namespace delabole {
 namespace {
 
-class Chapter5 : public ::testing::Test {
+class Chapter5 : public testing::ReproductionTest {
   protected:
-    Chapter5() { std::filesystem::remove_all(path_); }
-    ~Chapter5() override { std::filesystem::remove_all(path_); }
-    Chapter5(const Chapter5&) = delete;
-    Chapter5& operator=(const Chapter5&) = delete;
-
-    Reproduction reproduce(const std::string& name) const {
-        const ReproductionChapter chapter = chapter_5();
-        const auto item = std::ranges::find(chapter.items, name, &ReproductionItem::name);
-        Options options;
-        options.out = path_.string();
-        options.quiet = true;
-        const ResultFolder folder(options, name, OnInterrupt::finish);
-        Report report;
-        return item->reproduce(folder, report);
-    }
-
-  private:
-    std::filesystem::path path_ =
-        std::filesystem::temp_directory_path() /
-        ("chapter_5_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    Chapter5() : ReproductionTest(chapter_5()) {}
 };
 
 bool all_agree(const Json& outcomes) {
