@@ -6,6 +6,24 @@
 
 namespace delabole {
 
+namespace {
+
+std::optional<std::size_t> turned_base(const RelaxationScene& scene) {
+    std::size_t turned = 0;
+    for (const PrescribedMotion& motion : scene.motion) {
+        const PrescribedMotion& first = scene.motion.front();
+        const bool alike = motion.velocity.empty() && motion.angular_velocity == first.angular_velocity &&
+                           motion.pivot == first.pivot && motion.start == first.start &&
+                           motion.duration == first.duration;
+        turned += alike && motion.angular_velocity != 0 ? 1 : 0;
+    }
+    const auto fixed = static_cast<std::size_t>(
+        std::ranges::count_if(scene.block, [](const RelaxationBlock& block) { return block.fixed; }));
+    return turned > 0 && turned == fixed ? std::optional(scene.motion.front().block) : std::nullopt;
+}
+
+}  // namespace
+
 Bodies make_bodies(const RelaxationScene& scene) {
     Bodies bodies;
     for (const RelaxationBlock& block : scene.block) {
@@ -39,6 +57,7 @@ Bodies make_bodies(const RelaxationScene& scene) {
         bodies.radius.push_back(radius);
         bodies.shortest_edge.push_back(shortest);
     }
+    bodies.turned_base = turned_base(scene);
     return bodies;
 }
 

@@ -277,7 +277,9 @@ double hand_over(const Bond& bond, const Bodies& bodies, const std::vector<Motio
             continue;
         }
         const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
-        const double weight = contact_weight(contact, place.position, 0);
+        ContactPosition level = place;
+        level.gap = 0;
+        const double weight = contact_weight(list.law_of(contact), contact, level);
         if (weight > 0) {
             const bool at_end = along.dot(moved_corner(bodies, motion, contact.corner) - middle) > 0;
             takers.push_back({index, at_end ? std::size_t{1} : std::size_t{0}});
@@ -287,10 +289,11 @@ double hand_over(const Bond& bond, const Bodies& bodies, const std::vector<Motio
     double held = 0;
     for (const Taker& taker : takers) {
         RelaxationContact& contact = list.contact[taker.contact];
+        const ContactLaw& law = list.law_of(contact);
         ContactMemory& memory = list.memory[taker.contact];
         const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
         const double force = pressing[taker.end] / weights[taker.end];
-        const double overlap = force / contact.normal_stiffness;
+        const double overlap = force / law.normal_stiffness;
         if (force == 0 && place.gap >= 0) {
             continue;
         }
@@ -302,10 +305,10 @@ double hand_over(const Bond& bond, const Bodies& bodies, const std::vector<Motio
         memory.place = place.slide;
         if (memory.touching) {
             const double share = shear * pressing[taker.end] / (pressing[0] + pressing[1]) / weights[taker.end];
-            const double most = force * contact.residual_friction;
+            const double most = force * law.residual_friction;
             // Both ways of naming the pair reverse edge and force: the sign is the same.
-            memory.shear = -std::clamp(share, -most, most) / contact.shear_stiffness;
-            held += elastic_energy(contact, memory, motion[contact.block], motion[contact.other]);
+            memory.shear = -std::clamp(share, -most, most) / law.shear_stiffness;
+            held += elastic_energy(law, contact, memory, motion[contact.block], motion[contact.other]);
         }
     }
     return held;

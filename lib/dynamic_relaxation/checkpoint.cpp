@@ -43,7 +43,7 @@ bool fits(const RelaxationState& state, const RelaxationScene& scene) {
            std::all_of(list.contact.begin(), list.contact.end(),
                        [&](const RelaxationContact& contact) {
                            return is_of(contact.corner, contact.block) && is_of(contact.edge, contact.other) &&
-                                  (contact.twin == no_twin || contact.twin < contacts);
+                                  (contact.twin == no_twin || contact.twin < contacts) && contact.law < list.law.size();
                        }) &&
            state.outcome < enum_names(RelaxationOutcome{}).size();
 }

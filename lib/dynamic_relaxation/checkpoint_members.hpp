@@ -24,13 +24,14 @@ concept IsMaybeConst = std::same_as<std::remove_const_t<T>, Struct>;
     }
 
 DELABOLE_MEMBERS(Motion, x, y, angle, sine, versine, vx, vy, spin)
-DELABOLE_MEMBERS(RelaxationContact, block, other, corner, edge, arm, edge_start, along, offset, gap, edge_length,
-                 start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, normal_stiffness,
-                 shear_stiffness, normal_dashpot, shear_dashpot, friction, residual_friction, cohesion, tension, twin)
+DELABOLE_MEMBERS(ContactLaw, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, normal_stiffness,
+                 shear_stiffness, normal_dashpot, shear_dashpot, friction, residual_friction, cohesion, tension)
+DELABOLE_MEMBERS(RelaxationContact, block, other, corner, edge, twin, law, arm, other_arm, along, gap, from_start,
+                 to_end)
 DELABOLE_MEMBERS(ContactMemory, shear, place, overlap, slip, friction, damping, normal_drag, shear_drag, shortened,
                  touching, sliding, broken, beneath)
 DELABOLE_MEMBERS(ForceOnCorner, x, y, moment, other_moment)
-DELABOLE_MEMBERS(ContactList, contact, memory, force, margin, worst_overlap)
+DELABOLE_MEMBERS(ContactList, contact, law, memory, force, margin, worst_overlap)
 DELABOLE_MEMBERS(SeenPose, x, y, angle)
 DELABOLE_MEMBERS(BondMemory, state, time, damping, normal_drag, shear_drag, bending_drag)
 DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, bonds, dashpots, local_damping,

@@ -71,12 +71,26 @@ void ContactForces::notice(const std::vector<Motion>& motion, std::vector<SeenPo
     }
 }
 
-void ContactForces::evaluate(std::size_t index, const std::vector<Motion>& motion, double step,
-                             ContactList& list) const {
+inline void ContactForces::add(const RelaxationContact& contact, const ForceOnCorner& force) {
+    BlockForce& own = force_[contact.block];
+    own.x += force.x;
+    own.y += force.y;
+    own.moment += force.moment;
+    BlockForce& other = force_[contact.other];
+    other.x -= force.x;
+    other.y -= force.y;
+    other.moment += force.other_moment;
+}
+
+[[gnu::always_inline]] inline ForceOnCorner ContactForces::evaluate(std::size_t index,
+                                                                    const std::vector<Motion>& motion, double step,
+                                                                    ContactList& list) {
     const RelaxationContact& contact = list.contact[index];
-    list.force[index] =
-        advance_contact(contact, list.memory[index], contact.twin == no_twin ? nullptr : &list.memory[contact.twin],
-                        motion[contact.block], motion[contact.other], step);
+    const ContactMemory* twin = contact.twin == no_twin ? nullptr : &list.memory[contact.twin];
+    const ForceOnCorner force = advance_contact(list.law_of(contact), contact, list.memory[index], twin,
+                                                motion[contact.block], motion[contact.other], step);
+    list.force[index] = force;
+    return force;
 }
 
 std::size_t ContactForces::evaluate_all(const std::vector<Motion>& motion, double step, ContactList& list) {
@@ -84,7 +98,7 @@ std::size_t ContactForces::evaluate_all(const std::vector<Motion>& motion, doubl
     team_.run([&](std::size_t part) {
         std::size_t count = 0;
         for (std::size_t index = part_begin_[part]; index < part_begin_[part + 1]; ++index) {
-            if (moved_[list.contact[index].block] != 0 || moved_[list.contact[index].other] != 0) {
+            if (concerned(list.contact[index])) {
                 evaluate(index, motion, step, list);
                 ++count;
             }
@@ -94,12 +108,31 @@ std::size_t ContactForces::evaluate_all(const std::vector<Motion>& motion, doubl
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
+// In one pass: what has been read need not be read again to add it up.
+std::size_t ContactForces::evaluate_and_sum(const std::vector<Motion>& motion, double step, ContactList& list) {
+    std::fill(force_.begin(), force_.end(), BlockForce{});
+    std::size_t count = 0;
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const RelaxationContact& contact = list.contact[index];
+        if (concerned(contact)) {
+            add(contact, evaluate(index, motion, step, list));
+            ++count;
+        } else {
+            add(contact, list.force[index]);
+        }
+    }
+    return count;
+}
+
 std::size_t ContactForces::apply(const std::vector<Motion>& motion, double step, std::vector<SeenPose>& seen,
                                  ContactList& list) {
     ++round_;
     notice(motion, seen);
     std::size_t count = 0;
     if (2 * moved_blocks_.size() > bodies_.size()) {
+        if (team_.size() == 1) {
+            return evaluate_and_sum(motion, step, list);
+        }
         count = evaluate_all(motion, step, list);
         sum_all(list);
         return count;
@@ -135,16 +168,7 @@ void ContactForces::sum_all(const ContactList& list) {
     }
     std::fill(force_.begin(), force_.end(), BlockForce{});
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const RelaxationContact& contact = list.contact[index];
-        const ForceOnCorner& force = list.force[index];
-        BlockForce& own = force_[contact.block];
-        own.x += force.x;
-        own.y += force.y;
-        own.moment += force.moment;
-        BlockForce& other = force_[contact.other];
-        other.x -= force.x;
-        other.y -= force.y;
-        other.moment += force.other_moment;
+        add(list.contact[index], list.force[index]);
     }
 }
 

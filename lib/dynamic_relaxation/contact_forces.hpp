@@ -42,8 +42,13 @@ class ContactForces {
 
   private:
     void notice(const std::vector<Motion>& motion, std::vector<SeenPose>& seen);
-    void evaluate(std::size_t index, const std::vector<Motion>& motion, double step, ContactList& list) const;
+    static ForceOnCorner evaluate(std::size_t index, const std::vector<Motion>& motion, double step, ContactList& list);
+    bool concerned(const RelaxationContact& contact) const {
+        return moved_[contact.block] != 0 || moved_[contact.other] != 0;
+    }
     std::size_t evaluate_all(const std::vector<Motion>& motion, double step, ContactList& list);
+    std::size_t evaluate_and_sum(const std::vector<Motion>& motion, double step, ContactList& list);
+    void add(const RelaxationContact& contact, const ForceOnCorner& force);
     void sum_all(const ContactList& list);
     void sum_block(std::size_t block, const ContactList& list);
     BlockForce sum_of(std::size_t block, const ContactList& list) const;

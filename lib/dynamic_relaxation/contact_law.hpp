@@ -33,56 +33,59 @@ struct ContactPosition {
     double along_y() const { return normal_x; }
 };
 
-inline ContactPosition locate(const RelaxationContact& contact, const Motion& block, const Motion& other) {
+[[gnu::always_inline]] inline ContactPosition locate(const RelaxationContact& contact, const Motion& block,
+                                                     const Motion& other) {
     const double turned_x = -block.versine * contact.arm.x() - block.sine * contact.arm.y();
     const double turned_y = block.sine * contact.arm.x() - block.versine * contact.arm.y();
-    const double start_x = -other.versine * contact.edge_start.x() - other.sine * contact.edge_start.y();
-    const double start_y = other.sine * contact.edge_start.x() - other.versine * contact.edge_start.y();
-    const double change_x = (block.x - other.x) + (turned_x - start_x);
-    const double change_y = (block.y - other.y) + (turned_y - start_y);
-    const double way_x = contact.offset.x() + change_x;
-    const double way_y = contact.offset.y() + change_y;
+    const double carried_x = -other.versine * contact.other_arm.x() - other.sine * contact.other_arm.y();
+    const double carried_y = other.sine * contact.other_arm.x() - other.versine * contact.other_arm.y();
+    // From where the other block has carried the corner's place in the drawing to the corner. Only changes are added
+    // up: the overlap keeps its digits however far away the origin is.
+    const double change_x = (block.x - other.x) + (turned_x - carried_x);
+    const double change_y = (block.y - other.y) + (turned_y - carried_y);
     const double normal_x = contact.along.y();
     const double normal_y = -contact.along.x();
-    const double tilt_x = -other.versine * normal_x - other.sine * normal_y;
-    const double tilt_y = other.sine * normal_x - other.versine * normal_y;
     ContactPosition at;
-    at.normal_x = normal_x + tilt_x;
-    at.normal_y = normal_y + tilt_y;
-    // Only changes are added up: the overlap keeps its digits however far away the origin is.
-    at.gap = contact.gap + (normal_x * change_x + normal_y * change_y) + (tilt_x * way_x + tilt_y * way_y);
-    at.slide = (contact.along.x() * change_x + contact.along.y() * change_y) + (tilt_x * way_y - tilt_y * way_x);
-    at.position = at.along_x() * way_x + at.along_y() * way_y;
+    at.normal_x = normal_x - (other.versine * normal_x + other.sine * normal_y);
+    at.normal_y = normal_y + (other.sine * normal_x - other.versine * normal_y);
+    at.gap = contact.gap + (at.normal_x * change_x + at.normal_y * change_y);
+    at.slide = at.along_x() * change_x + at.along_y() * change_y;
+    at.position = contact.from_start + at.slide;
     at.arm_x = contact.arm.x() + turned_x;
     at.arm_y = contact.arm.y() + turned_y;
-    at.other_arm_x = contact.edge_start.x() + start_x + way_x;
-    at.other_arm_y = contact.edge_start.y() + start_y + way_y;
+    at.other_arm_x = contact.other_arm.x() + carried_x + change_x;
+    at.other_arm_y = contact.other_arm.y() + carried_y + change_y;
     return at;
 }
 
-inline double contact_weight(const RelaxationContact& contact, double position, double overlap) {
-    // A ramp is no steeper than the overlap allows: a weight that changed faster would be a stiffer spring.
-    const auto ramp = [&](double depth) {
-        return depth * contact.inverse_blend > 0.5 ? 0.5 / depth : contact.inverse_blend;
+inline double contact_weight(const ContactLaw& law, const RelaxationContact& contact, const ContactPosition& at) {
+    const double overlap = -at.gap;
+    // A ramp is no steeper than the overlap allows: a weight that changed faster would be a stiffer spring. Where a
+    // corner does not bear at an end, it begins to bear half as far from it as it is deep: a point on a point holds.
+    const auto ramp = [&](double depth, double least) {
+        const double rise = least < 0 ? 1 : 0.5;
+        return depth * law.inverse_blend > rise ? rise / depth : law.inverse_blend;
     };
-    const double rate = ramp(overlap);
-    const double at_start = contact.start_weight + position * rate;
-    const double at_end = contact.end_weight + (contact.edge_length - position) * rate;
+    const double to_end = contact.to_end - at.slide;
+    const double at_start = law.start_weight + at.position * ramp(overlap, law.start_weight);
+    const double at_end = law.end_weight + to_end * ramp(overlap, law.end_weight);
     double weight = std::min(at_start, at_end);
-    if (contact.rival != 0) {
+    if (law.rival != 0) {
         // With t the way from the common end, the rival's overlap and the way along it.
-        const double t = contact.rival > 0 ? position : contact.edge_length - position;
-        const double other_overlap = t * contact.rival_sine - overlap * contact.rival_cosine;
-        const double other_way = t * contact.rival_cosine + overlap * contact.rival_sine;
-        weight = std::min(weight,
-                          0.5 + ramp(std::min(overlap, other_overlap)) * std::max(other_overlap - overlap, -other_way));
+        const double t = law.rival > 0 ? at.position : to_end;
+        const double other_overlap = t * law.rival_sine - overlap * law.rival_cosine;
+        const double other_way = t * law.rival_cosine + overlap * law.rival_sine;
+        weight = std::min(
+            weight, 0.5 + ramp(std::min(overlap, other_overlap), 0.5) * std::max(other_overlap - overlap, -other_way));
     }
     return std::clamp(weight, 0.0, 1.0);
 }
 
 // Advances the memory by one step and gives the force at its end. Velocities are those that led here, half a step ago.
-inline ForceOnCorner advance_contact(const RelaxationContact& contact, ContactMemory& memory, const ContactMemory* twin,
-                                     const Motion& block, const Motion& other, double step) {
+// Called once in the innermost loop: a result that goes through memory there costs a third more.
+[[gnu::always_inline]] inline ForceOnCorner advance_contact(const ContactLaw& law, const RelaxationContact& contact,
+                                                            ContactMemory& memory, const ContactMemory* twin,
+                                                            const Motion& block, const Motion& other, double step) {
     const ContactPosition at = locate(contact, block, other);
     const double overlap = -at.gap;
     if (!memory.touching) {
@@ -103,21 +106,21 @@ inline ForceOnCorner advance_contact(const RelaxationContact& contact, ContactMe
     // A drag acts half a step on both sides of its moment: the books count half with each velocity.
     memory.damping -= step / 2 * (memory.normal_drag * opening + memory.shear_drag * shearing);
     memory.normal_drag = memory.shear_drag = 0;
-    const bool bonded = contact.tension > 0 && !memory.broken;
-    const double weight = contact_weight(contact, at.position, overlap);
+    const bool bonded = law.tension > 0 && !memory.broken;
+    const double weight = contact_weight(law, contact, at);
     const auto open = [&] {
         // What the springs held is lost: of the shear spring much, where friction is great.
-        memory.friction += weight * contact.shear_stiffness * memory.shear * memory.shear / 2;
+        memory.friction += weight * law.shear_stiffness * memory.shear * memory.shear / 2;
         memory.touching = memory.sliding = false;
         memory.broken = true;
         memory.shear = 0;
     };
     if (weight == 0 || (overlap <= 0 && !bonded)) {
         open();
-        memory.beneath = overlap > 0 && contact.rival == 0;
+        memory.beneath = overlap > 0 && law.rival == 0;
         return {};
     }
-    const double force_before = contact.shear_stiffness * std::abs(memory.shear);
+    const double force_before = law.shear_stiffness * std::abs(memory.shear);
     if (!memory.touching) {
         memory.touching = true;
         memory.shear = twin != nullptr && twin->touching ? twin->shear : 0;
@@ -126,20 +129,20 @@ inline ForceOnCorner advance_contact(const RelaxationContact& contact, ContactMe
     }
     memory.place = at.slide;
     memory.overlap = overlap;
-    double normal = contact.normal_stiffness * overlap;
-    if (normal < -contact.tension) {
+    double normal = law.normal_stiffness * overlap;
+    if (normal < -law.tension) {
         memory.friction += weight * normal * overlap / 2;
         open();
         return {};
     }
-    double shear = -contact.shear_stiffness * memory.shear;
+    double shear = -law.shear_stiffness * memory.shear;
     const double pressing = std::max(normal, 0.0);
-    const double residual = pressing * contact.residual_friction;
-    const double strength = memory.broken ? residual : pressing * contact.friction + contact.cohesion;
+    const double residual = pressing * law.residual_friction;
+    const double strength = memory.broken ? residual : pressing * law.friction + law.cohesion;
     memory.sliding = std::abs(shear) > strength;
     if (memory.sliding) {
         const double held = std::copysign(residual, shear);
-        const double slipped = (held - shear) / contact.shear_stiffness;
+        const double slipped = (held - shear) / law.shear_stiffness;
         // A first slip also sets free what the spring held beyond the residual strength.
         const double mean_force =
             (memory.broken ? std::min(force_before, strength) + residual : strength + residual) / 2;
@@ -149,10 +152,10 @@ inline ForceOnCorner advance_contact(const RelaxationContact& contact, ContactMe
         memory.shear -= slipped;
         shear = held;
     } else {
-        memory.shear_drag = -weight * contact.shear_dashpot * shearing;
-        shear -= contact.shear_dashpot * shearing;
+        memory.shear_drag = -weight * law.shear_dashpot * shearing;
+        shear -= law.shear_dashpot * shearing;
     }
-    const double damped = std::max(normal - contact.normal_dashpot * opening, std::min(normal, 0.0));
+    const double damped = std::max(normal - law.normal_dashpot * opening, std::min(normal, 0.0));
     memory.normal_drag = weight * (damped - normal);
     memory.damping -= step / 2 * (memory.normal_drag * opening + memory.shear_drag * shearing);
     normal = damped;
@@ -165,14 +168,14 @@ inline ForceOnCorner advance_contact(const RelaxationContact& contact, ContactMe
 }
 
 // J/m, in both springs.
-inline double elastic_energy(const RelaxationContact& contact, const ContactMemory& memory, const Motion& block,
-                             const Motion& other) {
+inline double elastic_energy(const ContactLaw& law, const RelaxationContact& contact, const ContactMemory& memory,
+                             const Motion& block, const Motion& other) {
     if (!memory.touching) {
         return 0;
     }
     const ContactPosition at = locate(contact, block, other);
-    return contact_weight(contact, at.position, -at.gap) *
-           (contact.normal_stiffness * at.gap * at.gap + contact.shear_stiffness * memory.shear * memory.shear) / 2;
+    return contact_weight(law, contact, at) *
+           (law.normal_stiffness * at.gap * at.gap + law.shear_stiffness * memory.shear * memory.shear) / 2;
 }
 
 }  // namespace delabole

@@ -3,7 +3,9 @@
 #include "dynamic_relaxation/contact_law.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <unordered_map>
 
 namespace delabole {
 
@@ -31,24 +33,55 @@ std::uint64_t key_of(std::size_t corner, std::size_t edge) {
     return (static_cast<std::uint64_t>(corner) << 32U) | edge;
 }
 
+// Each law once.
+class Laws {
+  public:
+    explicit Laws(std::vector<ContactLaw>& list) : list_(list) {}
+
+    std::uint32_t number_of(const ContactLaw& law) {
+        const auto [entry, is_new] = number_.try_emplace(law, static_cast<std::uint32_t>(list_.size()));
+        if (is_new) {
+            list_.push_back(law);
+        }
+        return entry->second;
+    }
+
+  private:
+    struct Hash {
+        std::size_t operator()(const ContactLaw& law) const {
+            std::uint64_t hash = 0;
+            for (const double number : {law.start_weight, law.end_weight, law.inverse_blend, law.rival_sine,
+                                        law.normal_stiffness, law.normal_dashpot, law.friction, law.cohesion}) {
+                hash = (hash ^ std::bit_cast<std::uint64_t>(number)) * 0x9e3779b97f4a7c15U;
+                hash ^= hash >> 32U;
+            }
+            return hash;
+        }
+    };
+
+    std::vector<ContactLaw>& list_;
+    std::unordered_map<ContactLaw, std::uint32_t, Hash> number_ = {};
+};
+
 class Search {
   public:
+    // Adds to the list.
     Search(const RelaxationScene& scene, const Bodies& bodies, const std::vector<Motion>& motion,
-           const SearchOptions& options)
-        : scene_(scene), bodies_(bodies), motion_(motion), options_(options) {}
+           const SearchOptions& options, ContactList& list)
+        : scene_(scene), bodies_(bodies), motion_(motion), options_(options), list_(list), laws_(list.law) {}
 
     // Corners of the first block on edges of the second.
-    void add_corners(std::uint32_t block, std::uint32_t other, ContactList& list) const {
+    void add_corners(std::uint32_t block, std::uint32_t other) {
         const double shortest = std::min(bodies_.shortest_edge[block], bodies_.shortest_edge[other]);
         for (std::size_t corner = bodies_.range[block].begin; corner < bodies_.range[block].end; ++corner) {
             for (std::size_t edge = bodies_.range[other].begin; edge < bodies_.range[other].end; ++edge) {
-                add_corner(corner, edge, shortest, list);
+                add_corner(corner, edge, shortest);
             }
         }
     }
 
   private:
-    void add_corner(std::size_t corner, std::size_t edge, double shortest, ContactList& list) const {
+    void add_corner(std::size_t corner, std::size_t edge, double shortest) {
         const std::size_t block = bodies_.block_of[corner];
         const std::size_t other = bodies_.block_of[edge];
         const double blend = blend_way * shortest;
@@ -85,15 +118,15 @@ class Search {
         }
         // The face of the corner's block that lies on the edge is the one nearer to its direction.
         const std::size_t face = std::abs(to_next.dot(normal)) < std::abs(to_previous.dot(normal)) ? corner : before;
-        list.contact.push_back(make(corner, edge, face, blend, {to_next.dot(along), to_previous.dot(along)}));
+        ContactLaw law = law_between(corner, edge, face, blend, {to_next.dot(along), to_previous.dot(along)});
         if (rival) {
-            RelaxationContact& contact = list.contact.back();
             const PlanePoint<>& one = bodies_.along[edge];
             const PlanePoint<>& two = bodies_.along[beyond];
-            contact.rival = at_start ? 1 : -1;
-            contact.rival_sine = std::abs(one.x() * two.y() - one.y() * two.x());
-            contact.rival_cosine = -one.dot(two);
+            law.rival = at_start ? 1 : -1;
+            law.rival_sine = std::abs(one.x() * two.y() - one.y() * two.x());
+            law.rival_cosine = -one.dot(two);
         }
+        list_.contact.push_back(contact_of(corner, edge, laws_.number_of(law)));
     }
 
     // Where a joint comes out of a face at an acute angle, the corners of both blocks coincide in the drawing: they
@@ -122,8 +155,7 @@ class Search {
         double previous;
     };
 
-    RelaxationContact make(std::size_t corner, std::size_t edge, std::size_t face, double blend,
-                           const Sides& sides) const {
+    RelaxationContact contact_of(std::size_t corner, std::size_t edge, std::uint32_t law) const {
         const std::size_t block = bodies_.block_of[corner];
         const std::size_t other = bodies_.block_of[edge];
         RelaxationContact contact{};
@@ -131,35 +163,45 @@ class Search {
         contact.other = static_cast<std::uint32_t>(other);
         contact.corner = static_cast<std::uint32_t>(corner);
         contact.edge = static_cast<std::uint32_t>(edge);
-        contact.arm = bodies_.corner[corner];
-        contact.edge_start = bodies_.corner[edge];
-        contact.along = bodies_.along[edge];
-        contact.offset =
+        contact.twin = no_twin;
+        contact.law = law;
+        const PlanePoint<> offset =
             (bodies_.centroid[block] - bodies_.centroid[other]) + (bodies_.corner[corner] - bodies_.corner[edge]);
-        contact.gap = bodies_.normal(edge).dot(contact.offset);
-        contact.edge_length = bodies_.length[edge];
+        contact.arm = bodies_.corner[corner];
+        contact.other_arm = bodies_.corner[edge] + offset;
+        contact.along = bodies_.along[edge];
+        contact.gap = bodies_.normal(edge).dot(offset);
+        contact.from_start = contact.along.dot(offset);
+        contact.to_end = bodies_.length[edge] - contact.from_start;
+        return contact;
+    }
+
+    ContactLaw law_between(std::size_t corner, std::size_t edge, std::size_t face, double blend,
+                           const Sides& sides) const {
+        const std::size_t block = bodies_.block_of[corner];
+        const std::size_t other = bodies_.block_of[edge];
+        ContactLaw law{};
         // Over the end of an edge, a block that reaches back over it hands over to its twin; one that only touches the
         // end with a corner does not bear there at all.
         const double reaching = std::max(sides.next, sides.previous);
         const double reaching_back = -std::min(sides.next, sides.previous);
-        contact.start_weight = reaching > lean ? 0.5 : -0.5;
-        contact.end_weight = reaching_back > lean ? 0.5 : -0.5;
-        contact.inverse_blend = 1 / (2 * blend);
+        law.start_weight = reaching > lean ? 0.5 : -0.5;
+        law.end_weight = reaching_back > lean ? 0.5 : -0.5;
+        law.inverse_blend = 1 / (2 * blend);
         const JointMaterial& of_face = scene_.material[bodies_.material[face]];
         const JointMaterial& of_edge = scene_.material[bodies_.material[edge]];
         const JointMaterial& joint = of_face.friction_angle < of_edge.friction_angle ? of_face : of_edge;
-        contact.normal_stiffness = joint.normal_stiffness;
-        contact.shear_stiffness = joint.shear_stiffness;
+        law.normal_stiffness = joint.normal_stiffness;
+        law.shear_stiffness = joint.shear_stiffness;
         const double effective_mass = 1 / (bodies_.inverse_mass[block] + bodies_.inverse_mass[other]);
-        contact.normal_dashpot = 2 * options_.viscous_damping * std::sqrt(effective_mass * joint.normal_stiffness);
-        contact.shear_dashpot = 2 * options_.viscous_damping * std::sqrt(effective_mass * joint.shear_stiffness);
-        contact.friction = std::tan(joint.friction_angle);
-        contact.residual_friction = std::tan(joint.residual_friction_angle.value_or(joint.friction_angle));
+        law.normal_dashpot = 2 * options_.viscous_damping * std::sqrt(effective_mass * joint.normal_stiffness);
+        law.shear_dashpot = 2 * options_.viscous_damping * std::sqrt(effective_mass * joint.shear_stiffness);
+        law.friction = std::tan(joint.friction_angle);
+        law.residual_friction = std::tan(joint.residual_friction_angle.value_or(joint.friction_angle));
         const double half_shared = shared_length(face, edge) / 2;
-        contact.cohesion = joint.cohesion * half_shared;
-        contact.tension = joint.tensile_strength * half_shared;
-        contact.twin = no_twin;
-        return contact;
+        law.cohesion = joint.cohesion * half_shared;
+        law.tension = joint.tensile_strength * half_shared;
+        return law;
     }
 
     double shared_length(std::size_t face, std::size_t edge) const {
@@ -175,26 +217,29 @@ class Search {
     const Bodies& bodies_;
     const std::vector<Motion>& motion_;
     const SearchOptions& options_;
+    ContactList& list_;
+    Laws laws_;
 };
 
 class ContactIndex {
   public:
     explicit ContactIndex(const std::vector<RelaxationContact>& contacts) {
         entries_.reserve(contacts.size());
-        for (std::size_t index = 0; index < contacts.size(); ++index) {
+        for (std::uint32_t index = 0; index < contacts.size(); ++index) {
             entries_.emplace_back(key_of(contacts[index].corner, contacts[index].edge), index);
         }
         std::sort(entries_.begin(), entries_.end());
     }
 
-    std::size_t find(std::size_t corner, std::size_t edge) const {
+    // no_twin where there is none.
+    std::uint32_t find(std::size_t corner, std::size_t edge) const {
         const std::uint64_t key = key_of(corner, edge);
-        const auto found = std::lower_bound(entries_.begin(), entries_.end(), std::pair(key, std::size_t{0}));
+        const auto found = std::lower_bound(entries_.begin(), entries_.end(), std::pair(key, std::uint32_t{0}));
         return found != entries_.end() && found->first == key ? found->second : no_twin;
     }
 
   private:
-    std::vector<std::pair<std::uint64_t, std::size_t>> entries_ = {};
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> entries_ = {};
 };
 
 // A corner's twin at the start of an edge is that end on the face that ends at the corner, because both outlines run
@@ -207,8 +252,8 @@ void pair_twins(const Bodies& bodies, const std::vector<Motion>& motion, Contact
         const double position = motion[contact.other].turned(contact.along).dot(way);
         const CornerRange& own = bodies.range[contact.block];
         const CornerRange& others = bodies.range[contact.other];
-        contact.twin = position < contact.edge_length / 2 ? index.find(contact.edge, own.before(contact.corner))
-                                                          : index.find(others.after(contact.edge), contact.corner);
+        contact.twin = position < contact.edge_length() / 2 ? index.find(contact.edge, own.before(contact.corner))
+                                                            : index.find(others.after(contact.edge), contact.corner);
     }
 }
 
@@ -258,13 +303,13 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
     ContactList list;
     list.margin = options.margin;
     list.contact.reserve(previous.contact.size() + 64);
-    const Search search(scene, bodies, motion, options);
+    Search search(scene, bodies, motion, options, list);
     for (const auto& [first, second] : neighbouring_blocks(bodies, motion, removed, options.margin)) {
         if (std::binary_search(options.bonded.begin(), options.bonded.end(), BlockPair(first, second))) {
             continue;
         }
-        search.add_corners(first, second, list);
-        search.add_corners(second, first, list);
+        search.add_corners(first, second);
+        search.add_corners(second, first);
     }
     pair_twins(bodies, motion, list);
     list.memory.resize(list.contact.size());
@@ -273,7 +318,7 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         RelaxationContact& contact = list.contact[index];
         ContactMemory& memory = list.memory[index];
-        const std::size_t before = known.find(contact.corner, contact.edge);
+        const std::uint32_t before = known.find(contact.corner, contact.edge);
         if (before != no_twin) {
             // Slip and energies have been booked; what is left is what the contact goes on with.
             memory = previous.memory[before];
@@ -282,10 +327,11 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
         } else {
             const double shortest = std::min(bodies.shortest_edge[contact.block], bodies.shortest_edge[contact.other]);
             memory.broken = !(options.first && contact.gap <= closed * shortest);
-            memory.beneath = options.first
-                                 ? beside(bodies, contact, shortest)
-                                 : contact.rival == 0 && gap_of(contact, motion) < -came_over * options.margin;
-            memory.touching = !memory.broken && !memory.beneath && (contact.tension > 0 || contact.gap < 0);
+            memory.beneath = options.first ? beside(bodies, contact, shortest)
+                                           : list.law_of(contact).rival == 0 &&
+                                                 gap_of(contact, motion) < -came_over * options.margin;
+            memory.touching =
+                !memory.broken && !memory.beneath && (list.law_of(contact).tension > 0 || contact.gap < 0);
         }
     }
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
@@ -295,7 +341,7 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
         }
         const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
         const double shortest = std::min(bodies.shortest_edge[contact.block], bodies.shortest_edge[contact.other]);
-        if (-at.gap > list.worst_overlap * shortest && contact_weight(contact, at.position, -at.gap) > 0) {
+        if (-at.gap > list.worst_overlap * shortest && contact_weight(list.law_of(contact), contact, at) > 0) {
             list.worst_overlap = -at.gap / shortest;
         }
     }

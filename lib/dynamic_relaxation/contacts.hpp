@@ -16,19 +16,10 @@
 
 namespace delabole {
 
-constexpr std::size_t no_twin = static_cast<std::size_t>(-1);
+constexpr std::uint32_t no_twin = static_cast<std::uint32_t>(-1);
 
-struct RelaxationContact {
-    std::uint32_t block;  // of the corner
-    std::uint32_t other;  // of the edge
-    std::uint32_t corner;
-    std::uint32_t edge;
-    PlanePoint<> arm;         // of the corner, about its block's centroid, in the drawing
-    PlanePoint<> edge_start;  // about the other block's centroid, in the drawing
-    PlanePoint<> along;       // of the edge, in the drawing
-    PlanePoint<> offset;      // from the edge's start to the corner, in the drawing
-    double gap;               // in the drawing: offset against the edge's outward normal
-    double edge_length;
+// What many contacts have in common, so that a step has less to read: a pack of bricks has a handful of laws.
+struct ContactLaw {
     double start_weight;  // weight of the contact where the corner is at the edge's start
     double end_weight;
     double inverse_blend;  // 1 / length over which the weight changes
@@ -45,7 +36,26 @@ struct RelaxationContact {
     double residual_friction;  // likewise
     double cohesion;           // N/m: over half the shared length
     double tension;            // N/m
-    std::size_t twin;
+
+    bool operator==(const ContactLaw&) const = default;
+};
+
+struct RelaxationContact {
+    std::uint32_t block;  // of the corner
+    std::uint32_t other;  // of the edge
+    std::uint32_t corner;
+    std::uint32_t edge;
+    std::uint32_t twin;
+    std::uint32_t law;  // in the list's laws
+    // In the drawing:
+    PlanePoint<> arm;        // of the corner, about its block's centroid
+    PlanePoint<> other_arm;  // of the corner, about the other block's centroid
+    PlanePoint<> along;      // of the edge
+    double gap;              // from the edge to the corner
+    double from_start;       // of the edge to the corner, along the edge
+    double to_end;           // from the corner to the edge's end, likewise
+
+    double edge_length() const { return from_start + to_end; }
 };
 
 struct ContactMemory {
@@ -76,10 +86,13 @@ struct ForceOnCorner {
 
 struct ContactList {
     std::vector<RelaxationContact> contact = {};
+    std::vector<ContactLaw> law = {};
     std::vector<ContactMemory> memory = {};
     std::vector<ForceOnCorner> force = {};  // when last evaluated
     double margin = 0;                      // the list holds until blocks have moved by half of this
     double worst_overlap = 0;               // greatest found, in shortest edges of the two blocks
+
+    const ContactLaw& law_of(const RelaxationContact& one) const { return law[one.law]; }
 };
 
 struct SearchOptions {

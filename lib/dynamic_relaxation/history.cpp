@@ -11,14 +11,15 @@ std::vector<CornerForce> corner_forces(const Bodies& bodies, const RelaxationSta
     std::vector<CornerForce> forces;
     for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
         const RelaxationContact& contact = state.contacts.contact[index];
+        const ContactLaw& law = state.contacts.law_of(contact);
         const ContactMemory& memory = state.contacts.memory[index];
         const ContactPosition at = locate(contact, state.motion[contact.block], state.motion[contact.other]);
-        const double weight = contact_weight(contact, at.position, -at.gap);
+        const double weight = contact_weight(law, contact, at);
         if (!memory.touching || !(weight > 0)) {
             continue;
         }
-        const double normal = -weight * contact.normal_stiffness * at.gap;
-        const double shear = -weight * contact.shear_stiffness * memory.shear;
+        const double normal = -weight * law.normal_stiffness * at.gap;
+        const double shear = -weight * law.shear_stiffness * memory.shear;
         forces.push_back(
             {contact.block, contact.other, moved_corner(bodies, state.motion, contact.corner),
              PlanePoint<>(at.normal_x * normal + at.along_x() * shear, at.normal_y * normal + at.along_y() * shear),

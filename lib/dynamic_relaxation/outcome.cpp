@@ -9,12 +9,26 @@ namespace delabole {
 
 namespace {
 
-double rotation_of(const RelaxationState& state, std::size_t block) {
-    return state.motion[block].angle - state.origin[block].angle;
-}
+struct Shift {
+    double rotation;
+    double displacement;
+};
 
-double displacement_of(const RelaxationState& state, std::size_t block) {
-    return std::hypot(state.motion[block].x - state.origin[block].x, state.motion[block].y - state.origin[block].y);
+Shift shift_of(const Bodies& bodies, const RelaxationState& state, std::size_t block) {
+    const Motion& now = state.motion[block];
+    const Motion& then = state.origin[block];
+    const PlanePoint<> change(now.x - then.x, now.y - then.y);
+    if (!bodies.turned_base) {
+        return {now.angle - then.angle, change.norm()};
+    }
+    const Motion& base_now = state.motion[*bodies.turned_base];
+    const Motion& base_then = state.origin[*bodies.turned_base];
+    Motion turn;
+    turn.set_angle(base_now.angle - base_then.angle);
+    const PlanePoint<> arm = bodies.centroid[block] - bodies.centroid[*bodies.turned_base] +
+                             PlanePoint<>(then.x - base_then.x, then.y - base_then.y);
+    const PlanePoint<> carried = PlanePoint<>(base_now.x - base_then.x, base_now.y - base_then.y) + turn.turned_by(arm);
+    return {now.angle - then.angle - turn.angle, (change - carried).norm()};
 }
 
 BlockMovement movement_of(const BlockOutcome& outcome, double radius, const RelaxationSettings& settings) {
@@ -35,9 +49,9 @@ MotionExtremes farthest_motion(const Bodies& bodies, const RelaxationState& stat
     MotionExtremes farthest;
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         if (bodies.fixed[block] == 0 && state.removed[block] == 0) {
-            farthest.rotation = std::max(farthest.rotation, std::abs(rotation_of(state, block)));
-            farthest.displacement =
-                std::max(farthest.displacement, displacement_of(state, block) / bodies.radius[block]);
+            const Shift shift = shift_of(bodies, state, block);
+            farthest.rotation = std::max(farthest.rotation, std::abs(shift.rotation));
+            farthest.displacement = std::max(farthest.displacement, shift.displacement / bodies.radius[block]);
         }
     }
     return farthest;
@@ -65,8 +79,9 @@ std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const RelaxationS
     std::vector<BlockOutcome> outcomes(bodies.size());
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         BlockOutcome& outcome = outcomes[block];
-        outcome.rotation = rotation_of(state, block);
-        outcome.displacement = displacement_of(state, block);
+        const Shift shift = shift_of(bodies, state, block);
+        outcome.rotation = shift.rotation;
+        outcome.displacement = shift.displacement;
         outcome.base_slip = slip[block];
         if (state.removed[block] != 0) {
             outcome.movement = BlockMovement::removed;
@@ -84,7 +99,7 @@ std::optional<ContactName> deepest_contact(const Bodies& bodies, const Relaxatio
     for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
         const RelaxationContact& contact = state.contacts.contact[index];
         const ContactPosition at = locate(contact, state.motion[contact.block], state.motion[contact.other]);
-        if (!state.contacts.memory[index].beneath && contact_weight(contact, at.position, -at.gap) > 0 &&
+        if (!state.contacts.memory[index].beneath && contact_weight(state.contacts.law_of(contact), contact, at) > 0 &&
             -at.gap > (deepest ? deepest->overlap : 0)) {
             deepest = ContactName{contact.block, contact.corner - bodies.range[contact.block].begin, contact.other,
                                   contact.edge - bodies.range[contact.other].begin, -at.gap};

@@ -37,7 +37,8 @@ constexpr std::array<std::string_view, 7> enum_names(BlockMovement) {
 
 struct BlockOutcome {
     BlockMovement movement = BlockMovement::stays;
-    double rotation = 0;  // rad since the start, anticlockwise: towards -x for a block that topples out of the slope
+    // Since the start; where a base turns, as seen from it.
+    double rotation = 0;      // rad, anticlockwise: towards -x for a block that topples out of the slope
     double displacement = 0;  // m, of the centroid
     double base_slip = 0;     // m, over fixed blocks; negative: forward, towards -x
 };
@@ -73,7 +74,7 @@ struct RelaxationResult {
     std::vector<BlockOutcome> block = {};
 };
 
-// Of all free blocks, since the start.
+// Of all free blocks, since the start; where a base turns, as seen from it.
 struct MotionExtremes {
     double rotation = 0;      // rad
     double displacement = 0;  // of the centroid, in radii of the block

@@ -31,10 +31,11 @@ Direction direction(double x, double y, const Position& at) {
 
 // The law of contact_law.hpp without velocities. A contact that has opened by a hair still counts in the tangent:
 // without it, blocks that touch without pressure would have nothing to stand on.
-Response respond(const RelaxationContact& contact, const ContactPosition& at, ContactMemory& memory, double hair) {
+Response respond(const ContactLaw& law, const RelaxationContact& contact, const ContactPosition& at,
+                 ContactMemory& memory, double hair) {
     Response response;
     const double overlap = -at.gap;
-    const bool bonded = contact.tension > 0 && !memory.broken && memory.touching;
+    const bool bonded = law.tension > 0 && !memory.broken && memory.touching;
     memory.shear += at.slide - memory.place;
     memory.place = at.slide;
     memory.overlap = overlap;
@@ -44,24 +45,24 @@ Response respond(const RelaxationContact& contact, const ContactPosition& at, Co
         memory.shear = 0;
         return response;
     }
-    const double weight = contact_weight(contact, at.position, overlap);
+    const double weight = contact_weight(law, contact, at);
     const Direction normal = direction(at.normal_x, at.normal_y, at);
     const Direction along = direction(at.along_x(), at.along_y(), at);
-    const double pressing = contact.normal_stiffness * std::max(overlap, 0.0);
-    const double friction = memory.broken ? contact.residual_friction : contact.friction;
-    const double strength = pressing * friction + (memory.broken ? 0 : contact.cohesion);
-    response.stiffness = weight * contact.normal_stiffness * normal * normal.transpose();
-    const double trial = -contact.shear_stiffness * memory.shear;
+    const double pressing = law.normal_stiffness * std::max(overlap, 0.0);
+    const double friction = memory.broken ? law.residual_friction : law.friction;
+    const double strength = pressing * friction + (memory.broken ? 0 : law.cohesion);
+    response.stiffness = weight * law.normal_stiffness * normal * normal.transpose();
+    const double trial = -law.shear_stiffness * memory.shear;
     const double shear = std::clamp(trial, -strength, strength);
     memory.sliding = std::abs(trial) > strength;
-    memory.shear = -shear / contact.shear_stiffness;
+    memory.shear = -shear / law.shear_stiffness;
     if (memory.sliding) {
         response.stiffness +=
-            weight * contact.normal_stiffness * std::copysign(friction, trial) * along * normal.transpose();
+            weight * law.normal_stiffness * std::copysign(friction, trial) * along * normal.transpose();
     } else {
-        response.stiffness += weight * contact.shear_stiffness * along * along.transpose();
+        response.stiffness += weight * law.shear_stiffness * along * along.transpose();
     }
-    response.force = weight * ((bonded ? contact.normal_stiffness * overlap : pressing) * normal + shear * along);
+    response.force = weight * ((bonded ? law.normal_stiffness * overlap : pressing) * normal + shear * along);
     return response;
 }
 
@@ -118,15 +119,14 @@ class Preload {
         bool any = false;
         for (std::size_t index = 0; index < list.contact.size(); ++index) {
             const RelaxationContact& contact = list.contact[index];
+            const ContactLaw& law = list.law_of(contact);
             ContactMemory& memory = list.memory[index];
-            if (!memory.touching || memory.broken ||
-                (contact.cohesion == 0 && contact.friction == contact.residual_friction)) {
+            if (!memory.touching || memory.broken || (law.cohesion == 0 && law.friction == law.residual_friction)) {
                 continue;
             }
             const double overlap = -locate(contact, motion[contact.block], motion[contact.other]).gap;
-            const double strength =
-                contact.normal_stiffness * std::max(overlap, 0.0) * contact.friction + contact.cohesion;
-            memory.broken = contact.shear_stiffness * std::abs(memory.shear) >= nearly * strength;
+            const double strength = law.normal_stiffness * std::max(overlap, 0.0) * law.friction + law.cohesion;
+            memory.broken = law.shear_stiffness * std::abs(memory.shear) >= nearly * strength;
             any |= memory.broken;
         }
         return any;
@@ -135,8 +135,8 @@ class Preload {
     double approach(std::vector<Motion>& motion, ContactList& list) {
         const std::vector<Motion> start = motion;
         double stiffest = 0;
-        for (const RelaxationContact& contact : list.contact) {
-            stiffest = std::max(stiffest, contact.normal_stiffness);
+        for (const ContactLaw& law : list.law) {
+            stiffest = std::max(stiffest, law.normal_stiffness);
         }
         for (const Bond& bond : bonds_.list()) {
             stiffest = std::max(stiffest, bond.normal_stiffness);
@@ -191,8 +191,9 @@ class Preload {
             const RelaxationContact& contact = list.contact[index];
             const double touching =
                 hair * std::min(bodies_.shortest_edge[contact.block], bodies_.shortest_edge[contact.other]);
-            const Response response = respond(contact, locate(contact, motion[contact.block], motion[contact.other]),
-                                              list.memory[index], list.memory[index].touching ? 0 : touching);
+            const Response response =
+                respond(list.law_of(contact), contact, locate(contact, motion[contact.block], motion[contact.other]),
+                        list.memory[index], list.memory[index].touching ? 0 : touching);
             add(contact.block, contact.other, response);
         }
         for (std::size_t index = 0; index < bonds_.list().size(); ++index) {

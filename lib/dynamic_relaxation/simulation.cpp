@@ -143,8 +143,8 @@ void Simulation::begin() {
         if (settings_.start != RelaxationStart::preloaded && contact.gap < 0) {
             memory.touching = true;  // drawn with an overlap: its spring is compressed before the first step
         }
-        state_.elastic_at_start +=
-            elastic_energy(contact, memory, state_.motion[contact.block], state_.motion[contact.other]);
+        state_.elastic_at_start += elastic_energy(state_.contacts.law_of(contact), contact, memory,
+                                                  state_.motion[contact.block], state_.motion[contact.other]);
     }
 }
 
@@ -160,9 +160,9 @@ void Simulation::step() {
 
 void Simulation::hold_blocks() {
     held_ = bodies_.fixed;
+    held_for_consolidation_ = consolidating();
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        if (state_.removed[block] != 0 ||
-            (scene_.block[block].held_at_first && state_.time < settings_.consolidation_time)) {
+        if (state_.removed[block] != 0 || (scene_.block[block].held_at_first && held_for_consolidation_)) {
             held_[block] = 1;
         }
     }
@@ -173,15 +173,19 @@ double Simulation::tilt() const {
 }
 
 void Simulation::follow_schedules() {
+    bool changed = consolidating() != held_for_consolidation_;
     for (const Removal& removal : scene_.removal) {
         if (state_.removed[removal.block] == 0 && state_.time >= removal.time) {
             book_springs_of_removed(removal.block);
             state_.removed[removal.block] = 1;
             state_.motion[removal.block].vx = state_.motion[removal.block].vy = state_.motion[removal.block].spin = 0;
             state_.travelled = std::numeric_limits<double>::infinity();
+            changed = true;
         }
     }
-    hold_blocks();
+    if (changed) {
+        hold_blocks();
+    }
     for (const PrescribedMotion& motion : scene_.motion) {
         Motion& moved = state_.motion[motion.block];
         const Motion before = moved;
@@ -196,8 +200,9 @@ void Simulation::book_springs_of_removed(std::size_t block) {
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
         const RelaxationContact& contact = state_.contacts.contact[index];
         if (contact.block == block || contact.other == block) {
-            state_.ledger.friction += elastic_energy(contact, state_.contacts.memory[index],
-                                                     state_.motion[contact.block], state_.motion[contact.other]);
+            state_.ledger.friction +=
+                elastic_energy(state_.contacts.law_of(contact), contact, state_.contacts.memory[index],
+                               state_.motion[contact.block], state_.motion[contact.other]);
         }
     }
     for (std::size_t index = 0; index < state_.bond.size(); ++index) {
@@ -302,27 +307,27 @@ void Simulation::integrate() {
     // Sums are taken over the same groups of blocks in the same order, whoever adds up a group.
     constexpr std::size_t group_size = 256;
     const std::size_t groups = (bodies_.size() + group_size - 1) / group_size;
-    std::vector<StepSums> sums(groups);
+    sums_.assign(groups, StepSums{});
     const auto move_groups = [&](std::size_t part) {
         for (std::size_t group = part_begin(groups, part, team_.size());
              group < part_begin(groups, part + 1, team_.size()); ++group) {
             const std::size_t end = std::min((group + 1) * group_size, bodies_.size());
             for (std::size_t block = group * group_size; block < end; ++block) {
-                move_block(block, sums[group]);
+                move_block(block, sums_[group]);
             }
         }
     };
     if (groups > 1) {
         team_.run(move_groups);
     } else {
-        std::for_each(sums.begin(), sums.end(), [&](StepSums& all) {
+        std::for_each(sums_.begin(), sums_.end(), [&](StepSums& all) {
             for (std::size_t block = 0; block < bodies_.size(); ++block) {
                 move_block(block, all);
             }
         });
     }
     double fastest = 0;
-    for (const StepSums& group : sums) {
+    for (const StepSums& group : sums_) {
         state_.ledger.applied += group.applied;
         state_.ledger.prescribed += group.prescribed;
         state_.ledger.local_damping += group.damped;
@@ -356,6 +361,20 @@ void Simulation::move_block(std::size_t block, StepSums& sums) {
                             std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * bodies_.radius[block]);
 }
 
+// A base that turns carries its blocks along: what is damped is their motion on it.
+Simulation::BlockVelocity Simulation::velocity_on_base(std::size_t block) const {
+    const Motion& motion = state_.motion[block];
+    if (!bodies_.turned_base) {
+        return {motion.vx, motion.vy, motion.spin};
+    }
+    const std::size_t number = *bodies_.turned_base;
+    const Motion& base = state_.motion[number];
+    const PlanePoint<> arm =
+        bodies_.centroid[block] - bodies_.centroid[number] + PlanePoint<>(motion.x - base.x, motion.y - base.y);
+    return {motion.vx - (base.vx - base.spin * arm.y()), motion.vy - (base.vy + base.spin * arm.x()),
+            motion.spin - base.spin};
+}
+
 bool Simulation::kick_block(std::size_t block, StepSums& sums) {
     const double kick = (state_.last_step + state_.step) / 2;
     const double gravity = scene_.gravity.acceleration > 0 ? scene_.gravity.acceleration : 1;
@@ -377,10 +396,11 @@ bool Simulation::kick_block(std::size_t block, StepSums& sums) {
     }
     BlockForce brake;
     if (settings_.local_damping > 0) {
-        const double speed = std::sqrt(motion.vx * motion.vx + motion.vy * motion.vy);
+        const BlockVelocity moving = velocity_on_base(block);
+        const double speed = std::sqrt(moving.x * moving.x + moving.y * moving.y);
         const double share = speed > 0 ? settings_.local_damping * force / speed : 0;
-        const double turning = motion.spin != 0 ? std::copysign(1.0, motion.spin) : 0;
-        brake = {-share * motion.vx, -share * motion.vy, -turning * settings_.local_damping * std::abs(net.moment)};
+        const double turning = moving.spin != 0 ? std::copysign(1.0, moving.spin) : 0;
+        brake = {-share * moving.x, -share * moving.y, -turning * settings_.local_damping * std::abs(net.moment)};
     }
     const double vx = motion.vx + (net.x + brake.x) * bodies_.inverse_mass[block] * kick;
     const double vy = motion.vy + (net.y + brake.y) * bodies_.inverse_mass[block] * kick;

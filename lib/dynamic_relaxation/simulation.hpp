@@ -45,6 +45,12 @@ class Simulation {
     static bool rests(std::uint32_t calm) { return calm >= looks_before_rest; }
     static constexpr std::uint32_t looks_before_rest = 4;
 
+    struct BlockVelocity {
+        double x;
+        double y;
+        double spin;
+    };
+
     struct StepSums {
         double fastest = 0;     // m/s
         double unbalanced = 0;  // share of the weight
@@ -56,6 +62,7 @@ class Simulation {
     bool out_of_time() const { return state_.time >= settings_.duration || state_.steps >= settings_.most_steps; }
     void prepare();
     void begin();
+    bool consolidating() const { return state_.time < settings_.consolidation_time; }
     void hold_blocks();
     void follow_schedules();
     void break_bonds();
@@ -69,6 +76,7 @@ class Simulation {
     void apply_loads();
     void integrate();
     void move_block(std::size_t block, StepSums& sums);
+    BlockVelocity velocity_on_base(std::size_t block) const;
     // False for a block at rest.
     bool kick_block(std::size_t block, StepSums& sums);
     void look();
@@ -90,6 +98,8 @@ class Simulation {
     std::vector<BlockForce> load_ = {};          // of the step
     std::vector<double> calm_speed_ = {};        // m/s, below which a block may be calm
     std::vector<char> held_ = {};                // fixed now: fixed blocks, and those held for consolidation
+    bool held_for_consolidation_ = false;
+    std::vector<StepSums> sums_ = {};  // of the step
 };
 
 // Runs to the end. `watch` is called before each step and may end the run by returning false.

@@ -37,7 +37,8 @@ EnergyLedger Simulation::ledger() const {
         const ContactMemory& memory = state_.contacts.memory[index];
         ledger.friction += memory.friction;
         ledger.dashpots += memory.damping;
-        ledger.elastic += elastic_energy(contact, memory, state_.motion[contact.block], state_.motion[contact.other]);
+        ledger.elastic += elastic_energy(state_.contacts.law_of(contact), contact, memory, state_.motion[contact.block],
+                                         state_.motion[contact.other]);
     }
     return ledger;
 }

@@ -39,13 +39,14 @@ double stable_step(const Bodies& bodies, const std::vector<Motion>& motion, cons
     };
     for (const RelaxationContact& contact : list.contact) {
         const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
+        const ContactLaw& law = list.law_of(contact);
         const bool both_free = bodies.fixed[contact.block] == 0 && bodies.fixed[contact.other] == 0;
         // Of twins, one takes over what the other leaves.
         const double share = (both_free ? 2 : 1) * (contact.twin == no_twin ? 1.0 : 0.5);
         add(contact.block, row(at.normal_x, at.normal_y, at.arm_x, at.arm_y),
-            row(at.along_x(), at.along_y(), at.arm_x, at.arm_y), contact, share);
+            row(at.along_x(), at.along_y(), at.arm_x, at.arm_y), law, share);
         add(contact.other, row(at.normal_x, at.normal_y, at.other_arm_x, at.other_arm_y),
-            row(at.along_x(), at.along_y(), at.other_arm_x, at.other_arm_y), contact, share);
+            row(at.along_x(), at.along_y(), at.other_arm_x, at.other_arm_y), law, share);
     }
     for (std::size_t index = 0; index < bonds.list().size(); ++index) {
         if (bond_memory[index].state != BondState::whole) {

@@ -58,6 +58,8 @@ TEST(Corners, OnACornerDoNotExplode) {
         {{rectangle(0, 0, 1, 1), density}, {rectangle(1, 1, 1, 1), density}},
         // Point on point.
         {{diamond(0, 0), density}, {diamond(0, 2 * side), density}},
+        // Blunt point on blunt point.
+        {{{{0, 0}, {1.5, 1}, {0, 2}, {-1.5, 1}}, density}, {{{0, 2}, {1.5, 3}, {0, 4}, {-1.5, 3}}, density}},
         // A point on the corner of a block.
         {{rectangle(0, 0, 1, 1), density}, {diamond(1, 1), density}},
         // A point where two blocks meet.
