@@ -22,8 +22,10 @@ struct SectionPoint {
     double y;
     static constexpr auto fields() {
         using P = SectionPoint;
-        return std::tuple{number("x", &P::x, Dimension::length, any_number(), "in the section"),
-                          number("y", &P::y, Dimension::length, any_number(), "in the section")};
+        // Where areas and what they are divided by neither overflow nor lose the section in its distance.
+        constexpr Interval range = within(-1e12, 1e12);
+        return std::tuple{number("x", &P::x, Dimension::length, range, "in the section"),
+                          number("y", &P::y, Dimension::length, range, "in the section")};
     }
 };
 
@@ -62,7 +64,7 @@ struct JointSetCut {
             number("spacing", &S::spacing, Dimension::length, more_than(0), "mean, normal to the joints"),
             number("scatter", &S::scatter, Dimension::ratio, right_open(0, 1),
                    "of the spacing, greatest share more or less; absent: none"),
-            number("offset", &S::offset, Dimension::length, any_number(),
+            number("offset", &S::offset, Dimension::length, within(-1e12, 1e12),
                    "of one joint from the point, downwards and normal to the joints; absent: 0"),
             section("through", &S::through, "point from which the offset is measured; absent: the toe, (0, 0)"),
             number("persistence", &S::persistence, Dimension::ratio, left_open(0, 1),
