@@ -220,6 +220,10 @@ std::vector<HistogramBin> histogram_of(const std::vector<double>& sorted,
     return histogram;
 }
 
+bool is_among(const std::vector<std::string>& words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 FailureProbability failure_probability(const Sums& all, const std::vector<Sums>& replicates, long samples) {
     FailureProbability failure;
     const ProbabilityOfSums found = probability_estimate(all, replicates);
@@ -236,11 +240,12 @@ FailureProbability failure_probability(const Sums& all, const std::vector<Sums>&
 }  // namespace
 
 bool FailureCriterion::failed(const Evaluation& evaluation) const {
-    return evaluation.valid() ? failed(evaluation.value) : decided(evaluation);
+    return evaluation.valid() ? failed(evaluation.value) : is_among(failing_words, evaluation.failure);
 }
 
 bool FailureCriterion::decided(const Evaluation& evaluation) const {
-    return evaluation.valid() || std::find(words.begin(), words.end(), evaluation.failure) != words.end();
+    return evaluation.valid() || is_among(failing_words, evaluation.failure) ||
+           is_among(standing_words, evaluation.failure);
 }
 
 PlanSize plan_size(const PropagationSettings& settings) {

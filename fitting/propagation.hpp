@@ -27,9 +27,10 @@ constexpr std::array<std::string_view, 2> enum_names(FailureSide) {
 struct FailureCriterion {
     double limit;
     FailureSide side = FailureSide::below;
-    // Words of the model that mean a failed slope without a value of the quantity, as "fails_at_any_strength"; all
-    // other words mean a sample without an answer.
-    std::vector<std::string> words = {};
+    // Words of the model that decide without a value of the quantity, as "fails_at_any_strength" and
+    // "holds_at_any_strength"; all other words mean a sample without an answer.
+    std::vector<std::string> failing_words = {};
+    std::vector<std::string> standing_words = {};
 
     bool failed(double value) const { return side == FailureSide::below ? value < limit : value > limit; }
     bool failed(const Evaluation& evaluation) const;

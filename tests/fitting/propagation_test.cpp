@@ -21,7 +21,7 @@ double margin(std::span<const double> x) {
 }
 const double margin_deviation = std::sqrt(1 + 0.25 + 0.36);
 const double margin_failure = std::erfc(2 / margin_deviation / std::sqrt(2.0)) / 2;
-const FailureCriterion below_zero{0, FailureSide::below, {}};
+const FailureCriterion below_zero{0, FailureSide::below, {}, {}};
 
 PropagationResult propagated(SamplingMethod method, long samples, std::uint64_t seed = 1, int threads = 1) {
     Study study(objective(margin), threads);
@@ -133,25 +133,28 @@ TEST(Propagation, ConvergenceEndsAtTheAnswer) {
 }
 
 TEST(Propagation, SamplesWithoutAnswerAreCountedByCause) {
-    // A tenth of the box has no answer, another one fails by a word, half of the rest lies below the limit.
+    // A tenth of the box has no answer, another one fails by a word, a third stands by one, half of the rest lies below
+    // the limit.
     Study study([](std::span<const double> x) {
         return x[0] < 0.1   ? Evaluation{0, "crack_outside"}
                : x[0] < 0.2 ? Evaluation{0, "fails_at_any_strength"}
+               : x[0] < 0.3 ? Evaluation{0, "holds_at_any_strength"}
                             : Evaluation{x[1], {}};
     });
-    const FailureCriterion criterion{0.5, FailureSide::below, {"fails_at_any_strength"}};
+    const FailureCriterion criterion{0.5, FailureSide::below, {"fails_at_any_strength"}, {"holds_at_any_strength"}};
     const PropagationResult result =
         propagate(study.evaluator(), unit_box(2), {SamplingMethod::sobol_sequence, 16'384, 16}, criterion, 1);
     const auto& causes = result.evaluations.failed_by_cause;
-    ASSERT_EQ(causes.size(), 2U);
+    ASSERT_EQ(causes.size(), 3U);
     EXPECT_EQ(causes[0].first, "crack_outside");
     EXPECT_NEAR(static_cast<double>(causes[0].second), 1638, 20);
     EXPECT_EQ(causes[1].first, "fails_at_any_strength");
-    EXPECT_EQ(result.with_value + causes[0].second + causes[1].second, result.samples);
-    // (0.1 + 0.4) of the 0.9 that are decided; 0.5 to 0.6 of all.
-    EXPECT_NEAR(result.failure->probability.value, 5.0 / 9, 0.005);
-    EXPECT_NEAR(result.failure->least, 0.5, 0.005);
-    EXPECT_NEAR(result.failure->greatest, 0.6, 0.005);
+    EXPECT_EQ(causes[2].first, "holds_at_any_strength");
+    EXPECT_EQ(result.with_value + causes[0].second + causes[1].second + causes[2].second, result.samples);
+    // (0.1 + 0.35) of the 0.9 that are decided; 0.45 to 0.55 of all.
+    EXPECT_NEAR(result.failure->probability.value, 0.5, 0.005);
+    EXPECT_NEAR(result.failure->least, 0.45, 0.005);
+    EXPECT_NEAR(result.failure->greatest, 0.55, 0.005);
 }
 
 TEST(Propagation, NoAnswerAnywhereIsSaid) {

@@ -13,7 +13,7 @@ using test::independent;
 using test::objective;
 using test::Study;
 
-const FailureCriterion below_zero{0, FailureSide::below, {}};
+const FailureCriterion below_zero{0, FailureSide::below, {}, {}};
 
 ReliabilityResult found(const std::function<double(std::span<const double>)>& margin, const InputSpace& space,
                         const FailureCriterion& criterion = below_zero, int threads = 1) {
@@ -57,7 +57,7 @@ TEST(Reliability, RatioOfLognormals) {
     const auto [mean_r, variance_r] = logarithm(200, 40);
     const auto [mean_s, variance_s] = logarithm(100, 30);
     const InputSpace space({Marginal({Lognormal{200, 40}}), Marginal({Lognormal{100, 30}})}, {});
-    const FailureCriterion below_one{1, FailureSide::below, {}};
+    const FailureCriterion below_one{1, FailureSide::below, {}, {}};
     const ReliabilityResult result = found([](std::span<const double> x) { return x[0] / x[1]; }, space, below_one);
     EXPECT_NEAR(result.reliability_index, (mean_r - mean_s) / std::sqrt(variance_r + variance_s), 1e-5);
 }
@@ -71,7 +71,7 @@ TEST(Reliability, MediansThatHaveFailedHaveANegativeIndex) {
 }
 
 TEST(Reliability, FailureAboveALimit) {
-    const FailureCriterion above_three{3, FailureSide::above, {}};
+    const FailureCriterion above_three{3, FailureSide::above, {}, {}};
     const ReliabilityResult result =
         found([](std::span<const double> x) { return x[0] + x[1]; }, independent(2, Normal{0, 1}), above_three);
     EXPECT_NEAR(result.reliability_index, 3 / std::sqrt(2.0), 1e-6);

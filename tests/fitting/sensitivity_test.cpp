@@ -21,7 +21,7 @@ SensitivityProblem everything() {
     SensitivityStudy& study = problem.study;
     study.quantity = "factor_of_safety";
     study.parameters = {{"x1", {Normal{0, 1}}, ""}, {"x3", {Uniform{0, 1}}, ""}, {"x2", {Normal{0, 1}}, ""}};
-    study.failure = FailureCriterion{1, FailureSide::below, {}};
+    study.failure = FailureCriterion{1, FailureSide::below, {}, {}};
     study.tornado = TornadoSettings{};
     study.morris = MorrisSettings{};
     study.sobol_indices = SobolIndicesSettings{.samples = 256, .bootstrap = 100};
