@@ -7,9 +7,13 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace delabole {
+
+// Of a CSV file.
+using Cell = std::variant<double, std::string>;
 
 // What all parts need to know of the study.
 struct StudySubject {

@@ -89,8 +89,8 @@ std::vector<std::string> findings(const StudySubject& subject, const Sensitivity
         idle.push_back(subject.names[index]);
     }
     if (!idle.empty()) {
-        sentences.push_back("Nothing depends on " + list_in_words(idle) + ": no change of " + subject.quantity.name +
-                            " at all was seen.");
+        sentences.push_back("No change of " + list_in_words(idle) + " alone was seen to change the " +
+                            human_name(subject.quantity.name) + ".");
     }
     return sentences;
 }

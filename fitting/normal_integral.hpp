@@ -12,7 +12,8 @@ namespace delabole {
 inline constexpr int normal_nodes = 145;
 
 constexpr double normal_node(int index) {
-    return (index - normal_nodes / 2) / 8.0;
+    constexpr int middle = normal_nodes / 2;
+    return (index - middle) / 8.0;
 }
 
 inline double normal_weight(int index) {

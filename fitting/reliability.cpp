@@ -107,8 +107,11 @@ ReliabilityResult reliability(const Evaluator& evaluator, const InputSpace& spac
     for (const NearestPoint& nearest : found) {
         result.evaluations.add(nearest.evaluations);
         result.converged_starts += nearest.converged ? 1 : 0;
-        // A point well off the surface is no design point, only where a search gave up.
-        if (nearest.converged || (!nearest.point.empty() && nearest.off_surface <= 10 * settings.tolerance)) {
+    }
+    for (const NearestPoint& nearest : found) {
+        // Where a search gave up, well off the surface or not, is worth showing only where no other did better.
+        const bool near_surface = !nearest.point.empty() && nearest.off_surface <= 10 * settings.tolerance;
+        if (nearest.converged || (result.converged_starts == 0 && near_surface)) {
             enter(result.points, design_point(nearest, space, at_medians.value < 0));
         }
     }

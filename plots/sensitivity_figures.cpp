@@ -42,11 +42,11 @@ double row_position(std::size_t rows, std::size_t row) {
     return static_cast<double>(rows - row);
 }
 
-void set_rows(Figure& figure, std::size_t rows) {
+void set_rows(Figure& figure, std::size_t rows, int row_height) {
     figure.y.grid = false;
     figure.y.range = std::pair{0.4, static_cast<double>(std::max<std::size_t>(rows, 1)) + 0.6};
     figure.width = 720;
-    figure.height = 130 + 74 * static_cast<int>(std::max<std::size_t>(rows, 2));
+    figure.height = 130 + row_height * static_cast<int>(std::max<std::size_t>(rows, 2));
 }
 
 void include_interval(const Interval& interval, Extent& extent) {
@@ -65,6 +65,22 @@ Line level(double from, double to, double height, std::string legend, Colour col
             .colour = colour,
             .dash = Dash::dashed,
             .width = 2};
+}
+
+// Powers of ten; 1, 2 and 5 of each, or all digits, where there are few of them. `from` and `to` are logarithms.
+void set_sample_ticks(Axis& axis, double from, double to) {
+    constexpr double some_decades = 2.5;
+    constexpr double part_of_a_decade = 0.8;
+    for (int decade = static_cast<int>(std::floor(from)); decade <= static_cast<int>(std::ceil(to)); ++decade) {
+        for (const int mantissa : {1, 2, 3, 4, 5, 6, 8}) {
+            const bool round = mantissa == 1 || mantissa == 2 || mantissa == 5;
+            const bool shown = mantissa == 1 || (round && to - from < some_decades) || to - from < part_of_a_decade;
+            const double at = decade + std::log10(mantissa);
+            if (shown && at >= from - 1e-9 && at <= to + 1e-9) {
+                axis.ticks.emplace_back(at, std::to_string(std::llround(mantissa * std::pow(10.0, decade))));
+            }
+        }
+    }
 }
 
 std::string limit_legend(const StudiedQuantity& quantity, const FailureCriterion& criterion) {
@@ -106,7 +122,8 @@ Figure tornado_range_figure(const StudiedQuantity& quantity, const TornadoResult
                                   with_unit(bar.high.parameter, dimension),
                               letters_of_name));
     }
-    set_rows(figure, order.size());
+    constexpr int row_of_three_lines = 92;
+    set_rows(figure, order.size(), row_of_three_lines);
     figure.series.emplace_back(std::move(low));
     figure.series.emplace_back(std::move(high));
     if (!order.empty()) {
@@ -209,7 +226,8 @@ Figure sobol_indices_figure(const StudiedQuantity& quantity, const SobolIndicesR
         }
         figure.y.ticks.emplace_back(position, wrapped(human_name(names[order[row]]), letters_of_name));
     }
-    set_rows(figure, order.size());
+    constexpr int row_of_two_lines = 74;
+    set_rows(figure, order.size(), row_of_two_lines);
     figure.series.emplace_back(std::move(first));
     figure.series.emplace_back(std::move(total));
     figure.series.insert(figure.series.end(), errors.begin(), errors.end());
@@ -314,15 +332,7 @@ Figure sampling_convergence_figure(const StudiedQuantity& quantity, const Propag
     const double left = line.points.front().x();
     const double right = line.points.back().x();
     band.outline.insert(band.outline.end(), back.rbegin(), back.rend());
-    for (int decade = static_cast<int>(std::floor(left)); decade <= static_cast<int>(std::ceil(right)); ++decade) {
-        for (const int mantissa : {1, 2, 5}) {
-            const double at = decade + std::log10(mantissa);
-            const bool shown = mantissa == 1 || right - left < 2.5;
-            if (shown && at >= left - 1e-9 && at <= right + 1e-9) {
-                figure.x.ticks.emplace_back(at, std::to_string(std::llround(mantissa * std::pow(10.0, decade))));
-            }
-        }
-    }
+    set_sample_ticks(figure.x, left, right);
     if (line.points.size() > 1) {
         figure.x.range = std::pair{left, right};
         figure.series.emplace_back(std::move(band));
