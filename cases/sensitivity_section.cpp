@@ -103,6 +103,7 @@ void read_correlation(Section& section, const std::vector<UncertainParameter>& p
             section.complain("between", *pair, "must be the names of two uncertain parameters, [\"a\", \"b\"]");
         } else {
             std::vector<std::string> names;
+            names.reserve(parameters.size());
             for (const UncertainParameter& parameter : parameters) {
                 names.push_back(parameter.name);
             }

@@ -127,6 +127,10 @@ void check_sobol_indices(const SobolIndicesSettings& settings, const Sensitivity
     if (settings.samples > 0 && !std::has_single_bit(static_cast<unsigned>(settings.samples))) {
         faults.push_back({"sobol_indices.samples", "must be a power of 2"});
     }
+    constexpr double most_evaluations = 2e7;  // kept in memory
+    if (settings.samples * (static_cast<double>(study.parameters.size()) + 2) > most_evaluations) {
+        faults.push_back({"sobol_indices.samples", "must be at most 2e7 / (number of parameters + 2)"});
+    }
     if (!study.correlations.empty()) {
         faults.push_back({"sobol_indices",
                           "needs independent parameters, because shares of the variance do not add up "

@@ -17,6 +17,9 @@ namespace {
 // Truncation to less would only draw the rounding of the tail.
 constexpr double least_kept_probability = 1e-12;
 
+// Beyond a few of this GSL's continued fraction for the beta distribution does not converge.
+constexpr double greatest_shapes = 1e5;
+
 using Faults = std::vector<DistributionFault>;
 
 // Mean and standard deviation of the logarithm.
@@ -184,6 +187,8 @@ void check_law(const Beta& law, Faults& faults) {
     if (faults.empty() && !(a > 0 && b > 0)) {
         faults.push_back({"standard_deviation",
                           "is too large for these limits: must be less than sqrt((mean - lower) (upper - mean))"});
+    } else if (faults.empty() && a + b > greatest_shapes) {
+        faults.push_back({"standard_deviation", "is too small for these limits: a normal distribution does as well"});
     }
 }
 

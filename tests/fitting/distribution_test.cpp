@@ -15,7 +15,8 @@ const std::vector<Distribution>& all_kinds() {
         {Lognormal{20, 6}},       {Lognormal{20, 6}, 5, 40}, {Exponential{0.08}},
         {Exponential{0.5}, 0, 1}, {Uniform{-3, 7}},          {Triangular{1, 2, 6}},
         {Triangular{1, 1, 6}},    {Triangular{1, 6, 6}},     {Beta{0.3, 0.1, 0, 1}},
-        {Beta{20, 9, 0, 40}},     {Beta{5, 4.5, 0, 10}},  // shapes below 1: the ends are the likeliest values
+        {Beta{20, 9, 0, 40}},     {Beta{0.5, 0.0017, 0, 1}},  // shapes of nearly 5e4, the narrowest there is
+        {Beta{5, 4.5, 0, 10}},                                // shapes below 1: the ends are the likeliest values
     };
     return kinds;
 }
@@ -28,11 +29,11 @@ TEST(Distribution, QuantileAndProbabilityAreInverse) {
             const double value = marginal.value(z);
             const Probability found = marginal.probability(value);
             // A value has 16 digits; the probability may be off by as much as it changes to a neighbouring value, and
-            // by the rounding of the difference to that at the truncation.
+            // by the rounding of the difference to that at the truncation. Shapes of 5e4 cost GSL five digits.
             const Probability above = marginal.probability(std::nextafter(value, INFINITY));
             const Probability below = marginal.probability(std::nextafter(value, -INFINITY));
             const auto tolerance = [&](double probability, double change) {
-                return 1e-12 * probability + 4 * change + 1e-15;
+                return 1e-11 * probability + 4 * change + 1e-15;
             };
             EXPECT_NEAR(found.below, expected.below, tolerance(expected.below, above.below - below.below))
                 << distribution.law.index() << " at " << z;
@@ -114,6 +115,7 @@ TEST(Distribution, FaultsNameTheirKey) {
     EXPECT_EQ(key_of({Uniform{2, 2}}), "lower");
     EXPECT_EQ(key_of({Triangular{0, 3, 2}}), "mode");
     EXPECT_EQ(key_of({Beta{0.5, 0.5, 0, 1}}), "standard_deviation");
+    EXPECT_EQ(key_of({Beta{0.5, 1e-4, 0, 1}}), "standard_deviation");
     EXPECT_EQ(key_of({Beta{1.5, 0.1, 0, 1}}), "mean");
     EXPECT_EQ(key_of({Normal{0, 1}, 2, 1}), "lower");
     EXPECT_EQ(key_of({Normal{0, 1}, 9, 10}), "lower");

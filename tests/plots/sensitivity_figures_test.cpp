@@ -39,7 +39,7 @@ TEST(SensitivityFigures, HistogramColoursWhatFailed) {
     result.with_value = 100;
     result.histogram = {{degrees(14), degrees(16), 10}, {degrees(16), degrees(18), 60}, {degrees(18), degrees(20), 30}};
     const Figure figure = histogram_figure(tilt, result, below_sixteen);
-    const Boxes failed = with_legend<Boxes>(figure, "fails below 16 deg");
+    const Boxes failed = with_legend<Boxes>(figure, "fails below 16\u00a0deg");
     ASSERT_EQ(failed.boxes.size(), 1U);
     EXPECT_NEAR(failed.boxes[0].upper_right.x(), 16, 1e-12);
     EXPECT_NEAR(failed.boxes[0].upper_right.y(), 10, 1e-12);
