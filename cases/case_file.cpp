@@ -162,6 +162,11 @@ CaseFile parse_case(std::string_view text, std::string_view name, const std::vec
     } else {
         root.allow("fit");
     }
+    if (root.contains("sensitivity")) {
+        result.sensitivity = read_sensitivity(root, result.model, outputs_of);
+    } else {
+        root.allow("sensitivity");
+    }
     root.finish();
     check_sources(reading, result.sources);
     reading.finish();

@@ -8,6 +8,7 @@
 #include "cases/section.hpp"
 #include "cases/units.hpp"
 #include "fitting/fit_problem.hpp"
+#include "fitting/sensitivity_problem.hpp"
 
 #include <filesystem>
 #include <map>
@@ -65,6 +66,12 @@ struct CaseFit {
     FitSettings settings;
 };
 
+// [sensitivity], SI throughout.
+struct CaseSensitivity {
+    SensitivityStudy study;
+    Dimension dimension = Dimension::ratio;  // of the quantity
+};
+
 struct CaseFile {
     std::string name;  // as the caller named it, for messages
     std::string title;
@@ -73,6 +80,7 @@ struct CaseFile {
     std::map<std::string, std::string> sources;  // key of the case -> where its value comes from
     std::vector<Expectation> expectations;
     std::optional<CaseFit> fit;
+    std::optional<CaseSensitivity> sensitivity;
     std::map<std::string, KeyPlace> places;  // every key that was read
 };
 

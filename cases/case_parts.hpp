@@ -22,6 +22,7 @@ std::vector<Condition> read_conditions(Section& section, const std::vector<Model
 
 std::vector<Expectation> read_expectations(Section& root, const ModelNames& names);
 CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outputs_of);
+CaseSensitivity read_sensitivity(Section& root, const CaseModel& model, const OutputsOf& outputs_of);
 // The keys that need not exist are checked after everything else was read.
 std::map<std::string, std::string> read_sources(Section& root);
 void check_sources(Reading& reading, const std::map<std::string, std::string>& sources);

@@ -6,6 +6,7 @@
 #include "cases/fit_problem_of_case.hpp"
 #include "cases/impossible_case.hpp"
 #include "cases/result_folder.hpp"
+#include "cases/sensitivity_problem_of_case.hpp"
 #include "cases/spelling.hpp"
 #include "plots/atomic_file.hpp"
 
@@ -24,6 +25,9 @@ void check_model(const CaseFile& file) {
     }
     if (file.fit) {
         fit_problem_of(file, 1, std::nullopt);
+    }
+    if (file.sensitivity) {
+        sensitivity_problem_of(file, 1, std::nullopt);
     }
 }
 

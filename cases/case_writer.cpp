@@ -153,6 +153,102 @@ void write_fit(std::string& text, const CaseFit& fit, const CaseModel& base) {
     }
 }
 
+void write_uncertain(std::string& text, const UncertainParameter& parameter, const std::vector<Quantity>& inputs) {
+    const Quantity* input = find_quantity(inputs, parameter.name);
+    const Dimension dimension = input == nullptr ? Dimension::ratio : input->dimension;
+    text += "\n[[sensitivity.parameter]]\n";
+    write_line(text, "name", in_quotes(parameter.name));
+    const Distribution& distribution = parameter.distribution;
+    std::visit(
+        [&](const auto& law) {
+            write_line(text, "distribution", in_quotes(std::remove_cvref_t<decltype(law)>::kind));
+            visit_fields(law, [&](const FieldInfo& info, double value) {
+                write_line(text, info.key, written_quantity(value, dimension));
+            });
+        },
+        distribution.law);
+    if (distribution.lower) {
+        write_line(text, "lower", written_quantity(*distribution.lower, dimension));
+    }
+    if (distribution.upper) {
+        write_line(text, "upper", written_quantity(*distribution.upper, dimension));
+    }
+    write_text(text, "source", parameter.source);
+}
+
+void write_ratio(std::string& text, std::string_view key, double value) {
+    write_line(text, key, written_quantity(value, Dimension::ratio));
+}
+
+void write_failure(std::string& text, const FailureCriterion& failure, Dimension dimension) {
+    text += "\n[sensitivity.failure]\n";
+    write_line(text, "limit", written_quantity(failure.limit, dimension));
+    write_line(text, "side", in_quotes(word_of(failure.side)));
+    for (const auto& [key, words] :
+         {std::pair{"failing_words", &failure.failing_words}, std::pair{"standing_words", &failure.standing_words}}) {
+        std::string list;
+        for (const std::string& word : *words) {
+            list += (list.empty() ? "" : ", ") + in_quotes(word);
+        }
+        if (!list.empty()) {
+            write_line(text, key, "[" + list + "]");
+        }
+    }
+}
+
+void write_methods(std::string& text, const SensitivityStudy& study) {
+    if (study.tornado) {
+        text += "\n[sensitivity.tornado]\n";
+        write_ratio(text, "lower_probability", study.tornado->lower_probability);
+        write_ratio(text, "upper_probability", study.tornado->upper_probability);
+    }
+    if (study.morris) {
+        text += "\n[sensitivity.morris]\n";
+        write_line(text, "trajectories", std::to_string(study.morris->trajectories));
+        write_line(text, "levels", std::to_string(study.morris->levels));
+        write_ratio(text, "lower_probability", study.morris->lower_probability);
+        write_ratio(text, "upper_probability", study.morris->upper_probability);
+    }
+    if (study.sobol_indices) {
+        text += "\n[sensitivity.sobol_indices]\n";
+        write_line(text, "samples", std::to_string(study.sobol_indices->samples));
+        write_line(text, "bootstrap", std::to_string(study.sobol_indices->bootstrap));
+    }
+    if (study.propagation) {
+        text += "\n[sensitivity.propagation]\n";
+        write_line(text, "method", in_quotes(word_of(study.propagation->method)));
+        write_line(text, "samples", std::to_string(study.propagation->samples));
+        write_line(text, "replicates", std::to_string(study.propagation->replicates));
+    }
+    if (study.reliability) {
+        text += "\n[sensitivity.reliability]\n";
+        write_line(text, "starts", std::to_string(study.reliability->starts));
+        write_ratio(text, "step", study.reliability->step);
+        write_ratio(text, "tolerance", study.reliability->tolerance);
+    }
+}
+
+void write_sensitivity(std::string& text, const CaseSensitivity& sensitivity, const CaseModel& model) {
+    const SensitivityStudy& study = sensitivity.study;
+    text += "\n[sensitivity]\n";
+    write_line(text, "quantity", in_quotes(study.quantity));
+    write_line(text, "seed", std::to_string(study.seed));
+    const std::vector<Quantity> inputs = named_inputs(model);
+    for (const UncertainParameter& parameter : study.parameters) {
+        write_uncertain(text, parameter, inputs);
+    }
+    for (const ParameterCorrelation& correlation : study.correlations) {
+        text += "\n[[sensitivity.correlation]]\n";
+        write_line(text, "between", "[" + in_quotes(correlation.first) + ", " + in_quotes(correlation.second) + "]");
+        write_ratio(text, "coefficient", correlation.coefficient);
+        write_line(text, "measure", in_quotes(word_of(correlation.measure)));
+    }
+    if (study.failure) {
+        write_failure(text, *study.failure, sensitivity.dimension);
+    }
+    write_methods(text, study);
+}
+
 std::size_t characters_in(std::string_view text) {
     return static_cast<std::size_t>(
         std::ranges::count_if(text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));
@@ -182,6 +278,9 @@ std::string resolved_toml(const CaseFile& case_file) {
     }
     if (case_file.fit) {
         write_fit(text, *case_file.fit, case_file.model);
+    }
+    if (case_file.sensitivity) {
+        write_sensitivity(text, *case_file.sensitivity, case_file.model);
     }
     return text;
 }

@@ -41,6 +41,7 @@ using Paths = std::vector<std::filesystem::path>;
 // Each may throw UsageError (usage), CaseError (invalid_case) and OutputError (output_failure).
 ExitCode run_command(const Paths& cases, const Options& options);
 ExitCode fit_command(const std::filesystem::path& path, const Options& options);
+ExitCode sensitivity_command(const std::filesystem::path& path, const Options& options);
 ExitCode trade_command(const std::filesystem::path& path, const Options& options);
 ExitCode check_command(const Paths& cases, const Options& options);
 ExitCode show_command(const std::filesystem::path& path, const Options& options);

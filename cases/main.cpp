@@ -122,6 +122,15 @@ struct Program {
         fit->footer(example("delabole fit cases/delabole_1967.toml --out results/delabole_1967"));
         fit->callback([this] { chosen = [this] { return delabole::fit_command(one_case, options); }; });
 
+        CLI::App* sensitivity = app.add_subcommand(
+            "sensitivity", "Which parameter matters, the distribution of an answer, the probability of failure");
+        sensitivity->add_option("CASE", one_case, "Case file with a [sensitivity] section")->required();
+        add_common(*sensitivity, options);
+        add_output(*sensitivity, options);
+        add_loops(*sensitivity, options);
+        sensitivity->footer(example("delabole sensitivity cases/plane_failure/sau_mau_ping_probability.toml"));
+        sensitivity->callback([this] { chosen = [this] { return delabole::sensitivity_command(one_case, options); }; });
+
         CLI::App* trade = app.add_subcommand(
             "trade", "Accuracy against cost of a dynamic relaxation: its critical value over the numerical knobs");
         trade->add_option("CASE", one_case, "Case file of model relaxation with a [critical] section")->required();

@@ -141,6 +141,50 @@ source = "survey after the failure"
 name = "crest_cracks"
 statement = "cracks parallel to the crest opened weeks before"
 source = "quarry manager"
+
+[sensitivity]                       # delabole sensitivity
+quantity = "factor_of_safety"
+seed = 1
+
+[sensitivity.failure]
+limit = 1
+side = "below"                      # below or above
+
+[[sensitivity.parameter]]
+name = "strength.cohesion"
+distribution = "lognormal"          # normal, lognormal, exponential, uniform, triangular or beta
+mean = "25 kPa"
+standard_deviation = "6 kPa"
+upper = "60 kPa"                    # lower and upper cut a normal, lognormal or exponential distribution off
+
+[[sensitivity.parameter]]
+name = "strength.friction_angle"
+distribution = "triangular"
+lower = "30 deg"
+mode = "37 deg"
+upper = "42 deg"
+source = "shear box tests"
+
+[[sensitivity.correlation]]         # not together with sobol_indices
+between = ["strength.cohesion", "strength.friction_angle"]
+coefficient = -0.5
+measure = "linear"                  # linear (Pearson) or rank (Spearman)
+
+[sensitivity.tornado]               # each method is used where its section stands, empty or not
+lower_probability = 0.05
+upper_probability = 0.95
+
+[sensitivity.morris]
+trajectories = 30
+levels = 4
+
+[sensitivity.propagation]
+method = "latin_hypercube"          # latin_hypercube, sobol_sequence or monte_carlo
+samples = 16384
+replicates = 16                     # independent samples whose spread gives the error
+
+[sensitivity.reliability]           # first-order reliability index
+starts = 8
 )";
 
 }  // namespace

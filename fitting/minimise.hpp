@@ -1,4 +1,4 @@
-// Derivative-free minimisation in a box: the one door to NLopt.
+// Derivative-free minimisation in a box by NLopt.
 //
 // The algorithms see the unit box; parameters whose bounds coincide are left out. The wrapper keeps its own count of
 // evaluations and its own best point, because the algorithms can overrun their limit and can return a point they were

@@ -35,8 +35,8 @@ void ProgressMeter::finish() {
     }
 }
 
-void ProgressMeter::count() {
-    ++counted_;
+void ProgressMeter::count(long evaluations) {
+    counted_ += evaluations;
     if (!callback_ || Clock::now().time_since_epoch().count() < next_report_.load(std::memory_order_relaxed)) {
         return;
     }

@@ -1,4 +1,4 @@
-// How far a back-analysis has come.
+// How far a back-analysis or a sensitivity study has come.
 #pragma once
 
 #include <atomic>
@@ -11,10 +11,10 @@
 namespace delabole {
 
 struct FitProgress {
-    std::string_view mechanism;
-    std::string_view stage;  // "starts", "profiles", ...
-    double fraction;         // of the expected evaluations of the whole fit, 0 to 1, never falling
-    long evaluations;        // so far
+    std::string_view mechanism;  // or the quantity of a sensitivity study
+    std::string_view stage;      // "starts", "profiles", ...
+    double fraction;             // of the expected evaluations of the whole work, 0 to 1, never falling
+    long evaluations;            // so far
 };
 
 // Called at most about 20 times a second, from any thread but never from two at once.
@@ -28,7 +28,7 @@ class ProgressMeter {
     // Not while other threads count.
     void begin_stage(std::string_view mechanism, std::string_view stage, long expected_evaluations);
     void finish();
-    void count();
+    void count(long evaluations = 1);
 
   private:
     void report();

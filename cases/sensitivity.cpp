@@ -1,0 +1,91 @@
+// delabole sensitivity
+#include "fitting/sensitivity.hpp"
+
+#include "cases/case_error.hpp"
+#include "cases/case_writer.hpp"
+#include "cases/commands.hpp"
+#include "cases/inputs_report.hpp"
+#include "cases/interrupt.hpp"
+#include "cases/progress.hpp"
+#include "cases/sensitivity_problem_of_case.hpp"
+#include "cases/sensitivity_report.hpp"
+
+#include <iostream>
+
+namespace delabole {
+
+namespace {
+
+SensitivityResult study_with_progress(const SensitivityProblem& problem, const Options& options) {
+    Progress progress(options.quiet);
+    return sensitivity(
+        problem, [&](const FitProgress& state) { progress.report(state.fraction, std::string(state.stage)); },
+        &interrupt_flag());
+}
+
+// What keeps a result from being the answer; empty where nothing does.
+std::string reservation(SensitivityStatus status) {
+    switch (status) {
+    case SensitivityStatus::finished:
+        break;
+    case SensitivityStatus::interrupted:
+        return "interrupted: the study was stopped early; what it had finished is shown";
+    case SensitivityStatus::no_answer:
+        return "not converged: a method found no value of the quantity anywhere; the causes are in the report";
+    case SensitivityStatus::not_converged:
+        return "not converged: the search for the design point ended before its tolerance; try "
+               "sensitivity.reliability.step and .tolerance";
+    }
+    return {};
+}
+
+}  // namespace
+
+ExitCode sensitivity_command(const std::filesystem::path& path, const Options& options) {
+    const Stopwatch watch;
+    const CaseFile file = read_case(path, settings_of(options));
+    if (!file.sensitivity) {
+        throw CaseError({{file.name, 0, 0, "sensitivity", {}, "the case has no [sensitivity] section"}});
+    }
+    const SensitivityProblem problem = sensitivity_problem_of(file, options.threads, options.seed);
+    const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
+    const SensitivityResult result = study_with_progress(problem, options);
+
+    Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    const std::string reserved = reservation(result.status);
+    if (!reserved.empty()) {
+        report.blocks.emplace_back(
+            Notice{NoticeKind::warning,
+                   result.status == SensitivityStatus::interrupted ? "Interrupted" : "Not converged",
+                   {reserved}});
+    }
+    SensitivityDocuments documents = document_sensitivity(file, problem, result, folder, report);
+    Json json;
+    json["status"] = word_of(result.status);
+    json.update(documents.json);
+    Json source = provenance(file, "sensitivity", options, watch.seconds());
+    source["study_seconds"] = result.wall_seconds;
+    source["seed"] = problem.study.seed;
+    json["provenance"] = source;
+    report.blocks.emplace_back(Heading{"Inputs"});
+    report.blocks.emplace_back(inputs_table(file));
+    report.blocks.emplace_back(Heading{"Provenance"});
+    report.blocks.emplace_back(provenance_block(source));
+
+    folder.write("resolved.toml", resolved_toml(file));
+    folder.write_report(report);
+    folder.write("result.json", json_text(json));
+    if (options.json) {
+        std::cout << json_text(json);
+    } else if (!options.quiet) {
+        std::cout << report.title << '\n'
+                  << documents.screen << "report in " << (folder.path() / "report.html").string() << '\n';
+    }
+    if (!reserved.empty()) {
+        std::cerr << "delabole: " << reserved << '\n';
+        return ExitCode::not_converged;
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace delabole

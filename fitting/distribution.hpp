@@ -1,0 +1,154 @@
+// Distributions of uncertain parameters: normal, lognormal, exponential, uniform, triangular, beta, and any of them
+// truncated.
+//
+// Every value is in the unit of the parameter, SI; mean and standard deviation are those before truncation. A
+// parameter is drawn by its quantile function, from a standard normal number, which keeps both tails exact: the lower
+// probability and the upper one (1 - probability) are carried side by side.
+#pragma once
+
+#include "parameters/fields.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace delabole {
+
+struct Normal {
+    double mean;
+    double standard_deviation;
+    static constexpr std::string_view kind = "normal";
+    static constexpr auto fields() {
+        return std::tuple{number("mean", &Normal::mean, Dimension::ratio, any_number(), "mean"),
+                          number("standard_deviation", &Normal::standard_deviation, Dimension::ratio, more_than(0),
+                                 "standard deviation")};
+    }
+};
+
+// Mean and standard deviation are those of the parameter, not of its logarithm.
+struct Lognormal {
+    double mean;  // > 0
+    double standard_deviation;
+    static constexpr std::string_view kind = "lognormal";
+    static constexpr auto fields() {
+        return std::tuple{number("mean", &Lognormal::mean, Dimension::ratio, more_than(0), "mean"),
+                          number("standard_deviation", &Lognormal::standard_deviation, Dimension::ratio, more_than(0),
+                                 "standard deviation of the parameter itself, not of its logarithm")};
+    }
+};
+
+// From 0 up.
+struct Exponential {
+    double mean;  // > 0
+    static constexpr std::string_view kind = "exponential";
+    static constexpr auto fields() {
+        return std::tuple{
+            number("mean", &Exponential::mean, Dimension::ratio, more_than(0), "mean before any truncation")};
+    }
+};
+
+struct Uniform {
+    double lower;
+    double upper;
+    static constexpr std::string_view kind = "uniform";
+    static constexpr auto fields() {
+        return std::tuple{number("lower", &Uniform::lower, Dimension::ratio, any_number(), "least value"),
+                          number("upper", &Uniform::upper, Dimension::ratio, any_number(), "greatest value")};
+    }
+};
+
+struct Triangular {
+    double lower;
+    double mode;
+    double upper;
+    static constexpr std::string_view kind = "triangular";
+    static constexpr auto fields() {
+        return std::tuple{number("lower", &Triangular::lower, Dimension::ratio, any_number(), "least value"),
+                          number("mode", &Triangular::mode, Dimension::ratio, any_number(), "most likely value"),
+                          number("upper", &Triangular::upper, Dimension::ratio, any_number(), "greatest value")};
+    }
+};
+
+// Between two limits. Shapes a = m k and b = (1 - m) k, with m = (mean - lower) / (upper - lower) and
+// k = m (1 - m) ((upper - lower) / standard deviation)^2 - 1, which has to be positive.
+struct Beta {
+    double mean;
+    double standard_deviation;
+    double lower;
+    double upper;
+    static constexpr std::string_view kind = "beta";
+    static constexpr auto fields() {
+        return std::tuple{number("mean", &Beta::mean, Dimension::ratio, any_number(), "mean"),
+                          number("standard_deviation", &Beta::standard_deviation, Dimension::ratio, more_than(0),
+                                 "standard deviation"),
+                          number("lower", &Beta::lower, Dimension::ratio, any_number(), "least value"),
+                          number("upper", &Beta::upper, Dimension::ratio, any_number(), "greatest value")};
+    }
+};
+
+using Law = std::variant<Normal, Lognormal, Exponential, Uniform, Triangular, Beta>;
+
+// Uniform, triangular and beta have limits of their own and take no truncation.
+constexpr bool has_limits(const Law& law) {
+    return std::holds_alternative<Uniform>(law) || std::holds_alternative<Triangular>(law) ||
+           std::holds_alternative<Beta>(law);
+}
+
+struct Distribution {
+    Law law;
+    std::optional<double> lower = {};  // truncation
+    std::optional<double> upper = {};
+};
+
+// What is wrong with one value of a distribution.
+struct DistributionFault {
+    std::string_view key;  // "standard_deviation", "lower", ...
+    std::string message;   // the inequality it breaks
+};
+
+// Values that are not finite or out of order, a standard deviation that is not positive or too large for the limits of
+// a beta distribution, a truncation that leaves a probability below 1e-12. Empty for a distribution that can be drawn.
+std::vector<DistributionFault> check(const Distribution& distribution);
+
+// A probability and what it lacks to 1, each to full relative accuracy.
+struct Probability {
+    double below;
+    double above;
+};
+Probability normal_probability(double standard_normal);
+// Inverse; infinite at 0 and 1. Accuracy: GSL's, relative 1e-15. Source: GSL manual, gsl_cdf_ugaussian_Pinv.
+double normal_quantile(double probability);
+
+// A distribution ready to be drawn. Throws std::invalid_argument for one that check() refuses.
+class Marginal {
+  public:
+    explicit Marginal(const Distribution& distribution);
+
+    // The value with the same probability as this standard normal number. Accuracy: relative 1e-13 of the value's
+    // distance from the nearer limit, beta 1e-12.
+    double value(double standard_normal) const;
+    double quantile(double probability) const { return value(normal_quantile(probability)); }
+    // Probability of smaller and of greater values, truncation included.
+    Probability probability(double value) const;
+
+    // Of the truncated distribution. Accuracy: 1e-10 of the standard deviation, by the trapezium rule over the
+    // standard normal number.
+    double mean() const { return mean_; }
+    double standard_deviation() const { return standard_deviation_; }
+
+  private:
+    Law law_;
+    std::optional<double> lower_;
+    std::optional<double> upper_;
+    Probability at_lower_{0, 1};
+    Probability at_upper_{1, 0};
+    std::pair<double, double> beta_shape_{1, 1};
+    double mean_ = 0;
+    double standard_deviation_ = 0;
+};
+
+}  // namespace delabole

@@ -1,0 +1,29 @@
+// One quantity evaluated at many points, on several threads.
+#pragma once
+
+#include "fitting/minimise.hpp"
+#include "fitting/progress.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace delabole {
+
+// Sets the parameters of the point of that index. Safe to call from several threads.
+using PointOf = std::function<void(std::size_t index, std::span<double> parameters)>;
+
+struct Evaluator {
+    const Objective& quantity;  // pure, safe to call from several threads
+    ProgressMeter& progress;
+    StopFlag stop = nullptr;
+    int threads = 1;
+
+    bool stopped() const { return stop_requested(stop); }
+
+    // Of points 0 ... count - 1, in their order; where the work was stopped, of those up to the first that is missing.
+    std::vector<Evaluation> evaluate(std::size_t dimension, std::size_t count, const PointOf& point) const;
+};
+
+}  // namespace delabole

@@ -1,0 +1,65 @@
+// A sensitivity study: which parameters are uncertain and how, which quantity is looked at, when it means failure, and
+// what is to be computed.
+#pragma once
+
+#include "fitting/dependence.hpp"
+#include "fitting/propagation.hpp"
+#include "fitting/reliability.hpp"
+#include "fitting/screening.hpp"
+#include "fitting/sobol_indices.hpp"
+#include "parameters/model_interface.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace delabole {
+
+struct UncertainParameter {
+    std::string name;  // an input of the model
+    Distribution distribution;
+    std::string source;
+};
+
+struct ParameterCorrelation {
+    std::string first;
+    std::string second;
+    CorrelationMeasure measure = CorrelationMeasure::linear;
+    double coefficient;
+};
+
+// What is absent is not done.
+struct SensitivityStudy {
+    std::string quantity;  // an output of the model
+    std::vector<UncertainParameter> parameters;
+    std::vector<ParameterCorrelation> correlations;
+    std::optional<FailureCriterion> failure;
+    std::optional<TornadoSettings> tornado;
+    std::optional<MorrisSettings> morris;
+    std::optional<SobolIndicesSettings> sobol_indices;
+    std::optional<PropagationSettings> propagation;
+    std::optional<ReliabilitySettings> reliability;
+    std::uint64_t seed = 1;
+};
+
+struct SensitivityProblem {
+    ModelInterface model;
+    SensitivityStudy study;
+    int threads = 1;  // >= 1; no result depends on it
+};
+
+// Where a study is wrong: "parameter[2].standard_deviation", "correlation[1]", "sobol_indices", "" for all of it.
+struct StudyFault {
+    std::string key;
+    std::string message;
+};
+
+// The joint distribution of the parameters. The distributions have to be in order, and the pairs to exist.
+InputSpace input_space(const SensitivityStudy& study);
+
+// Names that the model does not have, distributions that cannot be drawn, correlations that are impossible, settings
+// out of their range, methods that do not go with the rest. Empty when sensitivity() can start.
+std::vector<StudyFault> check_study(const SensitivityProblem& problem);
+
+}  // namespace delabole
