@@ -161,7 +161,7 @@ Reproduction reproduce_dry_friction(const ResultFolder&, Report& report) {
 
 }  // namespace
 
-ReproductionChapter chapter_2() {
+ReproductionChapter chapter_2(int threads) {
     return {"chapter2",
             "the calculations of chapter 2",
             "Thesis, chapter 2: printed and computed",
@@ -170,6 +170,10 @@ ReproductionChapter chapter_2() {
                 {"tilting", "groundwater by tilting the model, section 2.3.5", reproduce_tilting},
                 {"mechanisms", "modes of failure tried on models of the west face, verdicts of section 2.3.3.2",
                  reproduce_mechanisms},
+                {"plates", "Plates 2.I to 2.VI as runs in motion, scored by the field criteria",
+                 [threads](const ResultFolder& folder, Report& report) {
+                     return reproduce_plates(folder, report, threads);
+                 }},
                 {"groundwater", "one column with groundwater: tests and observations of section 2.3.5",
                  reproduce_groundwater},
                 {"dry_friction", "dry factor of safety of section 2.3.3.2 A", reproduce_dry_friction},

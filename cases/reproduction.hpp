@@ -38,7 +38,8 @@ struct ReproductionChapter {
     std::vector<ReproductionItem> items;
 };
 
-ReproductionChapter chapter_2();
+// On so many threads.
+ReproductionChapter chapter_2(int threads = 1);
 ReproductionChapter chapter_3();
 ReproductionChapter chapter_4();
 ReproductionChapter chapter_5();

@@ -7,5 +7,7 @@ namespace delabole {
 
 Reproduction reproduce_mechanisms(const ResultFolder& folder, Report& report);
 Reproduction reproduce_groundwater(const ResultFolder& folder, Report& report);
+// Independent runs on so many threads.
+Reproduction reproduce_plates(const ResultFolder& folder, Report& report, int threads);
 
 }  // namespace delabole
