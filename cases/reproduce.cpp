@@ -14,29 +14,32 @@ namespace delabole {
 
 namespace {
 
-std::vector<ReproductionChapter> chapters(int threads) {
-    return {chapter_2(threads), chapter_3(), chapter_4(), chapter_5(), appendix_a_chapter()};
+const std::vector<ReproductionChapter>& chapters() {
+    static const std::vector<ReproductionChapter> all = {chapter_2(), chapter_3(), chapter_4(), chapter_5(),
+                                                         appendix_a_chapter()};
+    return all;
 }
 
 struct Chosen {
     std::string name;  // of the result folder
     std::string title;
-    std::vector<ReproductionItem> items;
+    std::vector<const ReproductionItem*> items;
 };
 
 // Fig 3.4 belongs to chapter 3 and, by its equation, to chapter 4.
-bool has(const std::vector<ReproductionItem>& items, const std::string& name) {
-    return std::ranges::any_of(items, [&](const ReproductionItem& item) { return item.name == name; });
+bool has(const std::vector<const ReproductionItem*>& items, const std::string& name) {
+    return std::ranges::any_of(items, [&](const ReproductionItem* item) { return item->name == name; });
 }
 
 // A chapter, one item of any chapter, or everything.
-Chosen choose(const std::string& what, int threads) {
+Chosen choose(const std::string& what) {
     Chosen chosen{what.empty() ? "thesis" : what, "Thesis: printed and computed", {}};
-    for (const ReproductionChapter& chapter : chapters(threads)) {
+    for (const ReproductionChapter& chapter : chapters()) {
         const bool whole = what.empty() || what == chapter.name;
         for (const ReproductionItem& item : chapter.items) {
-            if ((whole || what == item.name) && !has(chosen.items, item.name)) {
-                chosen.items.push_back(item);
+            const bool too_long = what.empty() && item.takes_minutes;
+            if ((whole || what == item.name) && !too_long && !has(chosen.items, item.name)) {
+                chosen.items.push_back(&item);
                 chosen.title = what.empty() ? chosen.title : chapter.title;
             }
         }
@@ -88,7 +91,7 @@ Table printed_table(const std::string& caption, const std::vector<PrintedRow>& r
 
 std::vector<std::pair<std::string, std::string>> reproducible() {
     std::vector<std::pair<std::string, std::string>> names;
-    for (const ReproductionChapter& chapter : chapters(1)) {
+    for (const ReproductionChapter& chapter : chapters()) {
         names.emplace_back(chapter.name, "all that follows: " + chapter.meaning);
         for (const ReproductionItem& item : chapter.items) {
             if (std::ranges::find(names, item.name, &std::pair<std::string, std::string>::first) == names.end()) {
@@ -120,22 +123,22 @@ std::vector<std::vector<std::string>> on_screen(const std::vector<PrintedRow>& r
 
 ExitCode reproduce_command(const std::string& what, const Options& options) {
     const Stopwatch watch;
-    const Chosen chosen = choose(what, options.threads);
+    const Chosen chosen = choose(what);
     const ResultFolder folder(options, chosen.name, OnInterrupt::stop);
     Report report{chosen.title, "The analysis of toppling failure using models and numerical methods", {}};
     Json json;
     json["status"] = "ok";
     std::vector<PrintedRow> rows;
-    for (const ReproductionItem& item : chosen.items) {
+    for (const ReproductionItem* item : chosen.items) {
         Reproduction result;
         try {
             stop_if_interrupted();
-            result = item.reproduce(folder, report);
+            result = item->reproduce(folder, report);
         } catch (const Interrupted&) {
-            std::cerr << "delabole: interrupted at " << item.name << '\n';
+            std::cerr << "delabole: interrupted at " << item->name << '\n';
             return ExitCode::not_converged;
         }
-        json[item.name] = result.json;
+        json[item->name] = result.json;
         for (const PrintedRow& row : result.rows) {
             rows.push_back(row);
             Json one = {
@@ -143,7 +146,7 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
             if (!row.clean.empty()) {
                 one["clean_engine"] = row.clean;
             }
-            json[item.name]["printed_and_computed"].push_back(one);
+            json[item->name]["printed_and_computed"].push_back(one);
         }
     }
     Json source;

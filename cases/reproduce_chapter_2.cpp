@@ -161,23 +161,24 @@ Reproduction reproduce_dry_friction(const ResultFolder&, Report& report) {
 
 }  // namespace
 
-ReproductionChapter chapter_2(int threads) {
-    return {"chapter2",
-            "the calculations of chapter 2",
-            "Thesis, chapter 2: printed and computed",
-            {
-                {"fig2.8", "plane failure of the west face; its unprinted crack depth and curves", reproduce_fig_2_8},
-                {"tilting", "groundwater by tilting the model, section 2.3.5", reproduce_tilting},
-                {"mechanisms", "modes of failure tried on models of the west face, verdicts of section 2.3.3.2",
-                 reproduce_mechanisms},
-                {"plates", "Plates 2.I to 2.VI as runs in motion, scored by the field criteria",
-                 [threads](const ResultFolder& folder, Report& report) {
-                     return reproduce_plates(folder, report, threads);
-                 }},
-                {"groundwater", "one column with groundwater: tests and observations of section 2.3.5",
-                 reproduce_groundwater},
-                {"dry_friction", "dry factor of safety of section 2.3.3.2 A", reproduce_dry_friction},
-            }};
+ReproductionChapter chapter_2() {
+    return {
+        "chapter2",
+        "the calculations of chapter 2",
+        "Thesis, chapter 2: printed and computed",
+        {
+            {"fig2.8", "plane failure of the west face; its unprinted crack depth and curves", reproduce_fig_2_8},
+            {"tilting", "groundwater by tilting the model, section 2.3.5", reproduce_tilting},
+            {"mechanisms", "modes of failure tried on models of the west face, verdicts of section 2.3.3.2",
+             reproduce_mechanisms},
+            {"drawings", "Figs 2.4, 2.5, 2.7 and 2.10: the failure and the models", reproduce_slope_drawings},
+            {"plates", "Plates 2.I to 2.VI as runs in motion, scored by the field criteria", reproduce_plates, true},
+            {"groundwater", "one column with groundwater: tests and observations of section 2.3.5",
+             reproduce_groundwater},
+            {"column_motion", "one column with groundwater in motion: observations 1 to 4 of section 2.3.5",
+             reproduce_column_motion, true},
+            {"dry_friction", "dry factor of safety of section 2.3.3.2 A", reproduce_dry_friction},
+        }};
 }
 
 }  // namespace delabole

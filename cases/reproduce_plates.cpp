@@ -68,10 +68,10 @@ void draw(const Plate& plate, const SlopeRun& run, const ResultFolder& folder, R
 
 }  // namespace
 
-Reproduction reproduce_plates(const ResultFolder& folder, Report& report, int threads) {
+Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
     const std::vector<MechanismVerdict> verdicts = mechanism_verdicts();
     std::vector<SlopeRun> runs(plates.size());
-    run_tasks(plates.size(), threads,
+    run_tasks(plates.size(), folder.threads(),
               [&](std::size_t index) { runs[index] = run_slope(slope_model(plates[index].file)); });
     Reproduction result;
     for (std::size_t index = 0; index < plates.size(); ++index) {

@@ -29,6 +29,7 @@ struct ReproductionItem {
     std::string meaning;  // one line
     // Appends to the report, writes figures and tables into the folder.
     std::function<Reproduction(const ResultFolder&, Report&)> reproduce;
+    bool takes_minutes = false;  // done where it or its chapter is named, not with all of the thesis
 };
 
 struct ReproductionChapter {
@@ -38,8 +39,7 @@ struct ReproductionChapter {
     std::vector<ReproductionItem> items;
 };
 
-// On so many threads.
-ReproductionChapter chapter_2(int threads = 1);
+ReproductionChapter chapter_2();
 ReproductionChapter chapter_3();
 ReproductionChapter chapter_4();
 ReproductionChapter chapter_5();

@@ -7,7 +7,8 @@ namespace delabole {
 
 Reproduction reproduce_mechanisms(const ResultFolder& folder, Report& report);
 Reproduction reproduce_groundwater(const ResultFolder& folder, Report& report);
-// Independent runs on so many threads.
-Reproduction reproduce_plates(const ResultFolder& folder, Report& report, int threads);
+Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report);
+Reproduction reproduce_column_motion(const ResultFolder& folder, Report& report);
+Reproduction reproduce_plates(const ResultFolder& folder, Report& report);
 
 }  // namespace delabole
