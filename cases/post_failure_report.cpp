@@ -75,6 +75,7 @@ BlockDrawing slope_drawing(const RelaxationRun& made, const std::vector<Motion>&
     const Upright upright(tilt);
     BlockDrawing drawing;
     drawing.title = title;
+    drawing.rocks = {"left standing", "failed"};
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         if (gone(block)) {
             continue;
@@ -84,9 +85,10 @@ BlockDrawing slope_drawing(const RelaxationRun& made, const std::vector<Motion>&
             shown.outline.push_back(upright(moved_corner(bodies, motion, corner)));
         }
         constexpr double half = 0.5;
-        shown.mode = bodies.fixed[block] != 0       ? DrawnMode::fixed
-                     : failure.share[block] >= half ? DrawnMode::slides_and_topples
-                                                    : DrawnMode::stays;
+        shown.mode = bodies.fixed[block] != 0 ? DrawnMode::fixed : DrawnMode::plain;
+        if (bodies.fixed[block] == 0) {
+            shown.rock = failure.share[block] >= half ? 1 : 0;
+        }
         drawing.blocks.push_back(std::move(shown));
     }
     return drawing;

@@ -175,6 +175,8 @@ ReproductionChapter chapter_2() {
             {"plates", "Plates 2.I to 2.VI as runs in motion, scored by the field criteria", reproduce_plates, true},
             {"groundwater", "one column with groundwater: tests and observations of section 2.3.5",
              reproduce_groundwater},
+            {"trends", "Figs 2.11 to 2.14 as trends of runs, conclusions (i) to (iv) of section 2.3.4",
+             reproduce_trends, true},
             {"column_motion", "one column with groundwater in motion: observations 1 to 4 of section 2.3.5",
              reproduce_column_motion, true},
             {"dry_friction", "dry factor of safety of section 2.3.3.2 A", reproduce_dry_friction},
