@@ -81,6 +81,12 @@ Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
         result.json[printed->plate] = json_of(runs[index], score);
     }
     report.blocks.emplace_back(Heading{"Plates 2.I to 2.VI as runs (2.3.3.2)"});
+    report.blocks.emplace_back(Paragraph{
+        "Profile: 40 to 45° up to a third of the height and 70 to 75° above, each within 5° and 0.1 of the height; in "
+        "part: a lower surface that rises into the slope, gentler than the upper one by 15°. Cracks: two or more along "
+        "joints that dip steeply into the slope. Movements: rock near the face to the pit, the wedge between the "
+        "cracks down and turned into the slope. Cracks and movements when half of what fails in the end has begun to, "
+        "the profile at the end. What counts as in part was settled when the runs had been seen."});
     report.blocks.emplace_back(printed_table("Field criteria: the thesis's verdict and the run's", result.rows));
     for (std::size_t index = 0; index < plates.size(); ++index) {
         draw(plates[index], runs[index], folder, report);

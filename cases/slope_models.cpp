@@ -4,7 +4,6 @@
 #include "plots/text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -29,13 +28,9 @@ PostFailure at_frame(const SlopeRun& run, const MotionFrame& frame) {
     return post_failure_of(run.study, run.run, frame.motion, removed).value_or(PostFailure{});
 }
 
-FieldVerdict verdict(int met, int of) {
-    return met == of ? FieldVerdict::yes : met > 0 ? FieldVerdict::partly : FieldVerdict::no;
-}
-
 // 2.2.3: lower surface at 40 to 45 deg up to level 425 ft, a third of the way from 350 to 575 ft, upper one at 70
-// to 75. As surveyed roughly, 5 deg either way, and 0.1 of the height; a failure of less than a hundredth of the
-// section under the crest is none.
+// to 75. As surveyed roughly, 5 deg either way, and 0.1 of the height. In part: a lower surface that rises into the
+// slope and is gentler than the upper one by 15 deg. A failure of less than a hundredth of the height's square is none.
 void score_profile(const PostFailure& end, FieldScore& score) {
     constexpr double tolerance = degrees(5);
     constexpr double third = 1.0 / 3;
@@ -50,31 +45,41 @@ void score_profile(const PostFailure& end, FieldScore& score) {
     const bool lower = answer.lower_angle > degrees(40) - tolerance && answer.lower_angle < degrees(45) + tolerance;
     const bool upper = answer.upper_angle > degrees(70) - tolerance && answer.upper_angle < degrees(75) + tolerance;
     const bool level = std::abs(knee - third) < 0.1;
-    score.profile = verdict((lower ? 1 : 0) + (upper ? 1 : 0) + (level ? 1 : 0), 3);
+    const bool two_surfaces = answer.lower_angle > 0 && answer.lower_angle < answer.upper_angle - degrees(15);
+    score.profile = lower && upper && level ? FieldVerdict::yes
+                    : two_surfaces          ? FieldVerdict::partly
+                                            : FieldVerdict::no;
     score.profile_in_words = in_degrees(answer.lower_angle) + " up to " + human_number(knee, 2) + " of the height, " +
                              in_degrees(answer.upper_angle) + " above";
 }
 
-// 2.2.3 and 2.4.1: several open cracks, parallel to the toppling joints, which dip into the slope.
+// Along toppling joints, which dip steeply into the slope.
+std::ptrdiff_t toppling_cracks(const PostFailure& early) {
+    return std::ranges::count_if(early.crack, [](const CrestCrack& crack) { return crack.dip < -degrees(45); });
+}
+
+// 2.2.3 and 2.4.1: several open cracks, parallel to the toppling joints.
 void score_cracks(const PostFailure& early, FieldScore& score) {
-    const auto open = std::ranges::count_if(early.crack, [](const CrestCrack& crack) { return crack.dip < 0; });
+    const std::ptrdiff_t open = toppling_cracks(early);
+    const auto others = static_cast<std::ptrdiff_t>(early.crack.size()) - open;
     score.cracks = open >= 2 ? FieldVerdict::yes : open == 1 ? FieldVerdict::partly : FieldVerdict::no;
-    score.cracks_in_words = std::to_string(open) + " into the slope, " +
-                            std::to_string(static_cast<long>(early.crack.size()) - open) + " out of it";
+    score.cracks_in_words = std::to_string(open) + " steeply into the slope, " + std::to_string(others) + " others";
 }
 
 // 2.2.3.4: rock near the face moves to the pit, the wedge between the cracks tilts the other way and subsides.
 void score_movements(const PostFailure& early, FieldScore& score) {
+    if (toppling_cracks(early) < 2) {
+        score.movements = FieldVerdict::no;
+        score.movements_in_words = "no two such cracks with a wedge between";
+        return;
+    }
     const PostFailureAnswer& answer = early.answer;
     const int met = (answer.near_face.horizontal < 0 ? 1 : 0) + (answer.between_cracks.rotation < 0 ? 1 : 0) +
                     (answer.between_cracks.vertical < 0 ? 1 : 0);
-    score.movements = early.crack.size() < 2 ? FieldVerdict::no : verdict(met, 3);
-    score.movements_in_words = early.crack.size() < 2
-                                   ? "no two cracks with a wedge between"
-                                   : "near the face " + in_millimetres(-answer.near_face.horizontal) +
-                                         " to the pit; between the cracks " +
-                                         in_millimetres(-answer.between_cracks.vertical) + " down, turned " +
-                                         in_degrees(-answer.between_cracks.rotation) + " into the slope";
+    score.movements = met == 3 ? FieldVerdict::yes : met > 0 ? FieldVerdict::partly : FieldVerdict::no;
+    score.movements_in_words = "near the face " + in_millimetres(-answer.near_face.horizontal) +
+                               " to the pit; between the cracks " + in_millimetres(-answer.between_cracks.vertical) +
+                               " down, turned " + in_degrees(-answer.between_cracks.rotation) + " into the slope";
 }
 
 }  // namespace
