@@ -83,6 +83,10 @@ void append_outputs(Analysis& analysis, const Result& result, const std::string&
             append(static_cast<double>(member), info.dimension);
         } else if constexpr (Described<Member>) {
             append_outputs(analysis, member, name, detail);
+        } else if constexpr (is_optional<Member>) {
+            if (member) {
+                append_outputs(analysis, *member, name, detail);
+            }
         } else if constexpr (is_vector<Member>) {
             for (std::size_t index = 0; index < member.size(); ++index) {
                 append_outputs(analysis, member[index], name + "[" + std::to_string(index + 1) + "]", true);

@@ -6,6 +6,7 @@
 #include "plots/report.hpp"
 
 #include <cmath>
+#include <string>
 
 namespace delabole {
 
@@ -29,6 +30,14 @@ inline constexpr std::size_t most_labelled_blocks = 300;
 
 // Blocks at the start and at the end, velocities, contact forces, the table of blocks; nothing where there was no run.
 void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report);
+
+// Of a jointed slope: cracks, crest and the ground left standing, as figure, tables and *.csv; nothing for other scenes.
+void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, Report& report);
+// The blocks where they are in a frame, those marked that fail in the end.
+Figure moved_slope_figure(const RelaxationRun& made, const MotionFrame& frame, const PostFailure& end,
+                          const std::string& title);
+// The blocks in the drawing, those that have failed marked, with the ground left standing.
+Figure left_standing_figure(const RelaxationRun& made, const PostFailure& failure, const std::string& title);
 
 // history.csv, movements.csv and their figures; nothing where the run kept no history.
 void append_history(const HistoryRequest& request, const RelaxationRun& made, const ResultFolder& folder,

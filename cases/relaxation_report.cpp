@@ -166,7 +166,7 @@ Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
         analysis.failure = word_of(made.result.fault.check);
         return analysis;
     }
-    append_outputs(analysis, answer_of(made.result));
+    append_outputs(analysis, answer_of(made));
     if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
         append_cutting_warnings(*slope, analysis);
     }
@@ -202,6 +202,7 @@ void append_case_figures(const RelaxationStudy& study, const Analysis& analysis,
         append_section_figure(*slope, folder, report);
     }
     append_block_figures(made, folder, report);
+    append_post_failure(made, folder, report);
     append_frames(made, folder, report);
     if (study.history) {
         append_history(*study.history, made, folder, report);

@@ -1,7 +1,9 @@
-// The text of cases/chapter_2/*.csv and cases/chapter_3/*.csv, as it was when the program was built.
+// The text of cases/chapter_2/*.csv and cases/chapter_3/*.csv, and of cases/chapter_2/*.toml, as it was when the program
+// was built.
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 namespace delabole {
 
@@ -13,5 +15,12 @@ extern const std::string_view thesis_table_3_1;
 extern const std::string_view thesis_table_3_2;
 extern const std::string_view thesis_table_3_3;
 extern const std::string_view thesis_tilting_frame;
+
+struct BuiltInCase {
+    std::string_view name;  // of the file, without its ending
+    std::string_view text;
+};
+
+const std::vector<BuiltInCase>& chapter_2_cases();
 
 }  // namespace delabole

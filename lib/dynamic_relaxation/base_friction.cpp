@@ -33,6 +33,28 @@ const std::array<QuadraturePoint, 7>& triangle_rule() {
     return rule;
 }
 
+// A block that turns by so small a share of the belt's speed at its corners. To first order in that share s friction
+// on an element at arm r changes by w (n x r) n', n the direction of the belt past the block, n' the one across it:
+// its moment is -w times the mean square of the arms' parts along n. The resultant changes by s^2 / 2, 5e-5.
+constexpr double slow_turn = 1e-2;
+
+BlockForce drag_of_slow_turn(double friction, double x, double y, double spin_over_speed, const Bodies& bodies,
+                             std::size_t block, const Motion& motion) {
+    double twice_area = 0;
+    double squares = 0;
+    const CornerRange& range = bodies.range[block];
+    for (std::size_t corner = range.begin; corner < range.end; ++corner) {
+        const PlanePoint<> first = motion.turned(bodies.corner[corner]);
+        const PlanePoint<> second = motion.turned(bodies.corner[range.after(corner)]);
+        const double triangle = first.x() * second.y() - first.y() * second.x();
+        const double one = x * first.x() + y * first.y();
+        const double other = x * second.x() + y * second.y();
+        twice_area += triangle;
+        squares += triangle * (one * one + one * other + other * other) / 6;
+    }
+    return {friction * x, friction * y, -friction * spin_over_speed * squares / twice_area};
+}
+
 }  // namespace
 
 BlockForce belt_drag(const Belt& belt, const PlanePoint<>& belt_velocity, double weight, const Bodies& bodies,
@@ -44,6 +66,10 @@ BlockForce belt_drag(const Belt& belt, const PlanePoint<>& belt_velocity, double
     if (motion.spin == 0) {
         const double share = friction / std::max(std::sqrt(x * x + y * y), slowest);
         return {share * x, share * y, 0};
+    }
+    const double past = std::sqrt(x * x + y * y);
+    if (past > slowest + std::abs(motion.spin) * bodies.radius[block] / slow_turn) {
+        return drag_of_slow_turn(friction, x / past, y / past, motion.spin / past, bodies, block, motion);
     }
     double twice_area = 0;
     BlockForce sum;

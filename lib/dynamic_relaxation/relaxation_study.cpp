@@ -107,7 +107,7 @@ Prediction predict(RelaxationStudy study, std::size_t blocks, std::span<const As
     default:
         return {word_of(run_at.result.outcome), {}, {}};
     }
-    std::vector<double> outputs = output_values(answer_of(run_at.result));
+    std::vector<double> outputs = output_values(answer_of(run_at));
     if (study.critical) {
         const CriticalValue critical = find_critical(study);
         if (critical.status != CriticalStatus::found) {
@@ -115,7 +115,7 @@ Prediction predict(RelaxationStudy study, std::size_t blocks, std::span<const As
         }
         outputs.push_back(critical.value());
     }
-    return {{}, std::move(outputs), {}};
+    return {{}, std::move(outputs), run_at.post_failure ? run_at.post_failure->left_standing : Polyline{}};
 }
 
 }  // namespace
@@ -161,6 +161,7 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
         made.frames = std::move(record.frame);
     }
     made.result = simulation.result();
+    made.post_failure = post_failure_of(study, made, made.end->motion, made.end->removed);
     if (!ended) {
         made.result.outcome = RelaxationOutcome::interrupted;
     }
@@ -194,11 +195,35 @@ RelaxationAnswer answer_of(const RelaxationResult& result) {
                             static_cast<double>(result.cost.steps),
                             result.cost.step,
                             static_cast<double>(result.cost.contacts_evaluated),
+                            {},
                             {}};
     for (const BlockOutcome& block : result.block) {
         answer.block.push_back({block.movement, block.rotation, block.displacement, block.base_slip});
     }
     return answer;
+}
+
+RelaxationAnswer answer_of(const RelaxationRun& run) {
+    RelaxationAnswer answer = answer_of(run.result);
+    if (run.post_failure) {
+        answer.post_failure = run.post_failure->answer;
+    }
+    return answer;
+}
+
+std::optional<PostFailure> post_failure_of(const RelaxationStudy& study, const RelaxationRun& run,
+                                           const std::vector<Motion>& motion, const std::vector<char>& removed) {
+    const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene);
+    if (slope == nullptr || !run.end) {
+        return {};
+    }
+    std::vector<std::string> joints;
+    for (const SlopeJoint& joint : slope->joint) {
+        joints.push_back(joint.name);
+    }
+    const Bodies bodies = make_bodies(run.scene);
+    return post_failure({bodies, run.end->origin, motion, removed, joints},
+                        study.post_failure.value_or(PostFailureRequest{}));
 }
 
 double bracket_width(const CriticalRequest& request) {
@@ -262,6 +287,10 @@ ModelInterface model_interface(const RelaxationStudy& study) {
     model.inputs = inputs_of(study.model);
     RelaxationAnswer shape{};
     shape.block.resize(relaxation_scene(study).block.size());
+    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
+        shape.post_failure.emplace();
+        shape.post_failure->joint.resize(slope->joint.size());
+    }
     model.outputs = outputs_of(shape);
     if (study.critical) {
         model.outputs.push_back(critical_quantity(study.critical->parameter));

@@ -4,6 +4,7 @@
 
 #include "dynamic_relaxation/critical.hpp"
 #include "dynamic_relaxation/history.hpp"
+#include "dynamic_relaxation/post_failure.hpp"
 #include "dynamic_relaxation/relaxation_parameters.hpp"
 #include "dynamic_relaxation/simulation.hpp"
 #include "parameters/model_interface.hpp"
@@ -132,6 +133,7 @@ struct RelaxationStudy {
     std::optional<RelaxationNumerics> settings;
     std::optional<CriticalRequest> critical;
     std::optional<HistoryRequest> history;
+    std::optional<PostFailureRequest> post_failure;
 
     static constexpr std::string_view kind = "relaxation";
     static constexpr auto fields() {
@@ -139,7 +141,9 @@ struct RelaxationStudy {
         return std::tuple{inlined(&S::model, "blocks, joints and loads"),
                           section("settings", &S::settings, "numerical settings, none of them a property of the rock"),
                           section("critical", &S::critical, "value between standing and failing"),
-                          section("history", &S::history, "tables over time")};
+                          section("history", &S::history, "tables over time"),
+                          section("post_failure", &S::post_failure,
+                                  "when a block of a jointed slope counts as failed, and a joint as open")};
     }
 };
 
@@ -210,6 +214,7 @@ struct RelaxationAnswer {
     double steps;
     double time_step;
     double contacts_evaluated;
+    std::optional<PostFailureAnswer> post_failure;  // of a jointed slope
     std::vector<BlockAnswer> block;
     static constexpr auto fields() {
         using R = RelaxationAnswer;
@@ -236,6 +241,7 @@ struct RelaxationAnswer {
             number("time_step", &R::time_step, Dimension::time, any_number(), "the last one"),
             number("contacts_evaluated", &R::contacts_evaluated, Dimension::ratio, any_number(),
                    "contact forces computed in all"),
+            section("post_failure", &R::post_failure, "what of the slope has failed and what is left standing"),
             section("block", &R::block, "each block at the end")};
     }
 };
@@ -269,9 +275,10 @@ struct RelaxationRun {
     RelaxationScene scene;
     RelaxationSettings settings;
     RelaxationResult result;
-    RelaxationHistory history;             // empty where none is asked for
-    std::vector<MotionFrame> frames = {};  // empty where none are kept
-    std::optional<RelaxationState> end{};  // absent where the scene is not valid
+    RelaxationHistory history;                  // empty where none is asked for
+    std::vector<MotionFrame> frames = {};       // empty where none are kept
+    std::optional<RelaxationState> end{};       // absent where the scene is not valid
+    std::optional<PostFailure> post_failure{};  // of a jointed slope, at the end
 };
 
 // As relax() checks them.
@@ -281,7 +288,13 @@ SceneFault check(const RelaxationStudy& study);
 RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);
 RelaxationRun run(const RelaxationStudy& study, const StudyWork& work = {});
 
+// Of a run without its slope.
 RelaxationAnswer answer_of(const RelaxationResult& result);
+RelaxationAnswer answer_of(const RelaxationRun& run);
+
+// Of a slope at any time of a run. Nothing for other scenes.
+std::optional<PostFailure> post_failure_of(const RelaxationStudy& study, const RelaxationRun& run,
+                                           const std::vector<Motion>& motion, const std::vector<char>& removed);
 
 // rad; of the final bracket, at most
 double bracket_width(const CriticalRequest& request);
@@ -294,8 +307,9 @@ CriticalValue find_critical(const RelaxationStudy& study, const StudyWork& work 
 std::string_view name_of_critical(CriticalParameter parameter);
 
 // Inputs: every number of the study's model. Outputs: every number of RelaxationAnswer and, where it is asked for, the
-// critical value. A run that was stopped, or stayed undecided though it was to find equilibrium, is a failed prediction
-// under the name of its outcome; so is a critical value that was not found, under that of its status.
+// critical value; of a jointed slope the ground left standing is the predicted profile. A run that was stopped, or
+// stayed undecided though it was to find equilibrium, is a failed prediction under the name of its outcome; so is a
+// critical value that was not found, under that of its status.
 ModelInterface model_interface(const RelaxationStudy& study);
 
 }  // namespace delabole

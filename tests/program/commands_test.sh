@@ -159,8 +159,14 @@ delabole fit good_fit.toml --seed 12345 --out seeded --quiet
 expect_status 0
 expect "recorded" test "$(json_value seeded/result.json seed)" == 12345
 
+# All but the models of chapter 2, whose runs take minutes.
+verified=""
+for cases in "$source_folder"/cases/*.toml "$source_folder"/cases/*/; do
+    [[ $cases == */chapter_2/ ]] || verified+=" $cases"
+done
+
 title "--quiet prints nothing, and writes the same"
-for arguments in "run good.toml" "fit good_fit.toml" "reproduce tilting" "verify $source_folder/cases" "check good.toml"; do
+for arguments in "run good.toml" "fit good_fit.toml" "reproduce tilting" "verify$verified" "check good.toml"; do
     # shellcheck disable=SC2086
     delabole $arguments --quiet
     expect_status 0
@@ -181,7 +187,7 @@ for arguments in "run good.toml --out json" "fit good_fit.toml --out json" "repr
     delabole $arguments --json --quiet
     expect "JSON when quiet, too" is_json "$scratch/out"
 done
-for arguments in "check good.toml good_fit.toml" "show good.toml" "verify $source_folder/cases"; do
+for arguments in "check good.toml good_fit.toml" "show good.toml" "verify$verified"; do
     # shellcheck disable=SC2086
     delabole $arguments --json
     expect_status 0

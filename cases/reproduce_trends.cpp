@@ -1,0 +1,284 @@
+// Figs 2.11 to 2.14 of the thesis as trends: how much of the slope of Plate 2.III fails as one of its dimensions is
+// changed, with rank correlations, beside conclusions (i) to (iv) of 2.3.4.
+#include "cases/reproduction_chapter_2.hpp"
+#include "cases/slope_models.hpp"
+#include "fitting/parallel.hpp"
+#include "plots/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delabole {
+
+namespace {
+
+constexpr double joint_a_dip = degrees(70);
+constexpr double joint_b_dip = degrees(85);
+constexpr double duration = 0.8;  // s; the belt runs by 16 cm
+
+// Spacings of joint A and of the cleavage follow from that of joint B, so that the three sets cross in one pattern
+// everywhere, the cleavage midway between crossings of A and B: no slivers, which would hold joint A
+// (plate_2_iii.toml).
+struct Trial {
+    double joint_b_spacing = 0.02549;  // m
+    int b_columns_in_a = 2;
+    int cleavages_in_crossing = 3;  // between two crossings of A and B along A
+    double cleavage_dip = degrees(5);
+    double slope_angle = degrees(60);
+
+    // Between the crossings of A and B along A.
+    double crossing() const { return joint_b_spacing / std::sin(degrees(180) - joint_a_dip - joint_b_dip); }
+    double cleavage_spacing() const {
+        return crossing() * std::sin(joint_a_dip + cleavage_dip) / cleavages_in_crossing;
+    }
+    double joint_a_spacing() const {
+        return b_columns_in_a * joint_b_spacing * std::sin(joint_a_dip + cleavage_dip) /
+               std::sin(joint_b_dip - cleavage_dip);
+    }
+};
+
+JointSetCut& set_of(RelaxationSlope& slope, std::string_view name) {
+    const auto cut = std::ranges::find(slope.geometry.cut, name, &SlopeCut::name);
+    return std::get<JointSetCut>(cut->trace);
+}
+
+RelaxationStudy study_of(const Trial& trial) {
+    RelaxationStudy study = slope_model("plate_2_iii");
+    study.settings->duration = duration;
+    auto& slope = std::get<RelaxationSlope>(study.model.scene);
+    set_of(slope, "joint A").spacing = trial.joint_a_spacing();
+    set_of(slope, "joint B").spacing = trial.joint_b_spacing;
+    JointSetCut& cleavage = set_of(slope, "cleavage");
+    cleavage.dip = -trial.cleavage_dip;
+    cleavage.spacing = trial.cleavage_spacing();
+    cleavage.offset = trial.cleavage_spacing() / 2;
+    // The last corner is the crest.
+    SectionPoint& crest = slope.geometry.outline.back();
+    crest.x = crest.y / std::tan(trial.slope_angle);
+    return study;
+}
+
+struct Response {
+    double failed_columns;
+    double surface_angle;
+    double failed_width;  // m
+};
+
+Response respond(const Trial& trial) {
+    const RelaxationRun made = run(study_of(trial));
+    const PostFailureAnswer answer = made.post_failure.value_or(PostFailure{}).answer;
+    return {answer.failed_width * std::sin(joint_a_dip) / trial.joint_a_spacing(), answer.lower_angle,
+            answer.failed_width};
+}
+
+struct Variation {
+    std::string parameter;  // as trends.csv has it
+    std::string unit;
+    std::vector<double> value;  // in that unit
+    std::vector<Trial> trial;
+};
+
+std::vector<Variation> all_series() {
+    constexpr double millimetre = 1e-3;
+    std::vector<Variation> series;
+    const auto vary = [&](const std::string& parameter, const std::string& unit, const auto& settings,
+                          const auto& change, const auto& value) {
+        Variation made{parameter, unit, {}, {}};
+        for (const auto& setting : settings) {
+            Trial trial;
+            change(trial, setting);
+            made.trial.push_back(trial);
+            made.value.push_back(value(trial));
+        }
+        series.push_back(std::move(made));
+    };
+    vary(
+        "cleavage_spacing", "mm", std::array{6, 3, 2},
+        [](Trial& trial, int count) { trial.cleavages_in_crossing = count; },
+        [&](const Trial& trial) { return trial.cleavage_spacing() / millimetre; });
+    vary(
+        "cleavage_inclination", "deg", std::array{5, 10, 15},
+        [](Trial& trial, int dip) { trial.cleavage_dip = degrees(dip); },
+        [](const Trial& trial) { return trial.cleavage_dip / degrees(1); });
+    vary(
+        "slope_angle", "deg", std::array{50, 60, 65, 70, 75},
+        [](Trial& trial, int angle) { trial.slope_angle = degrees(angle); },
+        [](const Trial& trial) { return trial.slope_angle / degrees(1); });
+    vary(
+        "joint_a_spacing", "mm", std::array{1, 2, 3}, [](Trial& trial, int columns) { trial.b_columns_in_a = columns; },
+        [&](const Trial& trial) { return trial.joint_a_spacing() / millimetre; });
+    // Joint A stays as it is.
+    vary(
+        "joint_b_spacing", "mm", std::array{3, 2, 1},
+        [](Trial& trial, int columns) {
+            trial.joint_b_spacing *= 2.0 / columns;
+            trial.b_columns_in_a = columns;
+            trial.cleavages_in_crossing = 6 / columns;
+        },
+        [&](const Trial& trial) { return trial.joint_b_spacing / millimetre; });
+    return series;
+}
+
+// Ties have the mean of their ranks.
+std::vector<double> ranks_of(const std::vector<double>& values) {
+    std::vector<double> ranks;
+    for (const double value : values) {
+        double rank = 0.5;
+        for (const double other : values) {
+            rank += other < value ? 1 : other == value ? 0.5 : 0;
+        }
+        ranks.push_back(rank);
+    }
+    return ranks;
+}
+
+double correlation(const std::vector<double>& one, const std::vector<double>& other) {
+    const auto count = static_cast<double>(one.size());
+    double mean_one = 0;
+    double mean_other = 0;
+    for (std::size_t index = 0; index < one.size(); ++index) {
+        mean_one += one[index] / count;
+        mean_other += other[index] / count;
+    }
+    double product = 0;
+    double square_one = 0;
+    double square_other = 0;
+    for (std::size_t index = 0; index < one.size(); ++index) {
+        product += (one[index] - mean_one) * (other[index] - mean_other);
+        square_one += (one[index] - mean_one) * (one[index] - mean_one);
+        square_other += (other[index] - mean_other) * (other[index] - mean_other);
+    }
+    return square_one > 0 && square_other > 0 ? product / std::sqrt(square_one * square_other) : 0;
+}
+
+struct RankCorrelation {
+    double value;         // Spearman's
+    double significance;  // probability of one at least as strong, either way, among all orders of the responses
+};
+
+RankCorrelation rank_correlation(const std::vector<double>& parameter, const std::vector<double>& response) {
+    const std::vector<double> first = ranks_of(parameter);
+    std::vector<double> second = ranks_of(response);
+    const double found = correlation(first, second);
+    std::ranges::sort(second);
+    double all = 0;
+    double as_strong = 0;
+    std::vector<std::size_t> order(second.size());
+    for (std::size_t index = 0; index < order.size(); ++index) {
+        order[index] = index;
+    }
+    do {
+        std::vector<double> shuffled;
+        for (const std::size_t index : order) {
+            shuffled.push_back(second[index]);
+        }
+        constexpr double rounding = 1e-12;
+        as_strong += std::abs(correlation(first, shuffled)) >= std::abs(found) - rounding ? 1 : 0;
+        ++all;
+    } while (std::ranges::next_permutation(order).found);
+    return {found, as_strong / all};
+}
+
+// Differences below a tenth of a column, or of 2 deg, are none.
+PrintedChange change_of(const std::vector<double>& response, double correlation, double notable) {
+    const auto [least, greatest] = std::ranges::minmax_element(response);
+    if (*greatest - *least < notable || std::abs(correlation) < 0.5) {
+        return PrintedChange::none;
+    }
+    return correlation > 0 ? PrintedChange::rises : PrintedChange::falls;
+}
+
+bool agrees(PrintedChange printed, PrintedChange found) {
+    return printed == found || (printed == PrintedChange::falls_slightly && found == PrintedChange::falls);
+}
+
+}  // namespace
+
+Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
+    const std::vector<Variation> series = all_series();
+    std::vector<std::pair<std::size_t, std::size_t>> tasks;
+    std::vector<std::vector<Response>> responses(series.size());
+    for (std::size_t index = 0; index < series.size(); ++index) {
+        responses[index].resize(series[index].trial.size());
+        for (std::size_t trial = 0; trial < series[index].trial.size(); ++trial) {
+            tasks.emplace_back(index, trial);
+        }
+    }
+    run_tasks(tasks.size(), folder.threads(), [&](std::size_t task) {
+        const auto [index, trial] = tasks[task];
+        responses[index][trial] = respond(series[index].trial[trial]);
+    });
+    Reproduction result;
+    Table table{"The slope of Plate 2.III with one dimension changed, after 16 cm of belt.",
+                {{"parameter"},
+                 {"value", true},
+                 {"failed columns of joint A", true},
+                 {"their width, mm", true},
+                 {"angle of the lower surface, °", true}},
+                {}};
+    for (std::size_t index = 0; index < series.size(); ++index) {
+        const Variation& one = series[index];
+        Figure figure;
+        figure.title = human_name(one.parameter);
+        figure.x.title = human_name(one.parameter);
+        figure.x.unit = one.unit;
+        figure.y.title = "failed columns of joint A";
+        Line line;
+        Points points;
+        for (std::size_t trial = 0; trial < one.trial.size(); ++trial) {
+            const Response& response = responses[index][trial];
+            table.rows.push_back({human_name(one.parameter), human_number(one.value[trial], 3) + " " + one.unit,
+                                  human_number(response.failed_columns, 3),
+                                  human_number(response.failed_width * 1e3, 3),
+                                  human_number(response.surface_angle / degrees(1), 3)});
+            line.points.emplace_back(one.value[trial], response.failed_columns);
+            result.json["runs"][one.parameter].push_back({{"value", one.value[trial]},
+                                                          {"failed_columns", response.failed_columns},
+                                                          {"surface_angle_deg", response.surface_angle / degrees(1)}});
+        }
+        points.points = line.points;
+        figure.series = {line, points};
+        report.blocks.emplace_back(folder.draw(figure, "trend_" + one.parameter, "Failed columns at the ground."));
+    }
+    for (const PrintedTrend& printed : printed_trends()) {
+        const auto found = std::ranges::find(series, printed.parameter, &Variation::parameter);
+        if (found == series.end()) {
+            result.rows.push_back({"(" + printed.conclusion + ") " + human_name(printed.parameter),
+                                   human_name(word_of(printed.change)), "not run", "",
+                                   "which way the faults dip is not legible"});
+            continue;
+        }
+        const bool of_columns = printed.response == "failed_columns";
+        std::vector<double> values;
+        for (const Response& response : responses[static_cast<std::size_t>(found - series.begin())]) {
+            values.push_back(of_columns ? response.failed_columns : response.surface_angle / degrees(1));
+        }
+        const RankCorrelation rank = rank_correlation(found->value, values);
+        const PrintedChange change = change_of(values, rank.value, of_columns ? 0.1 : 2);
+        result.rows.push_back(
+            {"(" + printed.conclusion + ") " + human_name(printed.parameter) + ": " + human_name(printed.response),
+             human_name(word_of(printed.change)),
+             human_name(word_of(change)) + ": rank correlation " + human_number(rank.value, 2) + ", significance " +
+                 human_number(rank.significance, 2),
+             "", statement(agrees(printed.change, change))});
+        result.json["trends"].push_back({{"conclusion", printed.conclusion},
+                                         {"parameter", printed.parameter},
+                                         {"response", printed.response},
+                                         {"rank_correlation", rank.value},
+                                         {"significance", rank.significance},
+                                         {"confirmed", agrees(printed.change, change)}});
+    }
+    report.blocks.emplace_back(Heading{"Figs 2.11 to 2.14: what one dimension does (2.3.4)"});
+    report.blocks.emplace_back(
+        Paragraph{"The significance is the share of all orders of the responses with a rank correlation as strong: of "
+                  "three values it is never below 0.33, so that a trend of three is an indication."});
+    report.blocks.emplace_back(printed_table("Conclusions (i) to (iv)", result.rows));
+    report.blocks.emplace_back(table);
+    return result;
+}
+
+}  // namespace delabole

@@ -1,0 +1,110 @@
+// The base friction models of chapter 2 in motion: parts of their runs, as short as shows what they are to show.
+#include "cases/slope_models.hpp"
+#include "cases/thesis_tables.hpp"
+#include "dynamic_relaxation/slope_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace delabole {
+namespace {
+
+RelaxationSlope& slope_of(RelaxationStudy& study) {
+    return std::get<RelaxationSlope>(study.model.scene);
+}
+
+RelaxationStudy with_friction(RelaxationStudy study, double friction) {
+    for (SlopeJoint& joint : slope_of(study).joint) {
+        joint.strength.friction_angle = friction;
+    }
+    return study;
+}
+
+double mean_way(const RelaxationRun& made) {
+    double way = 0;
+    double mass = 0;
+    const Bodies bodies = make_bodies(made.scene);
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (bodies.fixed[block] == 0) {
+            way += bodies.mass[block] * made.result.block[block].displacement;
+            mass += bodies.mass[block];
+        }
+    }
+    return way / mass;
+}
+
+double angle_of(const PlanePoint<>& along) {
+    return std::atan2(std::abs(along.y()), std::abs(along.x()));
+}
+
+TEST(Chapter2Models, AreCasesInOrder) {
+    EXPECT_EQ(chapter_2_cases().size(), 7U);
+    for (const auto& [name, text] : chapter_2_cases()) {
+        RelaxationStudy study = slope_model(name);
+        EXPECT_EQ(slope_scene(slope_of(study)).check, SlopeCheck::valid) << name;
+        EXPECT_EQ(check(study).check, SceneCheck::valid) << name;
+    }
+    EXPECT_THROW(slope_model("plate_9"), std::logic_error);
+}
+
+// A merged sliver closes the joint between its halves. Joint A of the toppling models must run through: the length of
+// faces along it is that of its traces in the section, on both sides, but for what is merged at the face.
+TEST(Chapter2Models, JointARunsThrough) {
+    RelaxationStudy study = slope_model("plate_2_iii");
+    const SlopeScene scene = slope_scene(slope_of(study));
+    double faces = 0;
+    for (const RelaxationBlock& block : scene.block) {
+        for (std::size_t edge = 0; edge < block.outline.size() && !block.fixed; ++edge) {
+            const PlanePoint<> along = block.outline[(edge + 1) % block.outline.size()] - block.outline[edge];
+            faces += block.joint[edge] == 0 && std::abs(angle_of(along) - degrees(70)) < degrees(1) ? along.norm() : 0;
+        }
+    }
+    // Joint A through the toe and every 50 mm behind it; section of 400 by 343 mm with a face of 60 deg.
+    double traces = 0;
+    for (double foot = 0.05 / std::sin(degrees(70)); foot < 0.4; foot += 0.05 / std::sin(degrees(70))) {
+        // It comes out in the face, at the top or at the back.
+        const double at_face = foot / (1 / std::tan(degrees(60)) - 1 / std::tan(degrees(70)));
+        const double at_back = (0.4 - foot) * std::tan(degrees(70));
+        traces += std::min({at_face, 0.343, at_back}) / std::sin(degrees(70));
+    }
+    // Half a per cent of it at the face.
+    EXPECT_NEAR(faces / 2, traces, 0.005 * traces);
+}
+
+// 2.3.3.2 C: the wedge between A and B goes down and drives the columns out; with the friction of the mixture rigid
+// blocks stand.
+TEST(Chapter2Models, ToppleAtTheFrictionOfSlate) {
+    RelaxationStudy study = slope_model("plate_2_iii");
+    study.settings->duration = 0.25;
+    const RelaxationRun made = run(study);
+    ASSERT_TRUE(made.post_failure.has_value());
+    const PostFailureAnswer& answer = made.post_failure->answer;
+    EXPECT_LT(answer.near_face.horizontal, 0);
+    EXPECT_LT(answer.near_face.vertical, -0.002);  // a tenth of a block
+    const auto b = std::ranges::find(answer.joint, "joint B", &CrestJoint::joint);
+    ASSERT_NE(b, answer.joint.end());
+    EXPECT_GT(b->open, 0.9);
+}
+
+// 2.3.5, observations 2 and 3.
+TEST(Chapter2Models, ColumnMovesFartherWithWaterAndWithLessFriction) {
+    RelaxationStudy dry = slope_model("groundwater_column");
+    dry.settings->duration = 0.15;
+    RelaxationStudy half = dry;
+    slope_of(half).tilt = degrees(12);
+    RelaxationStudy full = dry;
+    slope_of(full).tilt = degrees(47.5);
+    const double rough = mean_way(run(with_friction(half, degrees(43))));
+    const double sprayed = mean_way(run(with_friction(half, degrees(29.5))));
+    const double dry_way = mean_way(run(with_friction(dry, degrees(43))));
+    const double full_way = mean_way(run(with_friction(full, degrees(43))));
+    EXPECT_GT(rough, dry_way);
+    EXPECT_GT(sprayed, rough);
+    EXPECT_GT(full_way, rough);
+}
+
+}  // namespace
+}  // namespace delabole
