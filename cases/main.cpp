@@ -166,6 +166,7 @@ struct Program {
         reproduce->add_flag("--json", options.json, "Print the result as JSON on standard output");
         reproduce->add_flag("--quiet", options.quiet, "Print nothing but errors (and what --json asks for)");
         add_output(*reproduce, options);
+        add_threads(*reproduce, options);
         reproduce->footer(example("delabole reproduce fig2.8"));
         reproduce->callback([this] { chosen = [this] { return delabole::reproduce_command(word, options); }; });
     }

@@ -37,7 +37,8 @@ Chosen choose(const std::string& what) {
     for (const ReproductionChapter& chapter : chapters()) {
         const bool whole = what.empty() || what == chapter.name;
         for (const ReproductionItem& item : chapter.items) {
-            if ((whole || what == item.name) && !has(chosen.items, item.name)) {
+            const bool too_long = what.empty() && item.takes_minutes;
+            if ((whole || what == item.name) && !too_long && !has(chosen.items, item.name)) {
                 chosen.items.push_back(&item);
                 chosen.title = what.empty() ? chosen.title : chapter.title;
             }

@@ -29,6 +29,7 @@ struct ReproductionItem {
     std::string meaning;  // one line
     // Appends to the report, writes figures and tables into the folder.
     std::function<Reproduction(const ResultFolder&, Report&)> reproduce;
+    bool takes_minutes = false;  // done where it or its chapter is named, not with all of the thesis
 };
 
 struct ReproductionChapter {

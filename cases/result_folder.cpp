@@ -142,7 +142,7 @@ std::filesystem::path result_path(const Options& options, const std::string& nam
 }
 
 ResultFolder::ResultFolder(const Options& options, const std::string& name, OnInterrupt on_interrupt)
-    : path_(result_path(options, name)), quiet_(options.quiet), on_interrupt_(on_interrupt) {
+    : path_(result_path(options, name)), quiet_(options.quiet), threads_(options.threads), on_interrupt_(on_interrupt) {
     create_output_folder(path_);
     const std::filesystem::path result = path_ / "result.json";
     std::error_code error;

@@ -64,6 +64,9 @@ class ResultFolder {
     ResultFolder(const Options& options, const std::string& name, OnInterrupt on_interrupt);
 
     const std::filesystem::path& path() const { return path_; }
+    // As the command was told; for long work.
+    bool quiet() const { return quiet_; }
+    int threads() const { return threads_; }
     void write(const std::string& name, std::string_view text) const;
     // A figure that cannot be drawn is reported inside the report and by a warning on standard error.
     FigureInReport draw(const Figure& figure, const std::string& name, const std::string& caption) const;
@@ -72,6 +75,7 @@ class ResultFolder {
   private:
     std::filesystem::path path_;
     bool quiet_;
+    int threads_;
     OnInterrupt on_interrupt_;
 };
 
