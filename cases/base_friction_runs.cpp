@@ -15,18 +15,16 @@ struct ReadyScene {
     RelaxationScene scene;
     RelaxationSettings settings;
     StrengthReduction reduction;
-    PlanePoint<> toe;
 
     SceneNeed need(CriticalStrength critical) const {
-        CrackPath path = crack_path(critical.end, reduction, toe);
+        CrackPath path = crack_path(critical.end);
         return {std::move(critical), std::move(path)};
     }
 };
 
 ReadyScene ready(const BaseFrictionGeometry& geometry, const ModelMixture& mixture) {
     const RelaxationStudy study = base_friction_study(geometry, mixture);
-    return {relaxation_scene(study), relaxation_settings(study), strength_reduction_of(geometry),
-            PlanePoint<>(0, -geometry.vertical_cut)};
+    return {relaxation_scene(study), relaxation_settings(study), strength_reduction_of(geometry)};
 }
 
 // Share of failed slopes that a state stands for.

@@ -41,8 +41,8 @@ SceneNeed run_with_strength(const BaseFrictionGeometry& geometry, const ModelMix
 double failure_probability(double needed, double strength);
 
 struct StrengthFit {
-    double strength;         // kPa
-    double misfit;           // - log likelihood; a slope in limiting equilibrium counts half as failed
+    double strength;  // kPa
+    double misfit;    // - log likelihood; a slope in limiting equilibrium counts half as failed
     long evaluations;
 };
 

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double inch = 0.0254;
 constexpr double pascals_of_unit_strength = 1e3;
-constexpr double gravity = 9.80665;
 
 // The golden section: no two of many neighbouring columns are shifted alike.
 constexpr double column_shift = 0.381966;
@@ -23,7 +22,7 @@ SlopeCut line(const std::string& name, const std::string& joint, std::vector<Sec
 }
 
 struct Corners {
-    double toe_y;    // of the upright cut's foot, or of the slope
+    double toe_y;  // of the upright cut's foot, or of the slope
     double crest_x;
     double crest_y;
     double right;
@@ -63,12 +62,6 @@ std::vector<SectionPoint> outline_of(const BaseFrictionGeometry& geometry) {
     return outline;
 }
 
-// Of the bonds, along a column.
-double face_spacing(const BaseFrictionGeometry& geometry) {
-    constexpr double high = 16.5;  // columns to the height, beyond which half a spacing would cost too much
-    return geometry.joint_spacing * (geometry.slope_height / geometry.joint_spacing < high ? 0.5 : 1);
-}
-
 JointSetCut set_of(double dip, double spacing) {
     JointSetCut set{};
     set.dip = dip;
@@ -86,7 +79,7 @@ struct Zone {
     std::vector<SectionPoint> polygon() const { return {{left, bottom}, {right, bottom}, {right, top}, {left, top}}; }
 };
 
-std::vector<SlopeCut> faces_of(const BaseFrictionGeometry& geometry) {
+std::vector<SlopeCut> faces_of(const BaseFrictionGeometry& geometry, const ModelMixture& mixture) {
     const double across = degrees(90) - geometry.joint_dip;
     if (geometry.cross_joint_spacing) {
         const double spacing = *geometry.cross_joint_spacing;
@@ -97,7 +90,7 @@ std::vector<SlopeCut> faces_of(const BaseFrictionGeometry& geometry) {
         middle.offset = spacing / 2;
         return {{"cross joints", "joint", open}, {"middles of blocks", "intact", middle}};
     }
-    JointSetCut fine = set_of(across, face_spacing(geometry));
+    JointSetCut fine = set_of(across, mixture.face_spacing * geometry.joint_spacing);
     fine.staggered_by = "columns";
     fine.stagger_share = column_shift;
     const double height = geometry.slope_height;
@@ -123,7 +116,7 @@ std::vector<SlopeCut> faces_of(const BaseFrictionGeometry& geometry) {
     return cuts;
 }
 
-std::vector<SlopeCut> cuts_of(const BaseFrictionGeometry& geometry) {
+std::vector<SlopeCut> cuts_of(const BaseFrictionGeometry& geometry, const ModelMixture& mixture) {
     const Corners at = corners_of(geometry);
     std::vector<SlopeCut> cuts;
     if (geometry.cut_friction) {
@@ -136,7 +129,7 @@ std::vector<SlopeCut> cuts_of(const BaseFrictionGeometry& geometry) {
     JointSetCut columns = set_of(-geometry.joint_dip, geometry.joint_spacing);
     columns.through = geometry.saw_tooth ? SectionPoint{at.crest_x, at.crest_y} : SectionPoint{0, at.toe_y};
     cuts.push_back({"columns", "joint", columns});
-    for (SlopeCut& cut : faces_of(geometry)) {
+    for (SlopeCut& cut : faces_of(geometry, mixture)) {
         cuts.push_back(std::move(cut));
     }
     return cuts;
@@ -156,13 +149,6 @@ RelaxationJoint open_joint(double friction, double stiffness) {
     joint.friction_angle = friction;
     joint.normal_stiffness = joint.shear_stiffness = stiffness;
     return joint;
-}
-
-// Of a free column as high as the slope, w = rho g s sin(90 deg - dip) along it: deflection w H^4 / (8 E s^3 / 12).
-double young_modulus_of(const BaseFrictionGeometry& geometry, const ModelMixture& mixture) {
-    const double slenderness = geometry.slope_height / geometry.joint_spacing;
-    return 1.5 * mixture.density * gravity * std::cos(geometry.joint_dip) * geometry.slope_height * slenderness *
-           slenderness / mixture.lean;
 }
 
 std::size_t columns_removed(ToeChange toe) {
@@ -189,7 +175,10 @@ ModelMixture model_mixture() {
     mixture.saw_tooth = degrees(30);     // not printed
     mixture.density = 1330;              // 2.3.3.1
     mixture.cohesion = 3;                // not printed; 2 to 4 is customary
-    mixture.lean = 0.005;                // not printed: stiff
+    // Columns that can only break into pieces as long as they are wide lock where they bend; at half of that they
+    // topple.
+    mixture.face_spacing = 0.5;
+    mixture.young_modulus = 15e6;  // not printed; a free column of 12 in would lean by a hundredth of its height
     return mixture;
 }
 
@@ -229,12 +218,12 @@ BaseFrictionGeometry geometry_of(const BaseFrictionState& state, const ModelMixt
 }
 
 RelaxationStudy base_friction_study(const BaseFrictionGeometry& geometry, const ModelMixture& mixture) {
-    const double young = young_modulus_of(geometry, mixture);
+    const double young = mixture.young_modulus;
     // A corner stands for half of a face of half a spacing, backed by a column's width of rock.
     const double stiffness = young / 4;
     RelaxationSlope slope{};
     slope.geometry.outline = outline_of(geometry);
-    slope.geometry.cut = cuts_of(geometry);
+    slope.geometry.cut = cuts_of(geometry, mixture);
     slope.geometry.intact_joint = "intact";
     slope.geometry.sliver_share = 0.15;
     slope.rock = {{"mixture", mixture.density}};
@@ -272,7 +261,8 @@ RelaxationStudy base_friction_study(const BaseFrictionGeometry& geometry, const 
     study.model.base_friction = BaseFriction{0.2, degrees(45)};
     RelaxationNumerics settings{};
     settings.step_fraction = 0.8;
-    settings.local_damping = 0.7;
+    settings.local_damping = 0.5;
+    settings.viscous_damping = 0.02;
     settings.mass_scaling = OffOn::on;
     settings.start = RelaxationStart::ramped;
     settings.ramp_time = ramp_time;
@@ -287,7 +277,9 @@ RelaxationStudy base_friction_study(const BaseFrictionGeometry& geometry, const 
 StrengthReduction strength_reduction_of(const BaseFrictionGeometry& geometry) {
     const double height = geometry.slope_height;
     const double spacing = geometry.joint_spacing;
-    return {1e4, 1e-3, 0.95, 0.15 * spacing, 0.1 * height * height, spacing, 0.6};
+    // Stresses are of the order of the slope's weight, 4 to 8 kPa at its foot. A speed at which a block needs half a
+    // minute to its width's end is rest.
+    return {1e4, 0.05, 0.8, 0.3 * spacing, 0.1 * height * height, spacing, 2.5e-4, 1};
 }
 
 }  // namespace delabole

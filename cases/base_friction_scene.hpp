@@ -36,13 +36,14 @@ struct BaseFrictionGeometry {
 
 // Of the mixture (2.3.3.1, 3.2) and the frame. Strength is not printed: that of the scene is a unit, 1 kPa.
 struct ModelMixture {
-    double friction;           // rad
-    double frame_friction;     // rad, on steel
-    double tin_friction;       // rad
-    double saw_tooth;          // rad, inclination of the teeth
-    double density;            // kg/m3
-    double cohesion;           // over the tensile strength
-    double lean;               // that of a free column as high as the slope under its own weight, over its height
+    double friction;        // rad
+    double frame_friction;  // rad, on steel
+    double tin_friction;    // rad
+    double saw_tooth;       // rad, inclination of the teeth
+    double density;         // kg/m3
+    double cohesion;        // over the tensile strength
+    double face_spacing;    // along a column, between faces at which it may break, over its width
+    double young_modulus;   // Pa
 };
 
 ModelMixture model_mixture();

@@ -67,7 +67,7 @@ struct Prediction {
         return (*state->crack_angle_from + state->crack_angle_to.value_or(*state->crack_angle_from)) / 2;
     }
     std::optional<double> angle() const {
-        if (run == nullptr || run->path.broken.size() < 2) {
+        if (run == nullptr || run->path.broken < 2) {
             return std::nullopt;
         }
         return run->path.inclination;
@@ -130,7 +130,9 @@ Table test_table(const Predictions& predictions) {
                               human_name(word_of(state.toe)) + ", " + human_name(word_of(state.foundation)),
                               prediction.scene->fitted ? "fitted" : "predicted", std::string(word_of(state.behaviour)),
                               strength_in_words(*prediction.need), prediction.fails ? "U" : "S",
-                              !prediction.decided() ? "" : prediction.hit() ? "hit" : "MISS",
+                              !prediction.decided() ? ""
+                              : prediction.hit()    ? "hit"
+                                                    : "MISS",
                               in_degrees(prediction.printed_angle()), in_degrees(prediction.angle())});
     }
     return table;
@@ -163,8 +165,8 @@ Table score_table(const Predictions& predictions, Reproduction& result) {
         const Score fitted = of_half(true);
         const Score rest = of_half(false);
         table.rows.push_back({rule, fitted.words(), rest.words(), all.words()});
-        result.json["scores"][key] = {{"fitted", fitted.right}, {"fitted_of", fitted.of}, {"predicted", rest.right},
-                                      {"predicted_of", rest.of}};
+        result.json["scores"][key] = {
+            {"fitted", fitted.right}, {"fitted_of", fitted.of}, {"predicted", rest.right}, {"predicted_of", rest.of}};
         return rest;
     };
     add("every slope fails", "every_slope", every_slope);
@@ -202,8 +204,8 @@ void add_angles(const Predictions& predictions, Reproduction& result) {
     const double guess_spread = std::sqrt(guess_squares / share) / degrees(1);
     result.rows.push_back({"crack path, error of the inclination", "", human_number(spread, 3) + " deg",
                            human_number(mean, 3) + " deg",
-                           "root mean square and mean over " + std::to_string(count) + " tests; their mean as a guess " +
-                               human_number(guess_spread, 3) + " deg"});
+                           "root mean square and mean over " + std::to_string(count) +
+                               " tests; their mean as a guess " + human_number(guess_spread, 3) + " deg"});
     result.json["crack_path"] = {
         {"tests", count}, {"rms_error_deg", spread}, {"mean_error_deg", mean}, {"rms_of_mean_deg", guess_spread}};
 }
@@ -280,9 +282,9 @@ Figure slope_figure(const std::string& title, const ReducedSlope& slope, const S
         for (std::size_t corner = bodies.range[index].begin; corner < bodies.range[index].end; ++corner) {
             block.outline.push_back(moved_corner(bodies, slope.state.motion, corner));
         }
-        block.mode = bodies.fixed[index] != 0                      ? DrawnMode::fixed
+        block.mode = bodies.fixed[index] != 0                  ? DrawnMode::fixed
                      : slope.way(index) > reduction.failed_way ? DrawnMode::topples
-                                                                   : DrawnMode::stays;
+                                                               : DrawnMode::stays;
         drawing.blocks.push_back(std::move(block));
     }
     for (const BrokenBond& bond : broken_bonds(slope.scene, bodies, slope.state)) {
@@ -295,7 +297,8 @@ Figure slope_figure(const std::string& title, const ReducedSlope& slope, const S
 void add_slope_figures(const Predictions& predictions, const ResultFolder& folder, Report& report) {
     constexpr std::array<std::string_view, 4> shown{"3(L)", "8(R)", "2(L)", "2'_1(L)"};
     for (const std::string_view test : shown) {
-        const auto found = std::ranges::find_if(predictions, [&](const Prediction& p) { return p.state->test == test; });
+        const auto found =
+            std::ranges::find_if(predictions, [&](const Prediction& p) { return p.state->test == test; });
         if (found != predictions.end() && found->run != nullptr) {
             const auto number = static_cast<int>(found - predictions.begin()) + 1;
             report.blocks.emplace_back(folder.draw(
@@ -315,9 +318,8 @@ Reproduction reproduce_base_friction_runs(const ResultFolder& folder, Report& re
     const auto goes_on = [] { return !interrupt_flag(); };
     ManyScenes work(folder, scenes.size());
     Needs needs(scenes.size());
-    work.run(scenes.size(), "strength needed", [&](std::size_t scene) {
-        needs[scene] = needed_strength(scenes[scene].geometry, mixture, goes_on);
-    });
+    work.run(scenes.size(), "strength needed",
+             [&](std::size_t scene) { needs[scene] = needed_strength(scenes[scene].geometry, mixture, goes_on); });
     const StrengthFit fit = fit_strength(states, scenes, needs);
     Needs runs(scenes.size());
     const auto fails = [&](std::size_t scene) { return needs[scene].strength() > fit.strength; };
@@ -335,14 +337,15 @@ Reproduction reproduce_base_friction_runs(const ResultFolder& folder, Report& re
             {&states[state], &*scene, &needs[index], fails(index) ? &runs[index] : nullptr, fails(index)});
     }
     Reproduction result;
-    result.rows.push_back({"tensile strength of the mixture", "not printed", human_number(fit.strength, 3) + " kPa", "",
-                           "fitted to " + std::to_string((scenes.size() + 1) / 2) + " of " +
-                               std::to_string(scenes.size()) + " scenes"});
+    result.rows.push_back(
+        {"tensile strength of the mixture", "not printed", human_number(fit.strength, 3) + " kPa", "",
+         "fitted to " + std::to_string((scenes.size() + 1) / 2) + " of " + std::to_string(scenes.size()) + " scenes"});
     result.json["strength_kPa"] = fit.strength;
     result.json["misfit"] = fit.misfit;
     report.blocks.emplace_back(Heading{"Base friction tests as runs"});
     report.blocks.emplace_back(Paragraph{
-        "Every state of Table 3.2 as a slope of columns that can break, on a belt. Its tensile strength is lowered until "
+        "Every state of Table 3.2 as a slope of columns that can break, on a belt. Its tensile strength is lowered "
+        "until "
         "it fails: that is the strength it needs. One strength is fitted to every other scene, beginning with the "
         "first; a slope that needs more fails. Not printed and taken: friction on the steel frame, " +
         value_in_words(mixture.frame_friction, Dimension::angle) + "; cohesion, " + human_number(mixture.cohesion, 2) +

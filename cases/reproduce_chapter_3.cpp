@@ -12,7 +12,8 @@ ReproductionChapter chapter_3() {
         {
             {"table3.2", "base friction tests: what the tables say of the text, and what guessing scores",
              reproduce_table_3_2},
-            {"base_friction", "base friction tests of Table 3.2 as runs: the strength fitted to half, the rest predicted",
+            {"base_friction",
+             "base friction tests of Table 3.2 as runs: the strength fitted to half, the rest predicted",
              reproduce_base_friction_runs, true},
             {"tilting_frame", "rows of columns tilted until they fail, with the scatter of plaster: Figs 3.4, 3.6, 3.7",
              reproduce_tilting_runs, true},

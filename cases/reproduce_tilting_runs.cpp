@@ -126,9 +126,9 @@ std::string in_degrees(double angle) {
 void add_single_columns(const ResultFolder& folder, Report& report, Reproduction& result) {
     constexpr double wear = 0.022;   // in: a column of 2 in then fails a degree early
     constexpr double offset = 0.04;  // in
-    std::vector<Curve> curves = {{"one piece, worn edges", Colour::blue, places(least_height, most_height)},
-                                 {"cubes, worn edges, out of line", Colour::vermilion,
-                                  places(least_height, most_height)}};
+    std::vector<Curve> curves = {
+        {"one piece, worn edges", Colour::blue, places(least_height, most_height)},
+        {"cubes, worn edges, out of line", Colour::vermilion, places(least_height, most_height)}};
     sample(curves, samples, folder, "single columns",
            [&](std::size_t number, const Sampled& at, std::uint64_t seed) -> std::optional<double> {
                const bool cubes = number == 1;
@@ -193,10 +193,10 @@ void add_equal_columns(const ResultFolder& folder, Report& report, Reproduction&
             on_tin = std::max(on_tin, std::abs(curves[4].at[place].mean() - curves[1].at[place].mean()));
         }
     }
-    result.rows.push_back({"one column more", "stands at greater tilt",
-                           std::to_string(stabler) + " of " + std::to_string(steps) + " greater", "",
-                           "means of " + std::to_string(samples) + " rows each; four over one: at most " +
-                               in_degrees(gain)});
+    result.rows.push_back(
+        {"one column more", "stands at greater tilt",
+         std::to_string(stabler) + " of " + std::to_string(steps) + " greater", "",
+         "means of " + std::to_string(samples) + " rows each; four over one: at most " + in_degrees(gain)});
     result.rows.push_back({"two columns on tin against plaster, 4 in and more", "quite close",
                            "within " + in_degrees(on_tin), "", "lower ones slide on the tin first"});
     result.json["equal_columns"] = {

@@ -23,8 +23,8 @@ struct FrameRow {
 };
 
 struct FrameFailure {
-    double tilt = 0;          // rad, at which the first column has turned or slid beyond a threshold
-    double crack_tilt = 0;    // rad, of the first tension crack; infinite: none before
+    double tilt = 0;              // rad, at which the first column has turned or slid beyond a threshold
+    double crack_tilt = 0;        // rad, of the first tension crack; infinite: none before
     std::size_t crack_after = 0;  // number of the column below it; 0: none
 };
 

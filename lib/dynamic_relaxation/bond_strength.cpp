@@ -1,5 +1,7 @@
 #include "dynamic_relaxation/bond_strength.hpp"
 
+#include "dynamic_relaxation/loads.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -50,6 +52,9 @@ class WeakeningSlope {
             if (has_loose_block) {
                 take_loose_blocks_away();
                 continue;
+            }
+            if (rests_) {
+                return Standing::rests;
             }
             switch (simulation.outcome()) {
             case RelaxationOutcome::equilibrium:
@@ -114,8 +119,27 @@ class WeakeningSlope {
         return area;
     }
 
+    // Of the mean square, by mass, of the free blocks.
+    double speed(const RelaxationState& state) const {
+        double mass = 0;
+        double sum = 0;
+        for (std::size_t block = 0; block < bodies_.size(); ++block) {
+            if (bodies_.fixed[block] == 0 && state.removed[block] == 0) {
+                const Motion& motion = state.motion[block];
+                mass += bodies_.mass[block];
+                sum += bodies_.mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy);
+            }
+        }
+        return mass > 0 ? std::sqrt(sum / mass) : 0;
+    }
+
     bool run_until_loose(Simulation& simulation) {
         constexpr std::uint64_t steps_between_looks = 100;
+        // A slope that swings stands still for a moment now and then.
+        constexpr int calm_looks = 5;
+        const double scheduled = last_scheduled_time(made_.end.scene, settings_);
+        int calm = 0;
+        rests_ = false;
         while (simulation.running()) {
             simulation.step();
             const RelaxationState& state = simulation.state();
@@ -133,6 +157,11 @@ class WeakeningSlope {
                 if (is_loose(state, block)) {
                     return true;
                 }
+            }
+            calm = state.time > scheduled && speed(state) < reduction_.rest_speed ? calm + 1 : 0;
+            if (calm == calm_looks) {
+                rests_ = true;
+                return false;
             }
         }
         return false;
@@ -155,6 +184,7 @@ class WeakeningSlope {
     CriticalStrength made_ = {};
     bool begun_ = false;
     bool interrupted_ = false;
+    bool rests_ = false;
 };
 
 // What the search ends with, where a run neither rested nor crept.
@@ -215,8 +245,7 @@ CriticalStrength find_critical_strength(const RelaxationScene& scene, const Rela
 }
 
 CriticalStrength run_at_strength(const RelaxationScene& scene, const RelaxationSettings& settings,
-                                 const StrengthReduction& reduction, double share,
-                                 const std::function<bool()>& watch) {
+                                 const StrengthReduction& reduction, double share, const std::function<bool()>& watch) {
     WeakeningSlope slope(scene, settings, reduction, watch);
     CriticalStrength& made = slope.made();
     if (!begins(slope, reduction)) {
@@ -233,26 +262,58 @@ CriticalStrength run_at_strength(const RelaxationScene& scene, const RelaxationS
     return std::move(made);
 }
 
-CrackPath crack_path(const ReducedSlope& slope, const StrengthReduction& reduction, const PlanePoint<>& toe) {
+CrackPath crack_path(const ReducedSlope& slope) {
+    struct Turned {
+        PlanePoint<> at;
+        double by;
+    };
     const Bodies bodies = make_bodies(slope.scene);
     const std::vector<Bond> bonds = make_bonds(slope.scene, bodies, 0);
-    const auto moved = [&](std::size_t block) {
-        return bodies.fixed[block] == 0 && slope.way(block) > reduction.failed_way;
-    };
     CrackPath path;
+    std::vector<Turned> turned;
+    double sum = 0;
+    double most = 0;
     for (std::size_t index = 0; index < bonds.size(); ++index) {
-        const SharedFace& face = bonds[index].face;
         const BondState state = slope.state.bond[index].state;
-        const bool broken = state == BondState::broken_in_tension || state == BondState::broken_in_shear;
-        if (broken && moved(face.block) != moved(face.other)) {
-            path.broken.push_back(bodies.centroid[face.other] + face.other_arm);
+        if (state != BondState::broken_in_tension && state != BondState::broken_in_shear) {
+            continue;
+        }
+        ++path.broken;
+        const SharedFace& face = bonds[index].face;
+        const double turn = std::abs(slope.state.motion[face.block].angle - slope.state.motion[face.other].angle);
+        turned.push_back({bodies.centroid[face.other] + face.other_arm, turn});
+        sum += turn;
+        most = std::max(most, turn);
+    }
+    if (path.broken < 2 || !(sum > 0)) {
+        return path;
+    }
+    for (const Turned& bond : turned) {
+        path.middle += bond.by / sum * bond.at;
+    }
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+    for (const Turned& bond : turned) {
+        const PlanePoint<> arm = bond.at - path.middle;
+        xx += bond.by * arm.x() * arm.x();
+        xy += bond.by * arm.x() * arm.y();
+        yy += bond.by * arm.y() * arm.y();
+    }
+    // The principal axis of the greatest spread: columns are crossed and followed alike.
+    path.inclination = std::atan2(2 * xy, xx - yy) / 2;
+    const PlanePoint<> along(std::cos(path.inclination), std::sin(path.inclination));
+    double first = 0;
+    double last = 0;
+    constexpr double counts = 0.1;
+    for (const Turned& bond : turned) {
+        if (bond.by > counts * most) {
+            const double place = along.dot(bond.at - path.middle);
+            first = std::min(first, place);
+            last = std::max(last, place);
         }
     }
-    std::ranges::sort(path.broken, {}, [](const PlanePoint<>& point) { return point.x(); });
-    if (!path.broken.empty()) {
-        const PlanePoint<> way = path.broken.back() - toe;
-        path.inclination = std::atan2(way.y(), way.x());
-    }
+    path.length = last - first;
     return path;
 }
 

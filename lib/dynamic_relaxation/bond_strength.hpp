@@ -1,11 +1,12 @@
 // How strong the rock of a bonded slope must be to stand: strength reduction.
 //
 // Friction has no scale, so what decides whether columns break is the strength of the bonds over the stress that weight
-// raises in them. The slope first comes to rest with bonds too strong to break. Then their tensile strength and cohesion
-// are lowered together, in steps of a fixed ratio, and after each step at which a bond breaks the slope is run on until
-// it rests again or has failed. Each run goes on from the one before: cracks stay, as they do in a model that is loaded
-// more and more. That is one sequence of runs instead of a bisection over whole ones; what it finds is the strength at
-// which a slope that weakens slowly fails. A slope that is loaded at once may fail at up to a few steps more.
+// raises in them. The slope first comes to rest with bonds too strong to break. Then their tensile strength and
+// cohesion are lowered together, in steps of a fixed ratio, and after each step at which a bond breaks the slope is run
+// on until it rests again or has failed. Each run goes on from the one before: cracks stay, as they do in a model that
+// is loaded more and more. That is one sequence of runs instead of a bisection over whole ones; what it finds is the
+// strength at which a slope that weakens slowly fails. A slope that is loaded at once may fail at up to a few steps
+// more.
 //
 // Failed: blocks that have moved by more than a given way since the unbroken slope came to rest make up more than a
 // given area, and have not come to rest. A single block that comes loose is no failure of the slope: once it has moved
@@ -32,6 +33,7 @@ struct StrengthReduction {
     double failed_way;   // m
     double failed_area;  // m2
     double loose_way;    // m, more than failed_way
+    double rest_speed;   // m/s; a slope whose blocks move no faster, in the mean by their squares, rests
     double longest_run;  // s of model time at one strength; a slope that still creeps then stands
 };
 
@@ -59,12 +61,12 @@ struct ReducedSlope {
 
 struct CriticalStrength {
     StrengthStatus status = StrengthStatus::run_failed;
-    double stands = 0;           // least share known to stand; infinite where it fails however strong
-    double fails = 0;            // greatest share known to fail; 0 where it stands however weak
-    std::size_t runs = 0;        // at different strengths
-    std::size_t creeping = 0;    // of these, that ended at `longest_run`
-    std::uint64_t steps = 0;     // of time
-    ReducedSlope end;            // of the last run: failed where it was found
+    double stands = 0;         // least share known to stand; infinite where it fails however strong
+    double fails = 0;          // greatest share known to fail; 0 where it stands however weak
+    std::size_t runs = 0;      // at different strengths
+    std::size_t creeping = 0;  // of these, that ended at `longest_run`
+    std::uint64_t steps = 0;   // of time
+    ReducedSlope end;          // of the last run: failed where it was found
 };
 
 // The scene must be valid, and has bonds. The settings' thresholds of onset and collapse, stop and duration are not
@@ -77,13 +79,15 @@ CriticalStrength run_at_strength(const RelaxationScene& scene, const RelaxationS
                                  const StrengthReduction& reduction, double share,
                                  const std::function<bool()>& watch = {});
 
-// Where the rock has broken between what has moved and what has not.
+// The line along which columns have bent most where they broke: that of least squares through the middles of the broken
+// bonds, each counted by how far its faces have turned against each other.
 struct CrackPath {
-    std::vector<PlanePoint<>> broken;  // m, middles in the drawing of broken bonds between a block that has moved by more
-                                       // than the failed way and one that has not, x increasing
-    double inclination = 0;            // rad, of the line from the toe to the last of them; 0 without any
+    std::size_t broken = 0;     // bonds
+    double inclination = 0;     // rad; 0 with fewer than two
+    PlanePoint<> middle{0, 0};  // m, in the drawing
+    double length = 0;          // m, between the outermost of the bonds that turned by more than a tenth of the most
 };
 
-CrackPath crack_path(const ReducedSlope& slope, const StrengthReduction& reduction, const PlanePoint<>& toe);
+CrackPath crack_path(const ReducedSlope& slope);
 
 }  // namespace delabole

@@ -30,8 +30,8 @@ std::vector<BrokenBond> broken_bonds(const RelaxationScene& scene, const Bodies&
             continue;
         }
         const FaceBond& bond = scene.bond[index];
-        const std::optional<SharedFace> face = shared_face(bodies, edge_of(bodies, bond.block, bond.edge),
-                                                           edge_of(bodies, bond.other, bond.other_edge));
+        const std::optional<SharedFace> face =
+            shared_face(bodies, edge_of(bodies, bond.block, bond.edge), edge_of(bodies, bond.other, bond.other_edge));
         if (face && state.removed[bond.other] == 0) {
             const PlanePoint<> middle = bodies.centroid[bond.other] + face->other_arm;
             const PlanePoint<> half = face->length / 2 * face->along;

@@ -96,12 +96,11 @@ struct FlexuralColumnState {
     double normal = 0;  // N/m, compression at its foot, likewise
     static constexpr auto fields() {
         using C = FlexuralColumnState;
-        return std::tuple{
-            section("mode", &C::mode, "how it fails unless it is pushed"),
-            number("push", &C::push, Dimension::force_per_length, any_number(),
-                   "that it needs from the column below; infinite: none holds it"),
-            number("normal", &C::normal, Dimension::force_per_length, any_number(),
-                   "compression at its foot, where it gets that push")};
+        return std::tuple{section("mode", &C::mode, "how it fails unless it is pushed"),
+                          number("push", &C::push, Dimension::force_per_length, any_number(),
+                                 "that it needs from the column below; infinite: none holds it"),
+                          number("normal", &C::normal, Dimension::force_per_length, any_number(),
+                                 "compression at its foot, where it gets that push")};
     }
 };
 
