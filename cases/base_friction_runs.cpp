@@ -11,6 +11,9 @@ namespace delabole {
 
 namespace {
 
+constexpr double least_strength = 0.02;  // kPa
+constexpr double greatest_strength = 100;
+
 struct ReadyScene {
     RelaxationScene scene;
     RelaxationSettings settings;
@@ -104,7 +107,7 @@ StrengthFit fit_strength(const std::vector<BaseFrictionState>& states, const std
         return sum;
     };
     // The misfit has a step at every scene: searched for globally, then to the bottom.
-    const std::array<Interval, 1> bounds{within(std::log(1e-3), std::log(1e3))};
+    const std::array<Interval, 1> bounds{within(std::log(least_strength), std::log(greatest_strength))};
     const Objective objective = [&](std::span<const double> point) {
         return Evaluation{misfit(std::exp(point[0])), {}};
     };
@@ -115,7 +118,18 @@ StrengthFit fit_strength(const std::vector<BaseFrictionState>& states, const std
     settings.algorithm = Algorithm::sbplx;
     settings.initial_step = 0.01;
     const MinimiseResult local = minimise(objective, bounds, global.point, settings);
-    return {std::exp(local.point[0]), local.value, global.evaluations.total + local.evaluations.total};
+    StrengthFit fit{std::exp(local.point[0]), local.value, std::exp(local.point[0]), std::exp(local.point[0]),
+                    global.evaluations.total + local.evaluations.total};
+    constexpr double step = 1.01;
+    constexpr double of_95_percent = 1.92;  // half of chi squared with one degree of freedom
+    const auto as_good = [&](double strength) { return misfit(strength) <= local.value + of_95_percent; };
+    while (fit.lower > least_strength && as_good(fit.lower / step)) {
+        fit.lower /= step;
+    }
+    while (fit.upper < greatest_strength && as_good(fit.upper * step)) {
+        fit.upper *= step;
+    }
+    return fit;
 }
 
 }  // namespace delabole

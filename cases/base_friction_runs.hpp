@@ -43,6 +43,8 @@ double failure_probability(double needed, double strength);
 struct StrengthFit {
     double strength;  // kPa
     double misfit;    // - log likelihood; a slope in limiting equilibrium counts half as failed
+    double lower;     // kPa, between which the misfit is no more than 1.92 above the least: 95 %
+    double upper;
     long evaluations;
 };
 

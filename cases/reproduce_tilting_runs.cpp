@@ -254,14 +254,105 @@ void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) 
     report.blocks.emplace_back(folder.draw(figure, "fig_3_7_runs", "Fig 3.7."));
 }
 
+const MotionFrame& frame_at(const RelaxationRun& made, double tilt) {
+    const auto found = std::ranges::find_if(made.frames, [&](const MotionFrame& frame) { return frame.tilt >= tilt; });
+    return found == made.frames.end() ? made.frames.back() : *found;
+}
+
+// "1 slides; 2 to 6 turn": each column by what it has done since the start.
+std::string movements_in_words(const MotionFrame& frame, std::size_t columns) {
+    std::string words;
+    for (std::size_t column = 0; column < columns; ++column) {
+        words += (column > 0 ? ", " : "") + std::to_string(column + 1) + " " +
+                 human_name(word_of(frame.outcome[column].movement));
+    }
+    return words;
+}
+
+double fastest(const MotionFrame& frame, std::size_t columns) {
+    double speed = 0;
+    for (std::size_t column = 0; column < columns; ++column) {
+        speed = std::max(speed, std::hypot(frame.motion[column].vx, frame.motion[column].vy));
+    }
+    return speed;
+}
+
+Figure frame_figure(const RelaxationRun& made, const MotionFrame& frame, const std::string& title) {
+    const Bodies bodies = make_bodies(made.scene);
+    BlockDrawing drawing;
+    drawing.title = title;
+    for (std::size_t index = 0; index < bodies.size(); ++index) {
+        DrawnBlock block;
+        for (std::size_t corner = bodies.range[index].begin; corner < bodies.range[index].end; ++corner) {
+            const PlanePoint<> at = moved_corner(bodies, frame.motion, corner);
+            block.outline.emplace_back(std::cos(frame.tilt) * at.x() - std::sin(frame.tilt) * at.y(),
+                                       std::sin(frame.tilt) * at.x() + std::cos(frame.tilt) * at.y());
+        }
+        const bool fixed = bodies.fixed[index] != 0;
+        block.label = fixed ? "F" : std::to_string(index + 1);
+        block.mode = fixed ? DrawnMode::fixed : DrawnMode::plain;
+        drawing.blocks.push_back(std::move(block));
+    }
+    return block_figure(drawing);
+}
+
+// Plate 3.XIV: friction between the columns from the tilt of the first crack, all else from the run.
+void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& result) {
+    constexpr std::size_t columns = 9;
+    constexpr double printed = degrees(16);
+    FrameRow row{growing_and_falling(columns), plaster_friction(), 0};
+    row.friction.deviation = 0;
+    double low = degrees(2);
+    double high = degrees(20);
+    for (int halving = 0; halving < 6; ++halving) {
+        stop_if_interrupted();
+        row.friction.interface = (low + high) / 2;
+        const std::optional<FrameFailure> failure = tilt_until_failure(row);
+        (failure && std::min(failure->tilt, failure->crack_tilt) < printed ? low : high) = row.friction.interface;
+    }
+    row.friction.interface = high;
+    const std::optional<FrameFailure> failure = tilt_until_failure(row);
+    const RelaxationRun made = tilt_all_the_way(row);
+    if (!failure || made.frames.empty()) {
+        result.rows.push_back({"Plate 3.XIV", "", "the run broke off", "", ""});
+        return;
+    }
+    result.rows.push_back({"nine columns: tilt of the first crack", "16 deg", in_degrees(failure->crack_tilt), "",
+                           "friction between columns set for it: " + in_degrees(row.friction.interface) +
+                               "; on the base " + in_degrees(row.friction.base)});
+    result.rows.push_back(
+        {"nine columns: place of the crack", "between 6 and 7",
+         "between " + std::to_string(failure->crack_after) + " and " + std::to_string(failure->crack_after + 1), "",
+         statement(failure->crack_after == 6)});
+    for (const double tilt : {30.0, 32.0}) {
+        const MotionFrame& frame = frame_at(made, degrees(tilt));
+        const double speed = fastest(frame, columns);
+        const bool reached = frame.tilt >= degrees(tilt);
+        result.rows.push_back({"nine columns at " + number_in_words(tilt) + " deg",
+                               tilt < 31 ? "stable, turned columns on their edges" : "all slide on their edges",
+                               reached ? "fastest column " + human_number(speed * 1e3, 2) + " mm/s"
+                                       : "collapsed at " + in_degrees(frame.tilt),
+                               "", movements_in_words(frame, columns)});
+        const std::string number = human_number(frame.tilt / degrees(1), 3);
+        report.blocks.emplace_back(folder.draw(frame_figure(made, frame, "Nine columns at " + number + " deg"),
+                                               "plate_3_xiv_" + number_in_words(tilt),
+                                               "Plate 3.XIV, gravity downwards; F: the base."));
+    }
+    result.json["nine_columns"] = {{"interface_friction_deg", row.friction.interface / degrees(1)},
+                                   {"crack_tilt_deg", failure->crack_tilt / degrees(1)},
+                                   {"crack_after", failure->crack_after}};
+}
+
 }  // namespace
 
 Reproduction reproduce_tilting_runs(const ResultFolder& folder, Report& report) {
     Reproduction result;
+    stop_if_interrupted();
     report.blocks.emplace_back(Heading{"The tilting frame as runs"});
     add_single_columns(folder, report, result);
     add_equal_columns(folder, report, result);
     add_rows(folder, report, result);
+    add_nine_columns(folder, report, result);
     report.blocks.emplace_back(printed_table("Statements of section 3.3", result.rows));
     return result;
 }
