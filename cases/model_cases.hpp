@@ -67,6 +67,7 @@ void check_case(Checker& checker, const BlockRow<>& row);
 void check_case(Checker& checker, const TiltedColumn<>& column);
 void check_case(Checker& checker, const KinematicsStudy& study);
 void check_case(Checker& checker, const RelaxationStudy& study);
+void check_case(Checker& checker, const FlexuralSlope& slope);
 
 // The pointers only choose the model.
 ModelExample<PlaneFailureStudy<>> example_case(const PlaneFailureStudy<>*);
@@ -76,6 +77,7 @@ ModelExample<BlockRow<>> example_case(const BlockRow<>*);
 ModelExample<TiltedColumn<>> example_case(const TiltedColumn<>*);
 ModelExample<KinematicsStudy> example_case(const KinematicsStudy*);
 ModelExample<RelaxationStudy> example_case(const RelaxationStudy*);
+ModelExample<FlexuralSlope> example_case(const FlexuralSlope*);
 
 // All that the model can answer, whatever a case asks of it. The values of the model may be out of their ranges; only
 // how many parts it has may matter.
@@ -86,5 +88,6 @@ std::vector<Quantity> possible_outputs(const BlockRow<>& row);
 std::vector<Quantity> possible_outputs(const TiltedColumn<>& column);
 std::vector<Quantity> possible_outputs(const KinematicsStudy& study);
 std::vector<Quantity> possible_outputs(const RelaxationStudy& study);
+std::vector<Quantity> possible_outputs(const FlexuralSlope& slope);
 
 }  // namespace delabole

@@ -5,6 +5,7 @@
 #include "dynamic_relaxation/relaxation_study.hpp"
 #include "kinematics/parameters.hpp"
 #include "limit_equilibrium/block_row_parameters.hpp"
+#include "limit_equilibrium/flexural_toppling.hpp"
 #include "limit_equilibrium/single_block.hpp"
 #include "limit_equilibrium/stepped_base_study.hpp"
 #include "plane_failure/study.hpp"
@@ -15,6 +16,6 @@
 namespace delabole {
 
 using CaseModel = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, SingleBlock<>, BlockRow<>, TiltedColumn<>,
-                               KinematicsStudy, RelaxationStudy>;
+                               KinematicsStudy, RelaxationStudy, FlexuralSlope>;
 
 }  // namespace delabole

@@ -19,6 +19,7 @@ Analysis analyse_case(const SingleBlock<>& problem);
 Analysis analyse_case(const BlockRow<>& row);
 Analysis analyse_case(const TiltedColumn<>& column);
 Analysis analyse_case(const KinematicsStudy& study);
+Analysis analyse_case(const FlexuralSlope& slope);
 // The one model whose analysis takes long: it reports how far it has come, and can be ended and gone on with.
 Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work);
 // Its failure alone, without the run.
@@ -31,6 +32,7 @@ void append_case_figures(const SingleBlock<>& problem, const ResultFolder& folde
 void append_case_figures(const BlockRow<>& row, const ResultFolder& folder, Report& report);
 void append_case_figures(const TiltedColumn<>& column, const ResultFolder& folder, Report& report);
 void append_case_figures(const KinematicsStudy& study, const ResultFolder& folder, Report& report);
+void append_case_figures(const FlexuralSlope& slope, const ResultFolder& folder, Report& report);
 void append_case_figures(const RelaxationStudy& study, const Analysis& analysis, const ResultFolder& folder,
                          Report& report);
 
@@ -49,6 +51,8 @@ void append_mechanism_figures(const KinematicsStudy& at_best, const MechanismFit
                               const ResultFolder& folder, Report& report);
 void append_mechanism_figures(const RelaxationStudy& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
+void append_mechanism_figures(const FlexuralSlope& at_best, const MechanismFit& fit, const FitProblem& problem,
+                              const ResultFolder& folder, Report& report);
 
 // The keys that a failed check may blame, most likely first: the first that stands in the case is blamed.
 std::vector<std::string> blamed_keys(const PlaneFailureStudy<>& study, std::string_view failure);
@@ -58,6 +62,7 @@ std::vector<std::string> blamed_keys(const BlockRow<>& row, std::string_view fai
 std::vector<std::string> blamed_keys(const TiltedColumn<>& column, std::string_view failure);
 std::vector<std::string> blamed_keys(const KinematicsStudy& study, std::string_view failure);
 std::vector<std::string> blamed_keys(const RelaxationStudy& study, std::string_view failure);
+std::vector<std::string> blamed_keys(const FlexuralSlope& slope, std::string_view failure);
 
 // What is wrong, in a sentence that says what to change, with the limit that was broken where the model can tell.
 // `key` is the blamed key, empty where none stands in the case.
@@ -68,5 +73,6 @@ std::string explain_failure(const BlockRow<>& row, std::string_view failure, con
 std::string explain_failure(const TiltedColumn<>& column, std::string_view failure, const std::string& key);
 std::string explain_failure(const KinematicsStudy& study, std::string_view failure, const std::string& key);
 std::string explain_failure(const RelaxationStudy& study, std::string_view failure, const std::string& key);
+std::string explain_failure(const FlexuralSlope& slope, std::string_view failure, const std::string& key);
 
 }  // namespace delabole

@@ -1,5 +1,6 @@
 #include "cases/relaxation_figures.hpp"
 
+#include "dynamic_relaxation/cracks.hpp"
 #include "fitting/words.hpp"
 #include "plots/block_figures.hpp"
 #include "plots/text.hpp"
@@ -62,10 +63,31 @@ Figure start_figure(const RelaxationRun& made, const Bodies& bodies) {
     return block_figure(drawing);
 }
 
+// What opens a joint so far that it shows, over the middling block's size.
+constexpr double open_share = 0.03;
+
+void add_cracks(BlockDrawing& drawing, const RelaxationRun& made, const Bodies& bodies, double tilt) {
+    if (made.scene.bond.empty()) {
+        return;
+    }
+    const Upright upright(tilt);
+    for (const BrokenBond& bond : broken_bonds(made.scene, bodies, *made.end)) {
+        drawing.broken.push_back({upright(carried(bodies, made.end->motion, bond.block, bond.from)),
+                                  upright(carried(bodies, made.end->motion, bond.block, bond.to))});
+    }
+    std::vector<double> sizes = bodies.radius;
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::ranges::nth_element(sizes, middle);
+    for (const OpenJoint& joint : open_joints(made.scene, bodies, *made.end, open_share * *middle)) {
+        drawing.open_joints.push_back({upright(joint.from), upright(joint.to)});
+    }
+}
+
 Figure end_figure(const RelaxationRun& made, const Bodies& bodies) {
     BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, true);
     drawing.title =
         "After " + value_in_words(made.result.time, Dimension::time) + ": " + human_name(word_of(made.result.outcome));
+    add_cracks(drawing, made, bodies, made.result.tilt);
     return block_figure(drawing);
 }
 

@@ -1,9 +1,11 @@
 // A run as moving pictures.
 #include "cases/relaxation_figures.hpp"
+#include "dynamic_relaxation/cracks.hpp"
 #include "fitting/words.hpp"
 #include "plots/frames.hpp"
 #include "plots/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace delabole {
@@ -26,6 +28,11 @@ BlockAnimation animation_of(const RelaxationRun& made, const Bodies& bodies) {
             shown.outline.push_back(corner);
         }
         animation.blocks.push_back(std::move(shown));
+    }
+    for (const BrokenBond& bond : broken_bonds(made.scene, bodies, *made.end)) {
+        const auto first = std::ranges::lower_bound(made.frames, bond.time, {}, &MotionFrame::time);
+        animation.blocks[bond.block].cracks.push_back(
+            {bond.from, bond.to, static_cast<std::size_t>(first - made.frames.begin())});
     }
     for (const MotionFrame& frame : made.frames) {
         AnimationFrame shown{frame.time, frame.tilt, {}};

@@ -1,4 +1,4 @@
-// What of the thesis's chapter 3 needs no run of blocks in motion: its tables, and limit equilibrium beside its graphs.
+// The thesis's chapter 3: its tables, its models as runs of blocks in motion, and limit equilibrium beside its graphs.
 #include "cases/reproduction_chapter_3.hpp"
 #include "cases/reproduction_chapter_4.hpp"
 
@@ -12,6 +12,11 @@ ReproductionChapter chapter_3() {
         {
             {"table3.2", "base friction tests: what the tables say of the text, and what guessing scores",
              reproduce_table_3_2},
+            {"base_friction",
+             "base friction tests of Table 3.2 as runs: the strength fitted to half, the rest predicted",
+             reproduce_base_friction_runs, true},
+            {"tilting_frame", "rows of columns tilted until they fail, with the scatter of plaster: Figs 3.4, 3.6, 3.7",
+             reproduce_tilting_runs, true},
             {"fig3.2", "base friction: crack path and its time against slope height (Table 3.3)", reproduce_fig_3_2},
             {"fig3.4", "single column on the tilting frame, theoretical curve", reproduce_fig_3_4},
             {"fig3.6", "rows of one to four equal columns on the tilting frame", reproduce_fig_3_6},

@@ -6,6 +6,8 @@
 namespace delabole {
 
 Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report);
+Reproduction reproduce_base_friction_runs(const ResultFolder& folder, Report& report);
+Reproduction reproduce_tilting_runs(const ResultFolder& folder, Report& report);
 Reproduction reproduce_fig_3_2(const ResultFolder& folder, Report& report);
 Reproduction reproduce_fig_3_6(const ResultFolder& folder, Report& report);
 Reproduction reproduce_fig_3_7(const ResultFolder& folder, Report& report);

@@ -321,7 +321,7 @@ class Drawing {
         if (drawn.fixed) {
             text.append(" fill=\"").append(colour_of_fixed).append("\"");
         }
-        text += "/>";
+        text += "/>" + cracks_of(block);
         // Letters a third of the block high, if they can be read so.
         constexpr double smallest = 7;
         constexpr double largest = 18;
@@ -332,6 +332,22 @@ class Drawing {
                     escape_html(drawn.label) + "</text>";
         }
         return text + "</g>\n";
+    }
+
+    std::string cracks_of(std::size_t block) const {
+        std::string text;
+        for (const AnimatedCrack& crack : animation_.blocks[block].cracks) {
+            if (!crack.from.allFinite() || !crack.to.allFinite()) {
+                continue;
+            }
+            const Point from = (crack.from - centroid_[block]) * scale_;
+            const Point to = (crack.to - centroid_[block]) * scale_;
+            text += "<path class=\"crack\" data-from=\"" + std::to_string(crack.first_frame) + "\" d=\"M" +
+                    fixed_point(from.x(), 2) + " " + fixed_point(-from.y(), 2) + "L" + fixed_point(to.x(), 2) + " " +
+                    fixed_point(-to.y(), 2) + "\"";
+            text += crack.first_frame < animation_.frames.size() ? "/>" : " display=\"none\"/>";
+        }
+        return text;
     }
 
     // 1, 2 or 5 times a power of ten, at most a quarter of the width.

@@ -6,16 +6,25 @@
 
 #include "geometry/polyline.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace delabole {
+
+// Drawn bold on a block, with which it goes, from a frame on.
+struct AnimatedCrack {
+    Point from;  // m, in the drawing
+    Point to;
+    std::size_t first_frame;
+};
 
 struct AnimatedBlock {
     Polyline outline =
         {};  // m, in the drawing; with fewer than three corners or a number that is not finite: not shown
     std::string label = {};
     bool fixed = false;
+    std::vector<AnimatedCrack> cracks = {};
 };
 
 struct BlockPose {

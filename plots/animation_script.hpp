@@ -8,6 +8,7 @@ namespace delabole {
 inline constexpr std::string_view animation_style =
     R"css(.animation text { font: 19px system-ui, sans-serif; fill: #1b1b1b; }
 .animation .label { text-anchor: middle; dominant-baseline: central; paint-order: stroke; stroke: #fff; stroke-width: .2em; stroke-linejoin: round; }
+.animation .crack { stroke: #d55e00; stroke-width: 3; stroke-linecap: round; }
 .animation .moment, .animation .controls { max-width: 42rem; margin: .5rem auto 0; font-variant-numeric: tabular-nums; }
 .animation .controls { display: flex; flex-wrap: wrap; gap: .5rem; align-items: center; }
 .animation .controls[hidden] { display: none; }
@@ -45,6 +46,7 @@ function bringToLife(box) {
   const poses = numbersOf(data.poses, 3 * moving * frames);
   for (let index = 3 * moving; index < poses.length; ++index) poses[index] += poses[index - 3 * moving];
   const scene = box.querySelector('.scene'), groups = scene.children;
+  const cracks = [...box.querySelectorAll('.crack')].map(line => ({line, from: Number(line.dataset.from)}));
   const moment = box.querySelector('.moment'), controls = box.querySelector('.controls');
   const [back, play, step] = controls.querySelectorAll('button');
   const scrub = controls.querySelector('input'), speed = controls.querySelector('select');
@@ -66,6 +68,8 @@ function bringToLife(box) {
         if (level !== '-') group.setAttribute('fill', data.colours[parseInt(level, 16)]);
       }
     }
+    for (const {line, from} of cracks)
+      if (from <= frame !== from <= shown) line.setAttribute('display', from <= frame ? 'inline' : 'none');
     scene.setAttribute('transform', 'rotate(' + [-data.tilts[frame], ...data.pivot].join(' ') + ')');
     shown = frame;
     moment.textContent = 'time ' + four(data.times[frame]) + ' s, tilt ' + four(data.tilts[frame]) + '\u00b0, frame ' +

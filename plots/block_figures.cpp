@@ -109,6 +109,14 @@ BlockDrawing prepared(BlockDrawing drawing) {
     for (DrawnForce& force : drawing.forces) {
         force.at.y() += drawing.toe_elevation;
     }
+    for (std::vector<DrawnCrack>* cracks : {&drawing.broken, &drawing.open_joints}) {
+        std::erase_if(*cracks,
+                      [](const DrawnCrack& crack) { return !crack.from.allFinite() || !crack.to.allFinite(); });
+        for (DrawnCrack& crack : *cracks) {
+            crack.from.y() += drawing.toe_elevation;
+            crack.to.y() += drawing.toe_elevation;
+        }
+    }
     return drawing;
 }
 
@@ -131,6 +139,8 @@ class BlockPicture {
         add_line(drawing_.base, "", Colour::black, Dash::solid, 2.5);
         add_line(drawing_.ground, "ground surface", Colour::black, Dash::solid, 2.5);
         add_line(drawing_.tension_crack, "tension crack", Colour::purple, Dash::dashed, 4);
+        add_cracks(drawing_.open_joints, "open joint", Colour::blue, 2.5);
+        add_cracks(drawing_.broken, "broken rock", Colour::vermilion, 4);
         add_water();
         add_forces();
         add_block_labels();
@@ -315,6 +325,15 @@ class BlockPicture {
         }
         add_line(outlines, "", Colour::black, Dash::solid, 1.2);
         add_line(displaced, drawing_.displaced_legend, Colour::vermilion, Dash::dashed, 1.8);
+    }
+
+    void add_cracks(const std::vector<DrawnCrack>& cracks, const std::string& legend, Colour colour, double width) {
+        const Point gap = Point::Constant(std::numeric_limits<double>::quiet_NaN());
+        Polyline lines;
+        for (const DrawnCrack& crack : cracks) {
+            lines.insert(lines.end(), {crack.from, crack.to, gap});
+        }
+        add_line(lines, legend, colour, Dash::solid, width);
     }
 
     void add_water() {

@@ -43,6 +43,12 @@ struct DrawnForce {
     ForceKind kind = ForceKind::interblock;
 };
 
+// A broken face or an open joint, from end to end.
+struct DrawnCrack {
+    Point from;
+    Point to;
+};
+
 // Whatever is empty is left out, and so are forces of zero or not finite.
 struct BlockDrawing {
     std::string title = {};
@@ -52,6 +58,8 @@ struct BlockDrawing {
     Polyline ground = {};                 // surface of the slope
     Polyline water = {};                  // water level
     Polyline tension_crack = {};
+    std::vector<DrawnCrack> broken = {};       // rock that has broken
+    std::vector<DrawnCrack> open_joints = {};  // joints that stand open
     std::vector<DrawnForce> forces = {};
     std::string displaced_legend = "mechanism, displacements enlarged";
     double toe_elevation = 0;  // m; added to heights on the vertical axis

@@ -26,7 +26,7 @@
 // toppling failure of rock slopes. Rock Mech. Rock Eng. 30, 75-93.
 #pragma once
 
-#include "parameters/fields.hpp"
+#include "parameters/model_interface.hpp"
 
 #include <array>
 #include <optional>
@@ -55,6 +55,8 @@ struct FlexuralSlope {
     double friction_angle;
     double contact_height;
     std::vector<FlexuralColumn> column;
+
+    static constexpr std::string_view kind = "flexural_toppling";
     static constexpr auto fields() {
         using S = FlexuralSlope;
         return std::tuple{
@@ -92,6 +94,14 @@ struct FlexuralColumnState {
     double push = 0;    // N/m, that it needs from the column below; infinite where no push holds it
     double moment = 0;  // N, at its foot, where it gets that push
     double normal = 0;  // N/m, compression at its foot, likewise
+    static constexpr auto fields() {
+        using C = FlexuralColumnState;
+        return std::tuple{section("mode", &C::mode, "how it fails unless it is pushed"),
+                          number("push", &C::push, Dimension::force_per_length, any_number(),
+                                 "that it needs from the column below; infinite: none holds it"),
+                          number("normal", &C::normal, Dimension::force_per_length, any_number(),
+                                 "compression at its foot, where it gets that push")};
+    }
 };
 
 struct FlexuralStability {
@@ -101,7 +111,21 @@ struct FlexuralStability {
     double required_tensile_strength = 0;
     double factor_of_safety = 0;  // tensile strength over the required one; infinite where none is required
     std::vector<FlexuralColumnState> column = {};
+    static constexpr auto fields() {
+        using S = FlexuralStability;
+        return std::tuple{
+            number("toe_push", &S::toe_push, Dimension::force_per_length, any_number(),
+                   "that the toe column would need; 0: the slope stands"),
+            number("required_tensile_strength", &S::required_tensile_strength, Dimension::stress, any_number(),
+                   "least with which the slope stands; infinite: it is sheared off its feet"),
+            number("factor_of_safety", &S::factor_of_safety, Dimension::ratio, any_number(),
+                   "tensile strength over the required one; infinite: none is required"),
+            section("column", &S::column, "the columns from the toe up")};
+    }
 };
+
+// Inputs: every number of the slope. Outputs: every number of FlexuralStability.
+ModelInterface model_interface(const FlexuralSlope& slope);
 
 FlexuralStability analyse(const FlexuralSlope& slope);
 

@@ -141,6 +141,21 @@ TEST(Animation, TheDrawingIsTheLastFrame) {
     EXPECT_EQ(count(html, ">F</text>"), 1U);
 }
 
+// A crack goes with its block; the page shows those of the last frame, the script the others.
+TEST(Animation, CracksAppearWithTheirFrame) {
+    BlockAnimation animation{.blocks = {square(0, 0), square(1, 0)}};
+    animation.blocks[1].cracks = {{{1, 0}, {1, 1}, 1}, {{2, 0}, {2, 1}, 2}};
+    animation.frames = {{0, 0, {{}, {}}}, {1, 0, {{}, {}}}};
+    const std::string html = animation_html(animation);
+    ASSERT_EQ(count(html, "class=\"crack\""), 2U);
+    const std::string second = html.substr(html.rfind("<g transform"));
+    EXPECT_EQ(count(second, "class=\"crack\""), 2U);
+    EXPECT_EQ(count(second, "data-from=\"1\" d="), 1U);
+    // Not yet there in the last frame.
+    EXPECT_EQ(count(between(html, "data-from=\"2\"", ">"), "display=\"none\""), 1U);
+    EXPECT_EQ(count(between(html, "data-from=\"1\"", ">"), "display=\"none\""), 0U);
+}
+
 TEST(Animation, IsTurnedUntilGravityPointsDown) {
     BlockAnimation animation{.blocks = {square(-3, -1, "", true), square(-3, 0)}};
     animation.frames = {{0, 30 * degree, {{}, {}}}};

@@ -239,6 +239,23 @@ TEST(BlockFigure, ThinsOutNumbersThatWouldTouch) {
     EXPECT_EQ(std::stoi(many[1]) % 10, 0);
 }
 
+TEST(BlockFigure, DrawsBrokenRockBoldAndOpenJointsApart) {
+    BlockDrawing drawing = two_squares();
+    drawing.toe_elevation = 10;
+    drawing.broken = {{{0, 1}, {2, 1}}, {{2, 0.5}, {4, 0.5}}, {{0, not_a_number}, {1, 1}}};
+    drawing.open_joints = {{{2, 0}, {2, 2}}};
+    const Figure figure = block_figure(drawing);
+    const Line broken = with_legend<Line>(figure, "broken rock");
+    // Two cracks, each closed by a gap; the third cannot be drawn.
+    ASSERT_EQ(broken.points.size(), 6U);
+    EXPECT_EQ(broken.points[0], Point(0, 11));
+    EXPECT_FALSE(broken.points[2].allFinite());
+    EXPECT_EQ(broken.points[4], Point(4, 10.5));
+    const Line open = with_legend<Line>(figure, "open joint");
+    EXPECT_NE(open.colour, broken.colour);
+    EXPECT_LT(open.width, broken.width);
+}
+
 TEST(BlockFigure, LeavesOutWhatCannotBeDrawn) {
     BlockDrawing drawing = two_squares();
     drawing.blocks.push_back({.outline = {{0, 0}, {not_a_number, 1}, {1, 1}}, .label = "3", .mode = DrawnMode::fixed});
