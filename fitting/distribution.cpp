@@ -17,6 +17,9 @@ namespace {
 // Truncation to less would only draw the rounding of the tail.
 constexpr double least_kept_probability = 1e-12;
 
+// Beyond this the moments lie so far out in the tail that no sample would find them.
+constexpr double widest_lognormal = 10;
+
 // Beyond a few of this GSL's continued fraction for the beta distribution does not converge.
 constexpr double greatest_shapes = 1e5;
 
@@ -162,7 +165,13 @@ void check_order(std::string_view lower_key, double lower, std::string_view uppe
 }
 
 void check_law(const Normal&, Faults&) {}
-void check_law(const Lognormal&, Faults&) {}
+
+void check_law(const Lognormal& law, Faults& faults) {
+    if (law.standard_deviation > widest_lognormal * law.mean) {
+        faults.push_back({"standard_deviation", "must be at most 10 times the mean"});
+    }
+}
+
 void check_law(const Exponential&, Faults&) {}
 
 void check_law(const Uniform& law, Faults& faults) {

@@ -136,7 +136,7 @@ class Marginal {
     Probability probability(double value) const;
 
     // Of the truncated distribution. Accuracy: 1e-10 of the standard deviation, by the trapezium rule over the
-    // standard normal number.
+    // standard normal number; 1e-5 for triangular distributions and for lognormal ones of deviation 10 times the mean.
     double mean() const { return mean_; }
     double standard_deviation() const { return standard_deviation_; }
 

@@ -195,7 +195,7 @@ std::vector<HistogramBin> histogram_of(const std::vector<double>& sorted,
     constexpr double most_bins = 60;
     double lower = sorted_quantile(sorted, 0.0005);
     const double upper = sorted_quantile(sorted, 0.9995);
-    if (!(lower < upper)) {
+    if (!(lower < upper) || !std::isfinite(upper - lower)) {
         return {{sorted.front(), sorted.back(), static_cast<long>(sorted.size())}};
     }
     const double quartiles = sorted_quantile(sorted, 0.75) - sorted_quantile(sorted, 0.25);

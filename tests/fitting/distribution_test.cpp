@@ -78,6 +78,7 @@ TEST(Distribution, MomentsAreThoseGiven) {
     };
     expect({Normal{35, 5}}, 35, 5, 1e-10);
     expect({Lognormal{20, 6}}, 20, 6, 1e-10);
+    expect({Lognormal{1, 10}}, 1, 10, 2e-5);
     expect({Exponential{0.08}}, 0.08, 0.08, 1e-10);
     expect({Uniform{-3, 7}}, 2, 10 / std::sqrt(12.0), 1e-10);
     expect({Beta{0.3, 0.1, 0, 1}}, 0.3, 0.1, 1e-10);
@@ -112,6 +113,7 @@ TEST(Distribution, FaultsNameTheirKey) {
     EXPECT_EQ(key_of({Normal{0, -1}}), "standard_deviation");
     EXPECT_EQ(key_of({Normal{NAN, 1}}), "mean");
     EXPECT_EQ(key_of({Lognormal{-1, 1}}), "mean");
+    EXPECT_EQ(key_of({Lognormal{1, 11}}), "standard_deviation");
     EXPECT_EQ(key_of({Uniform{2, 2}}), "lower");
     EXPECT_EQ(key_of({Triangular{0, 3, 2}}), "mode");
     EXPECT_EQ(key_of({Beta{0.5, 0.5, 0, 1}}), "standard_deviation");
