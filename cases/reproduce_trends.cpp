@@ -172,10 +172,8 @@ RankCorrelation rank_correlation(const std::vector<double>& parameter, const std
         order[index] = index;
     }
     do {
-        std::vector<double> shuffled;
-        for (const std::size_t index : order) {
-            shuffled.push_back(second[index]);
-        }
+        std::vector<double> shuffled(order.size());
+        std::ranges::transform(order, shuffled.begin(), [&](std::size_t index) { return second[index]; });
         constexpr double rounding = 1e-12;
         as_strong += std::abs(correlation(first, shuffled)) >= std::abs(found) - rounding ? 1 : 0;
         ++all;

@@ -267,8 +267,8 @@ class Survey {
     double behind_crest(double x) const { return x - result_.crest.x(); }
 
     void find_cracks() {
-        for (std::size_t joint = 0; joint < slope_.joints.size(); ++joint) {
-            result_.answer.joint.push_back({slope_.joints[joint], 0, 0, 0});
+        for (const std::string& joint : slope_.joints) {
+            result_.answer.joint.push_back({joint, 0, 0, 0});
         }
         for (const SharedFace& face : find_shared_faces(bodies_)) {
             if (slope_.removed[face.block] == 0 && slope_.removed[face.other] == 0) {
