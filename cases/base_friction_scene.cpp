@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
+#include <string>
+#include <utility>
 
 namespace delabole {
 
@@ -69,16 +70,6 @@ JointSetCut set_of(double dip, double spacing) {
     return set;
 }
 
-// Where columns may break, and, far from the slope, where they are only divided so that they can bend.
-struct Zone {
-    double left;
-    double right;
-    double bottom;
-    double top;
-
-    std::vector<SectionPoint> polygon() const { return {{left, bottom}, {right, bottom}, {right, top}, {left, top}}; }
-};
-
 std::vector<SlopeCut> faces_of(const BaseFrictionGeometry& geometry, const ModelMixture& mixture) {
     const double across = degrees(90) - geometry.joint_dip;
     if (geometry.cross_joint_spacing) {
@@ -97,21 +88,27 @@ std::vector<SlopeCut> faces_of(const BaseFrictionGeometry& geometry, const Model
     if (geometry.slope_surface < 2 * height) {
         return {{"faces", "intact", fine}};
     }
+    // Far from the slope columns are only divided so that they can bend: below a line that rises less than any crack
+    // path of the tests, and where no crack opened.
     const Corners at = corners_of(geometry);
     const double beyond = 4 * height;
-    const Zone near{-0.3 * height, at.crest_x + 1.2 * height, at.toe_y - 0.25 * height, beyond};
-    fine.region = near.polygon();
+    const double left = -0.1 * height;
+    const double right = at.crest_x + 1.2 * height;
+    const double low = at.toe_y - 0.15 * height;
+    const double high = at.toe_y + 0.25 * height;
+    fine.region = {{left, low}, {right, high}, {right, beyond}, {left, beyond}};
     std::vector<SlopeCut> cuts = {{"faces", "intact", fine}};
     JointSetCut coarse = set_of(across, 4 * geometry.joint_spacing);
     coarse.staggered_by = fine.staggered_by;
     coarse.stagger_share = fine.stagger_share;
-    const std::array<Zone, 3> far{{{-beyond, near.left, -beyond, beyond},
-                                   {near.right, at.right + beyond, -beyond, beyond},
-                                   {near.left, near.right, -beyond, near.bottom}}};
-    constexpr std::array<std::string_view, 3> names{"faces in front", "faces behind", "faces below"};
-    for (std::size_t index = 0; index < far.size(); ++index) {
-        coarse.region = far[index].polygon();
-        cuts.push_back({std::string(names[index]), "intact", coarse});
+    using Region = std::vector<SectionPoint>;
+    const std::array<std::pair<std::string, Region>, 3> far{
+        {{"faces in front", {{-beyond, -beyond}, {left, -beyond}, {left, beyond}, {-beyond, beyond}}},
+         {"faces behind", {{right, -beyond}, {2 * beyond, -beyond}, {2 * beyond, beyond}, {right, beyond}}},
+         {"faces below", {{left, -beyond}, {right, -beyond}, {right, high}, {left, low}}}}};
+    for (const auto& [name, region] : far) {
+        coarse.region = region;
+        cuts.push_back({name, "intact", coarse});
     }
     return cuts;
 }
@@ -279,7 +276,7 @@ StrengthReduction strength_reduction_of(const BaseFrictionGeometry& geometry) {
     const double spacing = geometry.joint_spacing;
     // Stresses are of the order of the slope's weight, 4 to 8 kPa at its foot. A speed at which a block needs half a
     // minute to its width's end is rest.
-    return {1e4, 0.05, 0.8, 0.3 * spacing, 0.1 * height * height, spacing, 2.5e-4, 1};
+    return {1e4, 0.4, 0.75, 0.3 * spacing, 0.1 * height * height, spacing, 2.5e-4, 0.6};
 }
 
 }  // namespace delabole

@@ -344,6 +344,15 @@ Reproduction reproduce_base_friction_runs(const ResultFolder& folder, Report& re
                                " kPa do as well (95 %); fitted to " + std::to_string((scenes.size() + 1) / 2) + " of " +
                                std::to_string(scenes.size()) + " scenes"});
     result.json["strength_range_kPa"] = {fit.lower, fit.upper};
+    const auto ran = std::ranges::count_if(runs, [](const SceneNeed& run) { return run.critical.runs > 0; });
+    const auto failed = std::ranges::count_if(runs, [](const SceneNeed& run) {
+        return run.critical.status == StrengthStatus::found ||
+               run.critical.status == StrengthStatus::fails_however_strong;
+    });
+    result.rows.push_back({"scenes predicted to fail that do at the fitted strength itself", "",
+                           std::to_string(failed) + " of " + std::to_string(ran), "",
+                           "of those with a printed crack path; weaker columns can go to pieces too small to topple"});
+    result.json["fail_at_fitted_strength"] = {{"failed", failed}, {"of", ran}};
     result.json["strength_kPa"] = fit.strength;
     result.json["misfit"] = fit.misfit;
     report.blocks.emplace_back(Heading{"Base friction tests as runs"});

@@ -68,8 +68,12 @@ class WeakeningSlope {
         }
     }
 
-    // What has moved counts from here on.
-    void take_as_unbroken() { made_.end.unbroken = made_.end.state.motion; }
+    // What has moved counts from here on, and here is where runs begin.
+    void take_as_unbroken() {
+        made_.end.unbroken = made_.end.state.motion;
+        unbroken_ = made_.end;
+    }
+    void go_back_to_unbroken() { made_.end = unbroken_; }
 
     // The next share in the row of shares at which the load of the moment breaks a bond; nothing above the weakest.
     std::optional<double> next_breaking(double share) {
@@ -182,6 +186,7 @@ class WeakeningSlope {
     const std::function<bool()>& watch_;
     Bodies bodies_;
     CriticalStrength made_ = {};
+    ReducedSlope unbroken_ = {};
     bool begun_ = false;
     bool interrupted_ = false;
     bool rests_ = false;
@@ -228,7 +233,7 @@ CriticalStrength find_critical_strength(const RelaxationScene& scene, const Rela
     }
     double share = reduction.strongest;
     while (const std::optional<double> next = slope.next_breaking(share)) {
-        // The share before it is known to stand, too: nothing broke there.
+        // The share before it stands, too: there nothing broke, or it was tried.
         made.stands = *next / reduction.ratio;
         share = *next;
         const Standing standing = slope.settle(share);
@@ -237,7 +242,7 @@ CriticalStrength find_critical_strength(const RelaxationScene& scene, const Rela
             made.fails = share;
             return std::move(made);
         }
-        made.stands = share;
+        slope.go_back_to_unbroken();
     }
     made.status = StrengthStatus::stands_however_weak;
     made.stands = reduction.weakest;

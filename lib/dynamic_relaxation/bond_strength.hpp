@@ -1,12 +1,11 @@
-// How strong the rock of a bonded slope must be to stand: strength reduction.
+// How strong the rock of a bonded slope must be to stand.
 //
 // Friction has no scale, so what decides whether columns break is the strength of the bonds over the stress that weight
-// raises in them. The slope first comes to rest with bonds too strong to break. Then their tensile strength and
-// cohesion are lowered together, in steps of a fixed ratio, and after each step at which a bond breaks the slope is run
-// on until it rests again or has failed. Each run goes on from the one before: cracks stay, as they do in a model that
-// is loaded more and more. That is one sequence of runs instead of a bisection over whole ones; what it finds is the
-// strength at which a slope that weakens slowly fails. A slope that is loaded at once may fail at up to a few steps
-// more.
+// raises in them. The slope first comes to rest with bonds too strong to break. Then it is run on from there with less
+// strength, tensile strength and cohesion together, until it rests again or has failed; and from there again with still
+// less, step by step of a fixed ratio, until it fails. The first strength tried is the first at which a bond breaks. No
+// bisection: a slope can fail at a strength and stand at a lower one, at which its columns go to pieces too small to
+// topple. What is found is the greatest strength of the row at which it fails.
 //
 // Failed: blocks that have moved by more than a given way since the unbroken slope came to rest make up more than a
 // given area, and have not come to rest. A single block that comes loose is no failure of the slope: once it has moved
@@ -61,8 +60,8 @@ struct ReducedSlope {
 
 struct CriticalStrength {
     StrengthStatus status = StrengthStatus::run_failed;
-    double stands = 0;         // least share known to stand; infinite where it fails however strong
-    double fails = 0;          // greatest share known to fail; 0 where it stands however weak
+    double stands = 0;         // the share before `fails`, which stands; infinite where it fails however strong
+    double fails = 0;          // greatest share that fails; 0 where none does
     std::size_t runs = 0;      // at different strengths
     std::size_t creeping = 0;  // of these, that ended at `longest_run`
     std::uint64_t steps = 0;   // of time
