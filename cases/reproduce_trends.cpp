@@ -1,5 +1,6 @@
 // Figs 2.11 to 2.14 of the thesis as trends: how much of the slope of Plate 2.III fails as one of its dimensions is
 // changed, with rank correlations, beside conclusions (i) to (iv) of 2.3.4.
+#include "cases/rank_correlation.hpp"
 #include "cases/reproduction_chapter_2.hpp"
 #include "cases/slope_models.hpp"
 #include "fitting/parallel.hpp"
@@ -121,64 +122,6 @@ std::vector<Variation> all_series() {
         },
         [&](const Trial& trial) { return trial.joint_b_spacing / millimetre; });
     return series;
-}
-
-// Ties have the mean of their ranks.
-std::vector<double> ranks_of(const std::vector<double>& values) {
-    std::vector<double> ranks;
-    for (const double value : values) {
-        double rank = 0.5;
-        for (const double other : values) {
-            rank += other < value ? 1 : other == value ? 0.5 : 0;
-        }
-        ranks.push_back(rank);
-    }
-    return ranks;
-}
-
-double correlation(const std::vector<double>& one, const std::vector<double>& other) {
-    const auto count = static_cast<double>(one.size());
-    double mean_one = 0;
-    double mean_other = 0;
-    for (std::size_t index = 0; index < one.size(); ++index) {
-        mean_one += one[index] / count;
-        mean_other += other[index] / count;
-    }
-    double product = 0;
-    double square_one = 0;
-    double square_other = 0;
-    for (std::size_t index = 0; index < one.size(); ++index) {
-        product += (one[index] - mean_one) * (other[index] - mean_other);
-        square_one += (one[index] - mean_one) * (one[index] - mean_one);
-        square_other += (other[index] - mean_other) * (other[index] - mean_other);
-    }
-    return square_one > 0 && square_other > 0 ? product / std::sqrt(square_one * square_other) : 0;
-}
-
-struct RankCorrelation {
-    double value;         // Spearman's
-    double significance;  // probability of one at least as strong, either way, among all orders of the responses
-};
-
-RankCorrelation rank_correlation(const std::vector<double>& parameter, const std::vector<double>& response) {
-    const std::vector<double> first = ranks_of(parameter);
-    std::vector<double> second = ranks_of(response);
-    const double found = correlation(first, second);
-    std::ranges::sort(second);
-    double all = 0;
-    double as_strong = 0;
-    std::vector<std::size_t> order(second.size());
-    for (std::size_t index = 0; index < order.size(); ++index) {
-        order[index] = index;
-    }
-    do {
-        std::vector<double> shuffled(order.size());
-        std::ranges::transform(order, shuffled.begin(), [&](std::size_t index) { return second[index]; });
-        constexpr double rounding = 1e-12;
-        as_strong += std::abs(correlation(first, shuffled)) >= std::abs(found) - rounding ? 1 : 0;
-        ++all;
-    } while (std::ranges::next_permutation(order).found);
-    return {found, as_strong / all};
 }
 
 // Differences below a tenth of a column, or of 2 deg, are none.

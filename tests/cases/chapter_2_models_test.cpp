@@ -1,4 +1,5 @@
 // The base friction models of chapter 2 in motion: parts of their runs, as short as shows what they are to show.
+#include "cases/rank_correlation.hpp"
 #include "cases/slope_models.hpp"
 #include "cases/thesis_tables.hpp"
 #include "dynamic_relaxation/slope_scene.hpp"
@@ -104,6 +105,25 @@ TEST(Chapter2Models, ColumnMovesFartherWithWaterAndWithLessFriction) {
     EXPECT_GT(rough, dry_way);
     EXPECT_GT(sprayed, rough);
     EXPECT_GT(full_way, rough);
+}
+
+TEST(RankCorrelation, IsExactForFewValues) {
+    const std::vector<double> values = {1, 2, 3, 4, 5};
+    const RankCorrelation rising = rank_correlation(values, {0.1, 0.2, 7, 8, 100});
+    EXPECT_NEAR(rising.value, 1, 1e-12);
+    // Two of the 120 orders are as strong: up and down.
+    EXPECT_NEAR(rising.significance, 2.0 / 120, 1e-12);
+    // 1 - 6 sum d^2 / (n (n^2 - 1)), d = (0, 0, 0, 1, -1).
+    const RankCorrelation nearly = rank_correlation(values, {-5, -4, -3, -1, -2});
+    EXPECT_NEAR(nearly.value, 0.9, 1e-12);
+    // The four swaps of neighbours too, and all of them backwards.
+    EXPECT_NEAR(nearly.significance, 10.0 / 120, 1e-12);
+    EXPECT_NEAR(rank_correlation(values, {5, 4, 3, 2, 1}).value, -1, 1e-12);
+    const RankCorrelation constant = rank_correlation(values, {2, 2, 2, 2, 2});
+    EXPECT_EQ(constant.value, 0);
+    EXPECT_EQ(constant.significance, 1);
+    // Ranks 1.5, 1.5, 3 against 1, 2, 3.
+    EXPECT_NEAR(rank_correlation({1, 2, 3}, {4, 4, 9}).value, std::sqrt(3.0) / 2, 1e-12);
 }
 
 }  // namespace
