@@ -33,6 +33,26 @@ const std::array<QuadraturePoint, 7>& triangle_rule() {
     return rule;
 }
 
+// Mean over the block's area of the square of the distance from its centroid along a direction.
+double mean_square_along(const Bodies& bodies, std::size_t block, const Motion& motion, const PlanePoint<>& direction) {
+    // In the drawing's axes, to which the direction is turned back.
+    const PlanePoint<> back((1 - motion.versine) * direction.x() + motion.sine * direction.y(),
+                            (1 - motion.versine) * direction.y() - motion.sine * direction.x());
+    double twice_area = 0;
+    double sum = 0;
+    const CornerRange& range = bodies.range[block];
+    for (std::size_t corner = range.begin; corner < range.end; ++corner) {
+        const PlanePoint<>& first = bodies.corner[corner];
+        const PlanePoint<>& second = bodies.corner[range.after(corner)];
+        const double triangle = first.x() * second.y() - first.y() * second.x();
+        const double from = back.dot(first);
+        const double to = back.dot(second);
+        twice_area += triangle;
+        sum += triangle * (from * from + from * to + to * to);
+    }
+    return sum / (6 * twice_area);
+}
+
 }  // namespace
 
 BlockForce belt_drag(const Belt& belt, const PlanePoint<>& belt_velocity, double weight, const Bodies& bodies,
@@ -44,6 +64,15 @@ BlockForce belt_drag(const Belt& belt, const PlanePoint<>& belt_velocity, double
     if (motion.spin == 0) {
         const double share = friction / std::max(std::sqrt(x * x + y * y), slowest);
         return {share * x, share * y, 0};
+    }
+    const double speed = std::sqrt(x * x + y * y);
+    // Turning that adds less than this share of the speed changes the resultant by its square, and the moment is linear
+    // in it. Most blocks of a slope, most of the time, are spared the quadrature.
+    constexpr double slow_turning = 1e-3;
+    if (speed > 2 * slowest && std::abs(motion.spin) * bodies.radius[block] < slow_turning * speed) {
+        const double share = friction / speed;
+        const PlanePoint<> direction(x / speed, y / speed);
+        return {share * x, share * y, -share * motion.spin * mean_square_along(bodies, block, motion, direction)};
     }
     double twice_area = 0;
     BlockForce sum;
