@@ -72,21 +72,23 @@ JointSetCut set_of(double dip, double spacing) {
 
 std::vector<SlopeCut> faces_of(const BaseFrictionGeometry& geometry, const ModelMixture& mixture) {
     const double across = degrees(90) - geometry.joint_dip;
+    std::vector<SlopeCut> cuts;
     if (geometry.cross_joint_spacing) {
-        const double spacing = *geometry.cross_joint_spacing;
-        JointSetCut open = set_of(across, spacing);
+        JointSetCut open = set_of(across, *geometry.cross_joint_spacing);
         open.staggered_by = "columns";
         open.stagger_share = 0.5;
         JointSetCut middle = open;
-        middle.offset = spacing / 2;
-        return {{"cross joints", "joint", open}, {"middles of blocks", "intact", middle}};
+        middle.offset = *geometry.cross_joint_spacing / 2;
+        cuts = {{"cross joints", "joint", open}, {"middles of blocks", "intact", middle}};
+    } else {
+        JointSetCut faces = set_of(across, mixture.face_spacing * geometry.joint_spacing);
+        faces.staggered_by = "columns";
+        faces.stagger_share = column_shift;
+        cuts = {{"faces", "intact", faces}};
     }
-    JointSetCut fine = set_of(across, mixture.face_spacing * geometry.joint_spacing);
-    fine.staggered_by = "columns";
-    fine.stagger_share = column_shift;
     const double height = geometry.slope_height;
     if (geometry.slope_surface < 2 * height) {
-        return {{"faces", "intact", fine}};
+        return cuts;
     }
     // Far from the slope columns are only divided so that they can bend: below a line that rises less than any crack
     // path of the tests, and where no crack opened.
@@ -96,11 +98,12 @@ std::vector<SlopeCut> faces_of(const BaseFrictionGeometry& geometry, const Model
     const double right = at.crest_x + 1.2 * height;
     const double low = at.toe_y - 0.15 * height;
     const double high = at.toe_y + 0.25 * height;
-    fine.region = {{left, low}, {right, high}, {right, beyond}, {left, beyond}};
-    std::vector<SlopeCut> cuts = {{"faces", "intact", fine}};
+    for (SlopeCut& cut : cuts) {
+        std::get<JointSetCut>(cut.trace).region = {{left, low}, {right, high}, {right, beyond}, {left, beyond}};
+    }
     JointSetCut coarse = set_of(across, 4 * geometry.joint_spacing);
-    coarse.staggered_by = fine.staggered_by;
-    coarse.stagger_share = fine.stagger_share;
+    coarse.staggered_by = "columns";
+    coarse.stagger_share = column_shift;
     using Region = std::vector<SectionPoint>;
     const std::array<std::pair<std::string, Region>, 3> far{
         {{"faces in front", {{-beyond, -beyond}, {left, -beyond}, {left, beyond}, {-beyond, beyond}}},
@@ -276,7 +279,7 @@ StrengthReduction strength_reduction_of(const BaseFrictionGeometry& geometry) {
     const double spacing = geometry.joint_spacing;
     // Stresses are of the order of the slope's weight, 4 to 8 kPa at its foot. A speed at which a block needs half a
     // minute to its width's end is rest.
-    return {1e4, 0.4, 0.75, 0.3 * spacing, 0.1 * height * height, spacing, 2.5e-4, 0.6};
+    return {1e4, 1, 0.65, 0.3 * spacing, 0.1 * height * height, spacing, 2.5e-4, 0.6};
 }
 
 }  // namespace delabole

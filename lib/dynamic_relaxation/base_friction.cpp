@@ -33,26 +33,24 @@ const std::array<QuadraturePoint, 7>& triangle_rule() {
     return rule;
 }
 
-// A block that turns by so small a share of the belt's speed at its corners. To first order in that share s friction
-// on an element at arm r changes by w (n x r) n', n the direction of the belt past the block, n' the one across it:
-// its moment is -w times the mean square of the arms' parts along n. The resultant changes by s^2 / 2, 5e-5.
-constexpr double slow_turn = 1e-2;
-
-BlockForce drag_of_slow_turn(double friction, double x, double y, double spin_over_speed, const Bodies& bodies,
-                             std::size_t block, const Motion& motion) {
+// Mean over the block's area of the square of the distance from its centroid along a direction.
+double mean_square_along(const Bodies& bodies, std::size_t block, const Motion& motion, const PlanePoint<>& direction) {
+    // In the drawing's axes, to which the direction is turned back.
+    const PlanePoint<> back((1 - motion.versine) * direction.x() + motion.sine * direction.y(),
+                            (1 - motion.versine) * direction.y() - motion.sine * direction.x());
     double twice_area = 0;
-    double squares = 0;
+    double sum = 0;
     const CornerRange& range = bodies.range[block];
     for (std::size_t corner = range.begin; corner < range.end; ++corner) {
-        const PlanePoint<> first = motion.turned(bodies.corner[corner]);
-        const PlanePoint<> second = motion.turned(bodies.corner[range.after(corner)]);
+        const PlanePoint<>& first = bodies.corner[corner];
+        const PlanePoint<>& second = bodies.corner[range.after(corner)];
         const double triangle = first.x() * second.y() - first.y() * second.x();
-        const double one = x * first.x() + y * first.y();
-        const double other = x * second.x() + y * second.y();
+        const double from = back.dot(first);
+        const double to = back.dot(second);
         twice_area += triangle;
-        squares += triangle * (one * one + one * other + other * other) / 6;
+        sum += triangle * (from * from + from * to + to * to);
     }
-    return {friction * x, friction * y, -friction * spin_over_speed * squares / twice_area};
+    return sum / (6 * twice_area);
 }
 
 }  // namespace
@@ -67,9 +65,14 @@ BlockForce belt_drag(const Belt& belt, const PlanePoint<>& belt_velocity, double
         const double share = friction / std::max(std::sqrt(x * x + y * y), slowest);
         return {share * x, share * y, 0};
     }
-    const double past = std::sqrt(x * x + y * y);
-    if (past > slowest + std::abs(motion.spin) * bodies.radius[block] / slow_turn) {
-        return drag_of_slow_turn(friction, x / past, y / past, motion.spin / past, bodies, block, motion);
+    const double speed = std::sqrt(x * x + y * y);
+    // Turning that adds less than this share of the speed changes the resultant by its square, and the moment is linear
+    // in it. Most blocks of a slope, most of the time, are spared the quadrature.
+    constexpr double slow_turning = 1e-3;
+    if (speed > 2 * slowest && std::abs(motion.spin) * bodies.radius[block] < slow_turning * speed) {
+        const double share = friction / speed;
+        const PlanePoint<> direction(x / speed, y / speed);
+        return {share * x, share * y, -share * motion.spin * mean_square_along(bodies, block, motion, direction)};
     }
     double twice_area = 0;
     BlockForce sum;

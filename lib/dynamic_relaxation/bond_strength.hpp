@@ -65,7 +65,7 @@ struct CriticalStrength {
     std::size_t runs = 0;      // at different strengths
     std::size_t creeping = 0;  // of these, that ended at `longest_run`
     std::uint64_t steps = 0;   // of time
-    ReducedSlope end;          // of the last run: failed where it was found
+    ReducedSlope end;          // of the last run; of find_critical_strength, where no share fails, unbroken
 };
 
 // The scene must be valid, and has bonds. The settings' thresholds of onset and collapse, stop and duration are not

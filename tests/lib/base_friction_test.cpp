@@ -70,6 +70,31 @@ TEST(BaseFriction, ResultantAndMomentOverTheArea) {
     }
 }
 
+// Below a thousandth of the speed the resultant is that of a block that does not turn, and the moment linear.
+TEST(BaseFriction, GoesOverFromTheQuadratureToSlowTurning) {
+    RelaxationScene scene;
+    scene.block = {{rectangle(0, 0, 0.05, 0.2), density}};
+    scene.material = {joint(1e9, degrees(30))};
+    const Bodies bodies = make_bodies(scene);
+    const auto drag = [&](double turning) {
+        Motion motion;
+        motion.set_angle(0.3);
+        motion.vx = 0.1 * speed;
+        motion.spin = turning * std::hypot(0.1, 1.0) * speed / bodies.radius[0];
+        BlockForce force = belt_drag(sandpaper, PlanePoint<>(0, -speed), 1, bodies, 0, motion);
+        force.moment /= motion.spin;
+        return force;
+    };
+    const BlockForce slow = drag(0.999e-3);
+    const BlockForce fast = drag(1.001e-3);
+    // Terms of second order in the turning.
+    EXPECT_NEAR(slow.x, fast.x, 1e-6);
+    EXPECT_NEAR(slow.y, fast.y, 1e-6);
+    EXPECT_LT(slow.moment, 0);
+    EXPECT_NEAR(slow.moment, fast.moment, 1e-5 * std::abs(fast.moment));
+    EXPECT_NEAR(drag(-0.5e-3).moment, slow.moment, 1e-12 * std::abs(slow.moment));
+}
+
 TEST(BaseFriction, IsGravityForABlockThatDoesNotMove) {
     RelaxationScene scene = scene_of({});
     const Bodies bodies = make_bodies(scene);
