@@ -31,7 +31,8 @@ inline constexpr std::size_t most_labelled_blocks = 300;
 // Blocks at the start and at the end, velocities, contact forces, the table of blocks; nothing where there was no run.
 void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report);
 
-// Of a jointed slope: cracks, crest and the ground left standing, as figure, tables and *.csv; nothing for other scenes.
+// Of a jointed slope: cracks, crest and the ground left standing, as figure, tables and *.csv; nothing for other
+// scenes.
 void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, Report& report);
 // The blocks where they are in a frame, those marked that fail in the end.
 Figure moved_slope_figure(const RelaxationRun& made, const MotionFrame& frame, const PostFailure& end,

@@ -1,5 +1,5 @@
-// The text of cases/chapter_2/*.csv and cases/chapter_3/*.csv, and of cases/chapter_2/*.toml, as it was when the program
-// was built.
+// The text of cases/chapter_2/*.csv and cases/chapter_3/*.csv, and of cases/chapter_2/*.toml, as it was when the
+// program was built.
 #pragma once
 
 #include <string_view>
