@@ -279,7 +279,7 @@ StrengthReduction strength_reduction_of(const BaseFrictionGeometry& geometry) {
     const double spacing = geometry.joint_spacing;
     // Stresses are of the order of the slope's weight, 4 to 8 kPa at its foot. A speed at which a block needs half a
     // minute to its width's end is rest.
-    return {1e4, 1, 0.65, 0.3 * spacing, 0.1 * height * height, spacing, 2.5e-4, 0.6};
+    return {1e4, 1, 0.65, 0.3 * spacing, 0.1 * height * height, spacing, 2.5e-4, 1.5};
 }
 
 }  // namespace delabole

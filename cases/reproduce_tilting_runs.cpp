@@ -330,8 +330,9 @@ void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& 
         const bool reached = frame.tilt >= degrees(tilt);
         result.rows.push_back({"nine columns at " + number_in_words(tilt) + " deg",
                                tilt < 31 ? "stable, turned columns on their edges" : "all slide on their edges",
-                               reached ? "fastest column " + human_number(speed * 1e3, 2) + " mm/s"
-                                       : "collapsed at " + in_degrees(frame.tilt),
+                               reached
+                                   ? "fastest column " + human_number(speed * 1e3, 2) + " mm/s"
+                                   : "collapsed at " + in_degrees(frame.tilt) + ", column 1 beyond the end of the base",
                                "", movements_in_words(frame, columns)});
         const std::string number = human_number(frame.tilt / degrees(1), 3);
         report.blocks.emplace_back(folder.draw(frame_figure(made, frame, "Nine columns at " + number + " deg"),
