@@ -37,8 +37,9 @@ Chosen choose(const std::string& what) {
     for (const ReproductionChapter& chapter : chapters()) {
         const bool whole = what.empty() || what == chapter.name;
         for (const ReproductionItem& item : chapter.items) {
-            const bool too_long = what.empty() && item.takes_minutes;
-            if ((whole || what == item.name) && !too_long && !has(chosen.items, item.name)) {
+            const ReproductionCost most = what.empty() ? ReproductionCost::seconds : ReproductionCost::minutes;
+            const bool wanted = what == item.name || (whole && item.cost <= most);
+            if (wanted && !has(chosen.items, item.name)) {
                 chosen.items.push_back(&item);
                 chosen.title = what.empty() ? chosen.title : chapter.title;
             }

@@ -162,25 +162,25 @@ Reproduction reproduce_dry_friction(const ResultFolder&, Report& report) {
 }  // namespace
 
 ReproductionChapter chapter_2() {
-    return {
-        "chapter2",
-        "the calculations of chapter 2",
-        "Thesis, chapter 2: printed and computed",
-        {
-            {"fig2.8", "plane failure of the west face; its unprinted crack depth and curves", reproduce_fig_2_8},
-            {"tilting", "groundwater by tilting the model, section 2.3.5", reproduce_tilting},
-            {"mechanisms", "modes of failure tried on models of the west face, verdicts of section 2.3.3.2",
-             reproduce_mechanisms},
-            {"drawings", "Figs 2.4, 2.5, 2.7 and 2.10: the failure and the models", reproduce_slope_drawings},
-            {"plates", "Plates 2.I to 2.VI as runs in motion, scored by the field criteria", reproduce_plates, true},
-            {"groundwater", "one column with groundwater: tests and observations of section 2.3.5",
-             reproduce_groundwater},
-            {"trends", "Figs 2.11 to 2.14 as trends of runs, conclusions (i) to (iv) of section 2.3.4",
-             reproduce_trends, true},
-            {"column_motion", "one column with groundwater in motion: observations 1 to 4 of section 2.3.5",
-             reproduce_column_motion, true},
-            {"dry_friction", "dry factor of safety of section 2.3.3.2 A", reproduce_dry_friction},
-        }};
+    return {"chapter2",
+            "the calculations of chapter 2",
+            "Thesis, chapter 2: printed and computed",
+            {
+                {"fig2.8", "plane failure of the west face; its unprinted crack depth and curves", reproduce_fig_2_8},
+                {"tilting", "groundwater by tilting the model, section 2.3.5", reproduce_tilting},
+                {"mechanisms", "modes of failure tried on models of the west face, verdicts of section 2.3.3.2",
+                 reproduce_mechanisms},
+                {"drawings", "Figs 2.4, 2.5, 2.7 and 2.10: the failure and the models", reproduce_slope_drawings},
+                {"plates", "Plates 2.I to 2.VI as runs in motion, scored by the field criteria", reproduce_plates,
+                 ReproductionCost::minutes},
+                {"groundwater", "one column with groundwater: tests and observations of section 2.3.5",
+                 reproduce_groundwater},
+                {"trends", "Figs 2.11 to 2.14 as trends of runs, conclusions (i) to (iv) of section 2.3.4",
+                 reproduce_trends, ReproductionCost::minutes},
+                {"column_motion", "one column with groundwater in motion: observations 1 to 4 of section 2.3.5",
+                 reproduce_column_motion, ReproductionCost::minutes},
+                {"dry_friction", "dry factor of safety of section 2.3.3.2 A", reproduce_dry_friction},
+            }};
 }
 
 }  // namespace delabole

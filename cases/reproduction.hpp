@@ -24,12 +24,16 @@ struct Reproduction {
     std::vector<PrintedRow> rows;
 };
 
+// What takes minutes is done where it or its chapter is named, not with all of the thesis; what takes longer, only
+// where it is named itself.
+enum class ReproductionCost { seconds, minutes, half_an_hour };
+
 struct ReproductionItem {
     std::string name;     // "fig2.8"
     std::string meaning;  // one line
     // Appends to the report, writes figures and tables into the folder.
     std::function<Reproduction(const ResultFolder&, Report&)> reproduce;
-    bool takes_minutes = false;  // done where it or its chapter is named, not with all of the thesis
+    ReproductionCost cost = ReproductionCost::seconds;
 };
 
 struct ReproductionChapter {
