@@ -167,7 +167,7 @@ struct Program {
         CLI::App* verify = app.add_subcommand("verify", "Compare computed values with the [[expect]] entries of cases");
         verify->add_option("CASE", cases, "Case files or folders of them");
         add_common(*verify, options);
-        verify->footer(example("delabole verify cases"));
+        verify->footer(example("delabole verify cases/plane_failure"));
         verify->callback([this] { chosen = [this] { return delabole::verify_command(cases, options); }; });
 
         CLI::App* reproduce = app.add_subcommand("reproduce", reproduce_help());
