@@ -1,17 +1,16 @@
 // delabole fit
 #include "cases/case_error.hpp"
-#include "cases/case_writer.hpp"
 #include "cases/commands.hpp"
 #include "cases/fit_problem_of_case.hpp"
 #include "cases/fit_report.hpp"
 #include "cases/inputs_report.hpp"
 #include "cases/interrupt.hpp"
 #include "cases/progress.hpp"
+#include "cases/study_output.hpp"
 #include "fitting/back_analysis.hpp"
 #include "fitting/check_problem.hpp"
 
 #include <algorithm>
-#include <iostream>
 
 namespace delabole {
 
@@ -72,10 +71,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     Report report{file.title.empty() ? file.name : file.title, file.description, {}};
     const std::string status = status_of(result);
     const std::string reserved = reservation(status);
-    if (!reserved.empty()) {
-        report.blocks.emplace_back(
-            Notice{NoticeKind::warning, status == "interrupted" ? "Interrupted" : "Not converged", {reserved}});
-    }
+    add_reservation(reserved, status == "interrupted", report);
     FitDocuments documents = document_fit(file, problem, result, folder, report);
     documents.json["status"] = status;
     Json source = provenance(file, "fit", options, watch.seconds());
@@ -88,23 +84,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     report.blocks.emplace_back(Heading{"Inputs"});
     report.blocks.emplace_back(inputs_table(file));
     report.blocks.emplace_back(evidence_table(problem));
-    report.blocks.emplace_back(Heading{"Provenance"});
-    report.blocks.emplace_back(provenance_block(source));
-
-    folder.write("resolved.toml", resolved_toml(file));
-    folder.write_report(report);
-    folder.write("result.json", json_text(documents.json));
-    if (options.json) {
-        std::cout << json_text(documents.json);
-    } else if (!options.quiet) {
-        std::cout << report.title << "\n\n"
-                  << documents.screen << "report in " << (folder.path() / "report.html").string() << '\n';
-    }
-    if (!reserved.empty()) {
-        std::cerr << "delabole: " << reserved << '\n';
-        return ExitCode::not_converged;
-    }
-    return ExitCode::ok;
+    return write_study({file, documents.json, '\n' + documents.screen, reserved}, folder, options, report);
 }
 
 }  // namespace delabole

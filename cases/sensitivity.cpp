@@ -2,15 +2,13 @@
 #include "fitting/sensitivity.hpp"
 
 #include "cases/case_error.hpp"
-#include "cases/case_writer.hpp"
 #include "cases/commands.hpp"
 #include "cases/inputs_report.hpp"
 #include "cases/interrupt.hpp"
 #include "cases/progress.hpp"
 #include "cases/sensitivity_problem_of_case.hpp"
 #include "cases/sensitivity_report.hpp"
-
-#include <iostream>
+#include "cases/study_output.hpp"
 
 namespace delabole {
 
@@ -53,12 +51,7 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
 
     Report report{file.title.empty() ? file.name : file.title, file.description, {}};
     const std::string reserved = reservation(result.status);
-    if (!reserved.empty()) {
-        report.blocks.emplace_back(
-            Notice{NoticeKind::warning,
-                   result.status == SensitivityStatus::interrupted ? "Interrupted" : "Not converged",
-                   {reserved}});
-    }
+    add_reservation(reserved, result.status == SensitivityStatus::interrupted, report);
     SensitivityDocuments documents = document_sensitivity(file, problem, result, folder, report);
     Json json;
     json["status"] = word_of(result.status);
@@ -69,23 +62,7 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
     json["provenance"] = source;
     report.blocks.emplace_back(Heading{"Inputs"});
     report.blocks.emplace_back(inputs_table(file));
-    report.blocks.emplace_back(Heading{"Provenance"});
-    report.blocks.emplace_back(provenance_block(source));
-
-    folder.write("resolved.toml", resolved_toml(file));
-    folder.write_report(report);
-    folder.write("result.json", json_text(json));
-    if (options.json) {
-        std::cout << json_text(json);
-    } else if (!options.quiet) {
-        std::cout << report.title << '\n'
-                  << documents.screen << "report in " << (folder.path() / "report.html").string() << '\n';
-    }
-    if (!reserved.empty()) {
-        std::cerr << "delabole: " << reserved << '\n';
-        return ExitCode::not_converged;
-    }
-    return ExitCode::ok;
+    return write_study({file, json, documents.screen, reserved}, folder, options, report);
 }
 
 }  // namespace delabole

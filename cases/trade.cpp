@@ -1,16 +1,14 @@
 // delabole trade
 #include "cases/case_error.hpp"
-#include "cases/case_writer.hpp"
 #include "cases/commands.hpp"
 #include "cases/impossible_case.hpp"
 #include "cases/inputs_report.hpp"
 #include "cases/interrupt.hpp"
 #include "cases/progress.hpp"
 #include "cases/relaxation_trade.hpp"
+#include "cases/study_output.hpp"
 #include "cases/trade_report.hpp"
 #include "dynamic_relaxation/scene_check.hpp"
-
-#include <iostream>
 
 namespace delabole {
 
@@ -98,11 +96,7 @@ ExitCode trade_command(const std::filesystem::path& path, const Options& options
 
     Report report{file.title.empty() ? file.name : file.title, file.description, {}};
     const std::string reserved = reservation(result, problem.settings.size());
-    if (!reserved.empty()) {
-        report.blocks.emplace_back(Notice{NoticeKind::warning,
-                                          result.status == TradeStatus::interrupted ? "Interrupted" : "Not converged",
-                                          {reserved}});
-    }
+    add_reservation(reserved, result.status == TradeStatus::interrupted, report);
     const std::vector<std::string> remarks = trade_remarks(study);
     if (!remarks.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "Warnings", remarks});
@@ -118,26 +112,10 @@ ExitCode trade_command(const std::filesystem::path& path, const Options& options
     json["provenance"] = source;
     report.blocks.emplace_back(Heading{"Inputs"});
     report.blocks.emplace_back(inputs_table(file));
-    report.blocks.emplace_back(Heading{"Provenance"});
-    report.blocks.emplace_back(provenance_block(source));
-
-    folder.write("resolved.toml", resolved_toml(file));
-    folder.write_report(report);
-    folder.write("result.json", json_text(json));
-    if (options.json) {
-        std::cout << json_text(json);
-    } else if (!options.quiet) {
-        std::cout << report.title << '\n' << documents.screen;
-        for (const std::string& remark : remarks) {
-            std::cout << "warning: " << remark << '\n';
-        }
-        std::cout << "report in " << (folder.path() / "report.html").string() << '\n';
+    for (const std::string& remark : remarks) {
+        documents.screen += "warning: " + remark + '\n';
     }
-    if (!reserved.empty()) {
-        std::cerr << "delabole: " << reserved << '\n';
-        return ExitCode::not_converged;
-    }
-    return ExitCode::ok;
+    return write_study({file, json, documents.screen, reserved}, folder, options, report);
 }
 
 }  // namespace delabole
