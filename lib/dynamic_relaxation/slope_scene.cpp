@@ -37,6 +37,7 @@ Polygon<> polygon_of(const std::vector<SectionPoint>& area) {
 
 std::vector<Polygon<>> polygons_of(const auto& areas) {
     std::vector<Polygon<>> polygons;
+    polygons.reserve(areas.size());
     for (const auto& area : areas) {
         polygons.push_back(polygon_of(area.vertex));
     }
