@@ -222,9 +222,8 @@ std::string csv_of(const Predictions& predictions, double strength) {
     };
     for (const Prediction& prediction : predictions) {
         const CriticalStrength& critical = prediction.need->critical;
-        const auto broken = std::ranges::count_if(critical.end.state.bond, [](const BondMemory& bond) {
-            return bond.state == BondState::broken_in_tension || bond.state == BondState::broken_in_shear;
-        });
+        const auto broken = std::ranges::count_if(critical.end.state.bond,
+                                                  [](const BondMemory& bond) { return is_broken(bond.state); });
         table.add_row({prediction.state->test, std::string(word_of(prediction.state->behaviour)),
                        prediction.scene->fitted ? "fitted" : "predicted", std::string(word_of(critical.status)),
                        prediction.need->strength(), strength,

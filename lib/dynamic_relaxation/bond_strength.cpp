@@ -103,20 +103,24 @@ class WeakeningSlope {
         }
     }
 
-    bool is_loose(const RelaxationState& state, std::size_t block) const {
+    bool is_free(const RelaxationState& state, std::size_t block) const {
+        return bodies_.fixed[block] == 0 && state.removed[block] == 0;
+    }
+
+    bool has_moved(const RelaxationState& state, std::size_t block, double way) const {
         const Motion& now = state.motion[block];
         const Motion& then = made_.end.unbroken[block];
-        return bodies_.fixed[block] == 0 && state.removed[block] == 0 &&
-               std::hypot(now.x - then.x, now.y - then.y) > reduction_.loose_way;
+        return is_free(state, block) && std::hypot(now.x - then.x, now.y - then.y) > way;
+    }
+
+    bool is_loose(const RelaxationState& state, std::size_t block) const {
+        return has_moved(state, block, reduction_.loose_way);
     }
 
     double moved_area(const RelaxationState& state) const {
         double area = 0;
         for (std::size_t block = 0; block < bodies_.size(); ++block) {
-            const Motion& now = state.motion[block];
-            const Motion& then = made_.end.unbroken[block];
-            if (bodies_.fixed[block] == 0 && state.removed[block] == 0 &&
-                std::hypot(now.x - then.x, now.y - then.y) > reduction_.failed_way) {
+            if (has_moved(state, block, reduction_.failed_way)) {
                 area += bodies_.mass[block] / made_.end.scene.block[block].density;
             }
         }
@@ -128,7 +132,7 @@ class WeakeningSlope {
         double mass = 0;
         double sum = 0;
         for (std::size_t block = 0; block < bodies_.size(); ++block) {
-            if (bodies_.fixed[block] == 0 && state.removed[block] == 0) {
+            if (is_free(state, block)) {
                 const Motion& motion = state.motion[block];
                 mass += bodies_.mass[block];
                 sum += bodies_.mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy);
@@ -279,8 +283,7 @@ CrackPath crack_path(const ReducedSlope& slope) {
     double sum = 0;
     double most = 0;
     for (std::size_t index = 0; index < bonds.size(); ++index) {
-        const BondState state = slope.state.bond[index].state;
-        if (state != BondState::broken_in_tension && state != BondState::broken_in_shear) {
+        if (!is_broken(slope.state.bond[index].state)) {
             continue;
         }
         ++path.broken;

@@ -59,6 +59,10 @@ constexpr std::array<std::string_view, 4> enum_names(BondState) {
     return {"whole", "broken_in_tension", "broken_in_shear", "block_removed"};
 }
 
+constexpr bool is_broken(BondState state) {
+    return state == BondState::broken_in_tension || state == BondState::broken_in_shear;
+}
+
 struct BondMemory {
     BondState state = BondState::whole;
     double time = 0;          // s, at which it broke

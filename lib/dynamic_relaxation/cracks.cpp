@@ -26,7 +26,7 @@ std::vector<BrokenBond> broken_bonds(const RelaxationScene& scene, const Bodies&
     std::vector<BrokenBond> broken;
     for (std::size_t index = 0; index < scene.bond.size(); ++index) {
         const BondMemory& memory = state.bond[index];
-        if (memory.state != BondState::broken_in_tension && memory.state != BondState::broken_in_shear) {
+        if (!is_broken(memory.state)) {
             continue;
         }
         const FaceBond& bond = scene.bond[index];

@@ -66,7 +66,7 @@ double inclination(const Point& from, const Point& to) {
 class Survey {
   public:
     Survey(const MovedSlope& slope, const PostFailureRequest& request)
-        : slope_(slope), bodies_(slope.bodies), size_(middling_size()) {
+        : slope_(slope), bodies_(slope.bodies), area_(areas()), size_(middling_size()) {
         moved_limit_ = request.moved_share.value_or(0.25) * size_;
         crack_limit_ = request.crack_share.value_or(0.01) * size_;
     }
@@ -85,19 +85,23 @@ class Survey {
     }
 
   private:
-    double area(std::size_t block) const {
-        Polygon<> outline;
-        for (std::size_t corner = bodies_.range[block].begin; corner < bodies_.range[block].end; ++corner) {
-            outline.push_back(bodies_.corner[corner]);
+    std::vector<double> areas() const {
+        std::vector<double> made;
+        made.reserve(bodies_.size());
+        for (const CornerRange& range : bodies_.range) {
+            const auto first = bodies_.corner.begin();
+            made.push_back(area_properties(Polygon<>(first + static_cast<std::ptrdiff_t>(range.begin),
+                                                     first + static_cast<std::ptrdiff_t>(range.end)))
+                               .area);
         }
-        return area_properties(outline).area;
+        return made;
     }
 
     double middling_size() const {
         std::vector<double> areas;
         for (std::size_t block = 0; block < bodies_.size(); ++block) {
             if (bodies_.fixed[block] == 0) {
-                areas.push_back(area(block));
+                areas.push_back(area_[block]);
             }
         }
         const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
@@ -120,7 +124,7 @@ class Survey {
             const CrestMovement moved = movement_of(block);
             const double way = std::hypot(moved.horizontal, moved.vertical, moved.rotation * bodies_.radius[block]);
             result_.share[block] = share_of(way, moved_limit_);
-            result_.answer.failed_area += result_.share[block] * area(block);
+            result_.answer.failed_area += result_.share[block] * area_[block];
         }
     }
 
@@ -352,6 +356,7 @@ class Survey {
 
     const MovedSlope& slope_;
     const Bodies& bodies_;
+    std::vector<double> area_;
     double size_;
     double moved_limit_ = 0;
     double crack_limit_ = 0;

@@ -53,9 +53,8 @@ RelaxationResult Simulation::result() const {
     }
     result.unbalanced_ratio = std::max(state_.unbalanced, state_.unbalanced_then);
     result.first_crack = state_.first_crack;
-    result.broken_bonds = static_cast<std::size_t>(std::ranges::count_if(state_.bond, [](const BondMemory& memory) {
-        return memory.state == BondState::broken_in_tension || memory.state == BondState::broken_in_shear;
-    }));
+    result.broken_bonds = static_cast<std::size_t>(
+        std::ranges::count_if(state_.bond, [](const BondMemory& memory) { return is_broken(memory.state); }));
     result.ledger = ledger();
     result.deepest = deepest_contact(bodies_, state_);
     result.cost = {state_.steps, state_.searches, state_.contacts_evaluated, state_.step};

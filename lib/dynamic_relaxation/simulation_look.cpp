@@ -1,0 +1,88 @@
+// What a run looks at every so many steps: whether it is over, whether a crack has opened, which blocks rest.
+#include "dynamic_relaxation/loads.hpp"
+#include "dynamic_relaxation/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+// Steps between two looks at the balance of forces.
+constexpr std::uint64_t steps_between_looks = 50;
+
+}  // namespace
+
+void Simulation::look() {
+    if (state_.steps % steps_between_looks != 0 || outcome() != RelaxationOutcome::undecided) {
+        return;
+    }
+    let_calm_blocks_rest();
+    look_for_crack();
+    const double kinetic = kinetic_energy();
+    const bool growing = kinetic > state_.kinetic_then;
+    state_.kinetic_then = kinetic;
+    const double unbalanced = std::exchange(state_.unbalanced, 0.0);
+    state_.unbalanced_then = unbalanced;
+    const MotionExtremes farthest = farthest_motion(bodies_, state_);
+    const auto decide = [&](RelaxationOutcome outcome) { state_.outcome = static_cast<std::uint64_t>(outcome); };
+    if (!std::isfinite(kinetic)) {
+        decide(RelaxationOutcome::motion_not_finite);
+        return;
+    }
+    if (state_.onset_time < 0 &&
+        (farthest.rotation > settings_.onset_rotation || farthest.displacement > settings_.onset_slide)) {
+        state_.onset_time = state_.time;
+    }
+    if (state_.onset_time >= 0 && settings_.stop_at_onset) {
+        decide(RelaxationOutcome::onset);
+    } else if (farthest.rotation > settings_.collapse_rotation ||
+               farthest.displacement > settings_.collapse_displacement) {
+        decide(RelaxationOutcome::collapse);
+    } else if (settings_.stop_at_equilibrium && !growing && !carried_along() &&
+               unbalanced < settings_.equilibrium_ratio && state_.time >= last_scheduled_time(scene_, settings_)) {
+        decide(RelaxationOutcome::equilibrium);
+    }
+}
+
+// A block that a belt carries at an even speed is in balance too, but not at rest.
+bool Simulation::carried_along() const {
+    return scene_.belt && fastest() > settings_.equilibrium_ratio * scene_.belt->speed;
+}
+
+void Simulation::look_for_crack() {
+    if (state_.first_crack || watched_.empty()) {
+        return;
+    }
+    double widest = *settings_.crack_opening;
+    for (const SharedFace& face : watched_) {
+        const double opening = locate(face, state_.motion[face.block], state_.motion[face.other]).widest(face.length);
+        if (opening > widest && state_.removed[face.block] == 0 && state_.removed[face.other] == 0) {
+            widest = opening;
+            const double turned = scene_.motion.empty() ? 0 : state_.motion[scene_.motion.front().block].angle;
+            state_.first_crack = FirstCrack{state_.time, tilt() + turned, face.block, face.other};
+        }
+    }
+}
+
+void Simulation::let_calm_blocks_rest() {
+    if (state_.time < last_scheduled_time(scene_, settings_)) {
+        std::fill(state_.calm.begin(), state_.calm.end(), std::uint32_t{0});
+        return;
+    }
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        if (held_[block] != 0 || rests(state_.calm[block]) || !rests(++state_.calm[block])) {
+            continue;
+        }
+        Motion& motion = state_.motion[block];
+        state_.ledger.kinetic_damping +=
+            (bodies_.inertial_mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy) +
+             bodies_.inertia[block] * motion.spin * motion.spin) /
+            2;
+        motion.vx = motion.vy = motion.spin = 0;
+    }
+}
+
+}  // namespace delabole
