@@ -14,6 +14,9 @@ namespace {
 // A face may lean on another by this much and still touch it with both ends (sine); a corner's own other face, at right
 // angles in a rectangle, must not count as touching.
 constexpr double lean = 0.35;
+// A corner that bears on an edge goes on doing so up to here: to take it away, or to give its load to the next edge, on
+// which it is deeper, would make energy out of nothing.
+constexpr double lean_while_touching = 0.7;
 // The weight of a contact changes over this way around an edge's end, in shortest edges. Far above any overlap, so that
 // a change of overlap hardly changes a weight, and far below what an eye or a lever arm would see.
 constexpr double blend_way = 1e-3;
@@ -63,12 +66,40 @@ class Laws {
     std::unordered_map<ContactLaw, std::uint32_t, Hash> number_ = {};
 };
 
+class ContactIndex {
+  public:
+    explicit ContactIndex(const std::vector<RelaxationContact>& contacts) {
+        entries_.reserve(contacts.size());
+        for (std::uint32_t index = 0; index < contacts.size(); ++index) {
+            entries_.emplace_back(key_of(contacts[index].corner, contacts[index].edge), index);
+        }
+        std::sort(entries_.begin(), entries_.end());
+    }
+
+    // no_twin where there is none.
+    std::uint32_t find(std::size_t corner, std::size_t edge) const {
+        const std::uint64_t key = key_of(corner, edge);
+        const auto found = std::lower_bound(entries_.begin(), entries_.end(), std::pair(key, std::uint32_t{0}));
+        return found != entries_.end() && found->first == key ? found->second : no_twin;
+    }
+
+  private:
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> entries_ = {};
+};
+
 class Search {
   public:
     // Adds to the list.
     Search(const RelaxationScene& scene, const Bodies& bodies, const std::vector<Motion>& motion,
-           const SearchOptions& options, ContactList& list)
-        : scene_(scene), bodies_(bodies), motion_(motion), options_(options), list_(list), laws_(list.law) {}
+           const SearchOptions& options, const ContactList& previous, const ContactIndex& known, ContactList& list)
+        : scene_(scene),
+          bodies_(bodies),
+          motion_(motion),
+          options_(options),
+          previous_(previous),
+          known_(known),
+          list_(list),
+          laws_(list.law) {}
 
     // Corners of the first block on edges of the second.
     void add_corners(std::uint32_t block, std::uint32_t other) {
@@ -100,14 +131,18 @@ class Search {
         const std::size_t before = bodies_.range[block].before(corner);
         const PlanePoint<> to_next = motion_[block].turned(bodies_.along[corner]);
         const PlanePoint<> to_previous = -motion_[block].turned(bodies_.along[before]);
-        if (to_next.dot(normal) < -lean || to_previous.dot(normal) < -lean) {
+        const double dips = -std::min(to_next.dot(normal), to_previous.dot(normal));
+        if (!can_bear(corner, edge, dips)) {
             return;
         }
-        // The edge beyond the nearer end, if the corner could bear there too.
-        const bool at_start = position < bodies_.length[edge] / 2;
-        const std::size_t beyond = at_start ? bodies_.range[other].before(edge) : bodies_.range[other].after(edge);
-        const PlanePoint<> beyond_normal = motion_[other].turned(bodies_.normal(beyond));
-        bool rival = to_next.dot(beyond_normal) >= -lean && to_previous.dot(beyond_normal) >= -lean;
+        const double half = bodies_.length[edge] / 2;
+        const End near = end_of(corner, edge, position < half, to_next, to_previous);
+        const End far = end_of(corner, edge, position >= half, to_next, to_previous);
+        // Of a short edge the end farther off can be the one to which the corner is carried.
+        const bool far_counts = far.bears && far.depth < deepest * shortest && (!near.bears || far.depth < near.depth);
+        const bool at_start = (far_counts ? far : near).at_start;
+        const std::size_t beyond = (far_counts ? far : near).beyond;
+        bool rival = far_counts || near.bears;
         const double from_end = at_start ? position : bodies_.length[edge] - position;
         if (rival && std::abs(from_end) < at_tip * shortest) {
             const double excess = dip_beyond_that_of(corner, edge, beyond, at_start, shortest);
@@ -127,6 +162,34 @@ class Search {
             law.rival_cosine = -one.dot(two);
         }
         list_.contact.push_back(contact_of(corner, edge, laws_.number_of(law)));
+    }
+
+    struct End {
+        bool at_start;
+        std::size_t beyond;  // edge
+        bool bears;          // the corner could be on that one too
+        double depth;        // below it
+    };
+
+    End end_of(std::size_t corner, std::size_t edge, bool at_start, const PlanePoint<>& to_next,
+               const PlanePoint<>& to_previous) const {
+        const std::size_t other = bodies_.block_of[edge];
+        const CornerRange& range = bodies_.range[other];
+        const std::size_t beyond = at_start ? range.before(edge) : range.after(edge);
+        const PlanePoint<> normal = motion_[other].turned(bodies_.normal(beyond));
+        const PlanePoint<> end = moved_corner(bodies_, motion_, at_start ? edge : beyond);
+        const double dips = -std::min(to_next.dot(normal), to_previous.dot(normal));
+        return {at_start, beyond, can_bear(corner, beyond, dips),
+                -normal.dot(moved_corner(bodies_, motion_, corner) - end)};
+    }
+
+    // `dips`: of the corner's faces below the edge, sine.
+    bool can_bear(std::size_t corner, std::size_t edge, double dips) const {
+        if (dips <= lean || dips > lean_while_touching) {
+            return dips <= lean;
+        }
+        const std::uint32_t before = known_.find(corner, edge);
+        return before != no_twin && previous_.memory[before].touching;
     }
 
     // Where a joint comes out of a face at an acute angle, the corners of both blocks coincide in the drawing: they
@@ -217,29 +280,10 @@ class Search {
     const Bodies& bodies_;
     const std::vector<Motion>& motion_;
     const SearchOptions& options_;
+    const ContactList& previous_;
+    const ContactIndex& known_;
     ContactList& list_;
     Laws laws_;
-};
-
-class ContactIndex {
-  public:
-    explicit ContactIndex(const std::vector<RelaxationContact>& contacts) {
-        entries_.reserve(contacts.size());
-        for (std::uint32_t index = 0; index < contacts.size(); ++index) {
-            entries_.emplace_back(key_of(contacts[index].corner, contacts[index].edge), index);
-        }
-        std::sort(entries_.begin(), entries_.end());
-    }
-
-    // no_twin where there is none.
-    std::uint32_t find(std::size_t corner, std::size_t edge) const {
-        const std::uint64_t key = key_of(corner, edge);
-        const auto found = std::lower_bound(entries_.begin(), entries_.end(), std::pair(key, std::uint32_t{0}));
-        return found != entries_.end() && found->first == key ? found->second : no_twin;
-    }
-
-  private:
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> entries_ = {};
 };
 
 // A corner's twin at the start of an edge is that end on the face that ends at the corner, because both outlines run
@@ -303,7 +347,8 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
     ContactList list;
     list.margin = options.margin;
     list.contact.reserve(previous.contact.size() + 64);
-    Search search(scene, bodies, motion, options, list);
+    const ContactIndex known(previous.contact);
+    Search search(scene, bodies, motion, options, previous, known, list);
     for (const auto& [first, second] : neighbouring_blocks(bodies, motion, removed, options.margin)) {
         if (std::binary_search(options.bonded.begin(), options.bonded.end(), BlockPair(first, second))) {
             continue;
@@ -314,7 +359,6 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
     pair_twins(bodies, motion, list);
     list.memory.resize(list.contact.size());
     list.force.resize(list.contact.size());
-    const ContactIndex known(previous.contact);
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         RelaxationContact& contact = list.contact[index];
         ContactMemory& memory = list.memory[index];

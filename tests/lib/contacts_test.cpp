@@ -1,0 +1,50 @@
+// Which edge a corner bears on.
+#include "dynamic_relaxation/contacts.hpp"
+
+#include "dynamic_relaxation/contact_law.hpp"
+#include "relaxation_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace delabole {
+namespace {
+
+using relaxation_scenes::density;
+using relaxation_scenes::fixed_block;
+using relaxation_scenes::joint;
+
+// A tip of 21 deg that points upwards, its right side short, and a corner that stands on the left side, beside the
+// middle of the right one and a tenth of a millimetre deep.
+RelaxationScene corner_beside_tip(double level) {
+    RelaxationScene scene;
+    const Point on_left(level * 0.3 + 1e-4, level);
+    scene.block.push_back({{on_left, on_left + Point(0.2, 1.98), on_left + Point(-0.6, 1.9)}, density});
+    scene.block.push_back(fixed_block({{0, 0}, {-0.9, -3}, {0.2, -3}, {0.02, -0.23}}));
+    scene.material = {joint(1e9, degrees(30))};
+    return scene;
+}
+
+double weight_on(const RelaxationScene& scene, std::uint32_t corner, std::uint32_t edge) {
+    const Bodies bodies = make_bodies(scene);
+    const std::vector<Motion> motion(bodies.size());
+    const ContactList list =
+        find_contacts(scene, bodies, motion, std::vector<char>(bodies.size(), 0), {0.002, 0.2, false, {}}, {});
+    for (const RelaxationContact& contact : list.contact) {
+        if (contact.corner == corner && contact.edge == edge) {
+            return contact_weight(list.law_of(contact), contact, locate(contact, motion[0], motion[1]));
+        }
+    }
+    return 0;
+}
+
+TEST(Contacts, CornerBearsOnTheSideOfATipThatItIsLessDeepInWhicheverEndIsNearer) {
+    // The tip is 4 cm thick there: on the far side the corner would be four hundred times as deep.
+    for (const double level : {-0.11, -0.114, -0.116, -0.12}) {
+        const RelaxationScene scene = corner_beside_tip(level);
+        EXPECT_EQ(weight_on(scene, 0, 3), 1) << level;
+        EXPECT_LE(weight_on(scene, 0, 6), 0) << level;
+    }
+}
+
+}  // namespace
+}  // namespace delabole
