@@ -45,16 +45,23 @@ struct Expectation {
     bool is_word() const;
 };
 
+struct CaseObservation {
+    QuantityObservation observation;  // SI
+    Dimension dimension;              // of its value and standard deviation
+};
+
+struct CaseSign {
+    EvidenceSign sign;  // SI
+    Dimension dimension;
+};
+
 struct FitMechanism {
     std::string name;
     std::string title;
     CaseModel model;  // the case's, with the sections that the mechanism replaces; or one of its own kind, given whole
     std::vector<FreeParameter> parameters;
-};
-
-struct CaseObservation {
-    QuantityObservation observation;  // SI
-    Dimension dimension;              // of its value and standard deviation
+    std::vector<CaseObservation> observations = {};  // by the labels of those of all
+    std::vector<CaseSign> signs = {};
 };
 
 // [fit], in the terms of fitting/fit_problem.hpp, SI throughout.

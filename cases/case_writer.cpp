@@ -72,6 +72,34 @@ void write_parameter(std::string& text, const FreeParameter& parameter, const st
         prior += parameter.prior->source.empty() ? " }" : ", source = " + in_quotes(parameter.prior->source) + " }";
         write_line(text, "prior", prior);
     }
+    if (!parameter.also.empty()) {
+        std::string list;
+        for (const std::string& name : parameter.also) {
+            list += (list.empty() ? "" : ", ") + in_quotes(name);
+        }
+        write_line(text, "also", "[" + list + "]");
+    }
+}
+
+void write_observation(std::string& text, std::string_view table, const CaseObservation& observation,
+                       const std::vector<std::vector<Quantity>>& inputs) {
+    const QuantityObservation& values = observation.observation;
+    text += "\n[[" + std::string(table) + "]]\n";
+    write_line(text, "label", in_quotes(values.label));
+    write_line(text, "quantity", in_quotes(values.quantity));
+    write_line(text, "relation", in_quotes(word_of(values.relation)));
+    write_line(text, "value", written_quantity(values.value, observation.dimension));
+    write_line(text, "standard_deviation", written_quantity(values.standard_deviation, observation.dimension));
+    write_conditions(text, values.conditions, inputs);
+    write_text(text, "source", values.source);
+}
+
+void write_sign(std::string& text, const CaseSign& sign) {
+    text += "\n[[fit.mechanism.shows]]\n";
+    write_line(text, "evidence", in_quotes(sign.sign.evidence));
+    write_line(text, "quantity", in_quotes(sign.sign.quantity));
+    write_line(text, "relation", in_quotes(word_of(sign.sign.relation)));
+    write_line(text, "value", written_quantity(sign.sign.value, sign.dimension));
 }
 
 void write_mechanism(std::string& text, const FitMechanism& mechanism, const CaseModel& base) {
@@ -95,6 +123,12 @@ void write_mechanism(std::string& text, const FitMechanism& mechanism, const Cas
     for (const FreeParameter& parameter : mechanism.parameters) {
         write_parameter(text, parameter, inputs);
     }
+    for (const CaseObservation& observation : mechanism.observations) {
+        write_observation(text, "fit.mechanism.observation", observation, {inputs});
+    }
+    for (const CaseSign& sign : mechanism.signs) {
+        write_sign(text, sign);
+    }
 }
 
 void write_settings(std::string& text, const FitSettings& settings) {
@@ -106,19 +140,12 @@ void write_settings(std::string& text, const FitSettings& settings) {
     write_line(text, "profile_points", std::to_string(settings.profile_points));
     write_line(text, "map_points", std::to_string(settings.map_points));
     write_line(text, "seed", std::to_string(settings.seed));
-}
-
-void write_observation(std::string& text, const CaseObservation& observation,
-                       const std::vector<std::vector<Quantity>>& inputs) {
-    const QuantityObservation& values = observation.observation;
-    text += "\n[[fit.observation]]\n";
-    write_line(text, "label", in_quotes(values.label));
-    write_line(text, "quantity", in_quotes(values.quantity));
-    write_line(text, "relation", in_quotes(word_of(values.relation)));
-    write_line(text, "value", written_quantity(values.value, observation.dimension));
-    write_line(text, "standard_deviation", written_quantity(values.standard_deviation, observation.dimension));
-    write_conditions(text, values.conditions, inputs);
-    write_text(text, "source", values.source);
+    text += "\n[fit.surrogate]\n";
+    write_line(text, "runs", std::to_string(settings.surrogate.runs));
+    if (settings.surrogate.first_runs) {
+        write_line(text, "first_runs", std::to_string(*settings.surrogate.first_runs));
+    }
+    write_line(text, "tolerance", written_quantity(settings.surrogate.tolerance, Dimension::ratio));
 }
 
 void write_profile(std::string& text, const ProfileObservation& profile) {
@@ -140,7 +167,7 @@ void write_fit(std::string& text, const CaseFit& fit, const CaseModel& base) {
         write_mechanism(text, mechanism, base);
     }
     for (const CaseObservation& observation : fit.observations) {
-        write_observation(text, observation, inputs);
+        write_observation(text, "fit.observation", observation, inputs);
     }
     if (fit.profile) {
         write_profile(text, *fit.profile);

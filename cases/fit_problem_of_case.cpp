@@ -17,8 +17,14 @@ FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::
     problem.settings.threads = threads;
     problem.settings.seed = seed.value_or(fit.settings.seed);
     for (const FitMechanism& mechanism : fit.mechanisms) {
-        problem.mechanisms.push_back(
-            {mechanism.name, mechanism.title, interface_of(mechanism.model), mechanism.parameters});
+        Mechanism& made = problem.mechanisms.emplace_back(
+            Mechanism{mechanism.name, mechanism.title, interface_of(mechanism.model), mechanism.parameters});
+        for (const CaseObservation& observation : mechanism.observations) {
+            made.own_observations.push_back(observation.observation);
+        }
+        for (const CaseSign& sign : mechanism.signs) {
+            made.signs.push_back(sign.sign);
+        }
     }
     std::vector<Problem> problems;
     for (const std::string& sentence : check_problem(problem)) {

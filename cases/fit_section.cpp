@@ -36,6 +36,28 @@ void read_count(Section& section, std::string_view key, int lower, int upper, in
     value = static_cast<int>(wide);
 }
 
+void read_surrogate(Section& fit, SurrogateSettings& settings) {
+    constexpr int most_runs = 2000;  // more make a surrogate that takes longer than the model
+    const Node* node = fit.take("surrogate");
+    const Node* table = node == nullptr ? nullptr : as_table(fit.reading(), *node, fit.path_of("surrogate"));
+    if (table == nullptr) {
+        return;
+    }
+    Section section(fit.reading(), *table, fit.path_of("surrogate"));
+    read_count(section, "runs", 12, most_runs, settings.runs);
+    if (section.contains("first_runs")) {
+        read_count(section, "first_runs", 12, most_runs, settings.first_runs.emplace(12));
+    } else {
+        section.allow("first_runs");
+    }
+    if (const Node* tolerance = section.take("tolerance")) {
+        settings.tolerance =
+            read_number(section.reading(), *tolerance, section.path_of("tolerance"), Dimension::ratio, between(0, 1))
+                .value_or(settings.tolerance);
+    }
+    section.finish();
+}
+
 FitSettings read_settings(Section& section) {
     constexpr int most_starts = 100'000;
     constexpr int most_evaluations = 100'000'000;
@@ -46,6 +68,7 @@ FitSettings read_settings(Section& section) {
     read_count(section, "evaluations_per_start", 10, most_evaluations, settings.evaluations_per_start);
     read_count(section, "profile_points", 5, most_points, settings.profile_points);
     read_count(section, "map_points", 5, most_points, settings.map_points);
+    read_surrogate(section, settings.surrogate);
     auto seed = static_cast<std::int64_t>(settings.seed);
     read_integer(section, "seed", 0, std::numeric_limits<std::int64_t>::max(), seed);
     settings.seed = static_cast<std::uint64_t>(seed);
@@ -78,9 +101,25 @@ std::optional<Prior> read_prior(Section& parameter, const Quantity& input) {
     return prior;
 }
 
+// Inputs that take the value of a free one.
+std::vector<std::string> read_others(Section& parameter, const Quantity& input, const ModelNames& names) {
+    std::vector<std::string> others;
+    read_words(parameter, "also", others);
+    for (const std::string& name : others) {
+        const Quantity* other = find_quantity(names.inputs, name);
+        if (other == nullptr && names.inputs_known) {
+            parameter.complain("also", *parameter.peek("also"),
+                               name + " is not an input of this case" + suggestion(name, names_in(names.inputs)));
+        } else if (other != nullptr && other->dimension != input.dimension) {
+            parameter.complain("also", *parameter.peek("also"), name + " has another dimension than " + input.name);
+        }
+    }
+    return others;
+}
+
 void read_parameter(Section& section, const ModelNames& names, std::vector<FreeParameter>& parameters) {
     const std::string name = require_text(section, "name", "the input that is free, e.g. strength.friction_angle");
-    for (const std::string_view key : {"lower", "upper", "prior"}) {
+    for (const std::string_view key : {"lower", "upper", "prior", "also"}) {
         section.allow(key);
     }
     const Quantity* input = find_quantity(names.inputs, name);
@@ -100,8 +139,11 @@ void read_parameter(Section& section, const ModelNames& names, std::vector<FreeP
         section.complain("lower", *section.peek("lower"),
                          "bounds are reversed: lower must not exceed upper = " + shown(*section.peek("upper")));
     }
-    parameters.push_back(
-        {.name = name, .lower = lower.value_or(0), .upper = upper.value_or(0), .prior = read_prior(section, *input)});
+    parameters.push_back({.name = name,
+                          .lower = lower.value_or(0),
+                          .upper = upper.value_or(0),
+                          .prior = read_prior(section, *input),
+                          .also = read_others(section, *input, names)});
 }
 
 std::vector<FreeParameter> read_parameters(Section& section, const ModelNames& names) {
@@ -124,66 +166,6 @@ void check_mechanism_name(Section& section, const std::string& name, const std::
     if (std::ranges::find(others, name, &FitMechanism::name) != others.end()) {
         section.complain("name", *section.peek("name"), "names two mechanisms");
     }
-}
-
-FitMechanism read_mechanism(Section& section, const CaseFile& case_file, const OutputsOf& outputs_of,
-                            const std::vector<FitMechanism>& others, std::vector<ModelNames>& names) {
-    FitMechanism mechanism;
-    mechanism.name = require_text(section, "name", "a short name, e.g. critical_geometry");
-    check_mechanism_name(section, mechanism.name, others);
-    mechanism.title = read_optional_text(section, "title");
-    if (mechanism.title.empty()) {
-        mechanism.title = mechanism.name;
-    }
-    mechanism.model = case_file.model;
-    if (section.contains("model")) {
-        std::optional<CaseModel> own = choose_model(section);
-        if (!own) {
-            // Without a model no other key of the mechanism can be judged.
-            section.reading().finish();
-        }
-        mechanism.model = *std::move(own);
-        read_model(section, mechanism.model);
-    } else {
-        section.allow("model");
-        replace_in_model(section, mechanism.model);
-    }
-    if (section.reading().clean()) {
-        check_model(section.reading(), mechanism.model, section.path() + ".");
-    }
-    names.push_back(names_of(mechanism.model, outputs_of, section.reading().inputs_known()));
-    mechanism.parameters = read_parameters(section, names.back());
-    if (!section.contains("parameter")) {
-        section.reading().complain(section.place(), section.path(), {},
-                                   "has nothing free: [[fit.mechanism.parameter]] is required");
-    }
-    return mechanism;
-}
-
-std::vector<FitMechanism> read_mechanisms(Section& section, const CaseFile& case_file, const OutputsOf& outputs_of,
-                                          std::vector<ModelNames>& names) {
-    std::vector<FitMechanism> mechanisms;
-    const bool own = section.contains("parameter");
-    const bool several = section.contains("mechanism");
-    if (own == several) {
-        section.reading().complain(section.place(), section.path(), {},
-                                   own ? "takes either [[fit.parameter]] or [[fit.mechanism]], not both"
-                                       : "has nothing free: [[fit.parameter]] or [[fit.mechanism]] is required");
-    }
-    for_each_table(section, "mechanism", [&](Section& element) {
-        mechanisms.push_back(read_mechanism(element, case_file, outputs_of, mechanisms, names));
-    });
-    if (mechanisms.empty()) {
-        names.push_back(names_of(case_file.model, outputs_of, section.reading().inputs_known()));
-        const std::string name(model_name(case_file.model));
-        mechanisms.push_back({.name = name,
-                              .title = case_file.title.empty() ? name : case_file.title,
-                              .model = case_file.model,
-                              .parameters = read_parameters(section, names.back())});
-    } else {
-        section.allow("parameter");
-    }
-    return mechanisms;
 }
 
 void read_observation(Section& section, const std::vector<ModelNames>& names,
@@ -214,6 +196,129 @@ void read_observation(Section& section, const std::vector<ModelNames>& names,
                                                  "standard deviation of the observation, or of the model")
                                          .value_or(1);
     observations.push_back({.observation = std::move(observation), .dimension = output->dimension});
+}
+
+// Labels of observations and names of evidence, which mechanisms refer to before they are read.
+struct SharedNames {
+    std::vector<std::string> labels;
+    std::vector<std::string> evidence;
+};
+
+std::vector<std::string> texts_in(const Node* list, std::string_view key) {
+    std::vector<std::string> texts;
+    if (list != nullptr && list->kind == Node::Kind::array) {
+        for (const Node& element : list->elements) {
+            const Node* text = element.find(key);
+            texts.push_back(text == nullptr ? std::string() : text->text);
+        }
+    }
+    return texts;
+}
+
+void read_own_observations(Section& mechanism, const SharedNames& shared, const ModelNames& names,
+                           std::vector<CaseObservation>& observations) {
+    for_each_table(mechanism, "observation", [&](Section& element) {
+        read_observation(element, {names}, observations);
+        const Node* label = element.peek("label");
+        if (label != nullptr && std::ranges::find(shared.labels, label->text) == shared.labels.end()) {
+            element.complain("label", *label,
+                             "is not the label of a [[fit.observation]], which this one is to put in the mechanism's "
+                             "terms" +
+                                 suggestion(label->text, shared.labels));
+        }
+    });
+}
+
+void read_sign(Section& section, const SharedNames& shared, const ModelNames& names, std::vector<CaseSign>& signs) {
+    EvidenceSign sign{};
+    sign.evidence = require_text(section, "evidence", "name of a [[fit.evidence]]");
+    sign.quantity = require_text(section, "quantity", "name of an output of the mechanism");
+    sign.relation = Relation::at_least;
+    read_word(section, "relation", sign.relation);
+    section.allow("value");
+    if (sign.relation == Relation::equal) {
+        section.complain("relation", *section.peek("relation"), "must be at_least or at_most");
+    }
+    if (!sign.evidence.empty() && std::ranges::find(shared.evidence, sign.evidence) == shared.evidence.end()) {
+        section.complain("evidence", *section.peek("evidence"),
+                         "is not the name of a [[fit.evidence]]" + suggestion(sign.evidence, shared.evidence));
+    }
+    const Quantity* output = find_quantity(names.outputs, sign.quantity);
+    if (output == nullptr) {
+        if (!sign.quantity.empty()) {
+            section.complain("quantity", *section.peek("quantity"),
+                             "is not an output of the mechanism" + suggestion(sign.quantity, names_in(names.outputs)));
+        }
+        return;
+    }
+    sign.value = read_number(section, "value", output->dimension, any_number(), "limit of the quantity").value_or(0);
+    signs.push_back({.sign = std::move(sign), .dimension = output->dimension});
+}
+
+FitMechanism read_mechanism(Section& section, const CaseFile& case_file, const OutputsOf& outputs_of,
+                            const SharedNames& shared, const std::vector<FitMechanism>& others,
+                            std::vector<ModelNames>& names) {
+    FitMechanism mechanism;
+    mechanism.name = require_text(section, "name", "a short name, e.g. critical_geometry");
+    check_mechanism_name(section, mechanism.name, others);
+    mechanism.title = read_optional_text(section, "title");
+    if (mechanism.title.empty()) {
+        mechanism.title = mechanism.name;
+    }
+    mechanism.model = case_file.model;
+    if (section.contains("model")) {
+        std::optional<CaseModel> own = choose_model(section);
+        if (!own) {
+            // Without a model no other key of the mechanism can be judged.
+            section.reading().finish();
+        }
+        mechanism.model = *std::move(own);
+        read_model(section, mechanism.model);
+    } else {
+        section.allow("model");
+        replace_in_model(section, mechanism.model);
+    }
+    if (section.reading().clean()) {
+        check_model(section.reading(), mechanism.model, section.path() + ".");
+    }
+    names.push_back(names_of(mechanism.model, outputs_of, section.reading().inputs_known()));
+    mechanism.parameters = read_parameters(section, names.back());
+    read_own_observations(section, shared, names.back(), mechanism.observations);
+    for_each_table(section, "shows",
+                   [&](Section& element) { read_sign(element, shared, names.back(), mechanism.signs); });
+    if (!section.contains("parameter")) {
+        section.reading().complain(section.place(), section.path(), {},
+                                   "has nothing free: [[fit.mechanism.parameter]] is required");
+    }
+    return mechanism;
+}
+
+std::vector<FitMechanism> read_mechanisms(Section& section, const CaseFile& case_file, const OutputsOf& outputs_of,
+                                          std::vector<ModelNames>& names) {
+    const SharedNames shared{texts_in(section.peek("observation"), "label"),
+                             texts_in(section.peek("evidence"), "name")};
+    std::vector<FitMechanism> mechanisms;
+    const bool own = section.contains("parameter");
+    const bool several = section.contains("mechanism");
+    if (own == several) {
+        section.reading().complain(section.place(), section.path(), {},
+                                   own ? "takes either [[fit.parameter]] or [[fit.mechanism]], not both"
+                                       : "has nothing free: [[fit.parameter]] or [[fit.mechanism]] is required");
+    }
+    for_each_table(section, "mechanism", [&](Section& element) {
+        mechanisms.push_back(read_mechanism(element, case_file, outputs_of, shared, mechanisms, names));
+    });
+    if (mechanisms.empty()) {
+        names.push_back(names_of(case_file.model, outputs_of, section.reading().inputs_known()));
+        const std::string name(model_name(case_file.model));
+        mechanisms.push_back({.name = name,
+                              .title = case_file.title.empty() ? name : case_file.title,
+                              .model = case_file.model,
+                              .parameters = read_parameters(section, names.back())});
+    } else {
+        section.allow("parameter");
+    }
+    return mechanisms;
 }
 
 std::optional<Point> read_point(Reading& reading, const Node& node, const std::string& path) {

@@ -211,7 +211,7 @@ ModelExample<RelaxationStudy> example_case(const RelaxationStudy*) {
 }
 
 std::vector<Quantity> possible_outputs(const RelaxationStudy& study) {
-    std::vector<Quantity> outputs = model_interface(study).outputs;
+    std::vector<Quantity> outputs = outputs_of_run(study);
     for (const CriticalParameter parameter : {CriticalParameter::tilt, CriticalParameter::friction}) {
         if (!study.critical || study.critical->parameter != parameter) {
             outputs.push_back({std::string(name_of_critical(parameter)), Dimension::angle, "where it is asked for"});

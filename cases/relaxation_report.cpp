@@ -70,7 +70,7 @@ std::string search_in_words(const CriticalRequest& request, const CriticalValue&
 std::string run_in_words(const RelaxationRun& made) {
     switch (made.result.outcome) {
     case RelaxationOutcome::undecided:
-        return made.settings.stop_at_equilibrium
+        return made.unfinished()
                    ? "the blocks neither came to rest nor failed within " +
                          (made.result.cost.steps >= made.settings.most_steps
                               ? std::to_string(made.settings.most_steps) + " steps: raise settings.most_steps"

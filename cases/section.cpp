@@ -180,6 +180,21 @@ std::string read_optional_text(Section& section, std::string_view key) {
     return node == nullptr ? "" : read_text(section.reading(), *node, section.path_of(key)).value_or("");
 }
 
+void read_words(Section& section, std::string_view key, std::vector<std::string>& words) {
+    const Node* list = section.take(key);
+    if (list == nullptr) {
+        return;
+    }
+    if (list->kind != Node::Kind::array) {
+        section.complain(key, *list, "must be a list of texts, [\"one\", \"another\"]");
+        return;
+    }
+    for (std::size_t index = 0; index < list->elements.size(); ++index) {
+        const std::string path = section.path_of(key) + "[" + std::to_string(index + 1) + "]";
+        words.push_back(read_text(section.reading(), list->elements[index], path).value_or(""));
+    }
+}
+
 std::optional<WrittenValue> read_written(Reading& reading, const Node& node, const std::string& path) {
     switch (node.kind) {
     case Node::Kind::text:

@@ -107,6 +107,8 @@ std::optional<std::string> read_text(Reading& reading, const Node& node, const s
 std::string require_text(Section& section, std::string_view key, std::string_view what);
 // Empty when absent.
 std::string read_optional_text(Section& section, std::string_view key);
+// A list of texts, appended; nothing when absent.
+void read_words(Section& section, std::string_view key, std::vector<std::string>& words);
 
 std::optional<WrittenValue> read_written(Reading& reading, const Node& node, const std::string& path);
 

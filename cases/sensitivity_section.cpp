@@ -136,21 +136,6 @@ void read_method(Section& study, std::string_view key, std::optional<Settings>& 
     section.finish();
 }
 
-void read_words(Section& section, std::string_view key, std::vector<std::string>& words) {
-    const Node* list = section.take(key);
-    if (list == nullptr) {
-        return;
-    }
-    if (list->kind != Node::Kind::array) {
-        section.complain(key, *list, "must be a list of words, [\"fails_at_any_strength\"]");
-        return;
-    }
-    for (std::size_t index = 0; index < list->elements.size(); ++index) {
-        const std::string path = section.path_of(key) + "[" + std::to_string(index + 1) + "]";
-        words.push_back(read_text(section.reading(), list->elements[index], path).value_or(""));
-    }
-}
-
 void read_failure(Section& section, Dimension dimension, FailureCriterion& failure) {
     failure.limit =
         read_number(section, "limit", dimension, any_number(), "value of the quantity at which the slope fails")

@@ -1,6 +1,7 @@
 #include "fitting/back_analysis.hpp"
 
 #include "fitting/check_problem.hpp"
+#include "fitting/costly_runs.hpp"
 #include "fitting/failure_locus.hpp"
 #include "fitting/identifiability.hpp"
 #include "fitting/misfit.hpp"
@@ -25,8 +26,9 @@ struct Expected {
     long profiles = 0;
     long loci = 0;
     long map = 0;
+    long runs = 0;
 
-    long total() const { return starts + profiles + loci + map; }
+    long total() const { return runs + starts + profiles + loci + map; }
 };
 
 Expected expected_evaluations(const Mechanism& mechanism, const FitSettings& settings) {
@@ -38,6 +40,7 @@ Expected expected_evaluations(const Mechanism& mechanism, const FitSettings& set
                                        static_cast<long>(settings.starts);
     expected.profiles = 2 * count * (settings.profile_points + 12) * (count > 1 ? 12 * count : 2);
     expected.loci = count * (count - 1) / 2 * settings.map_points * 24;
+    expected.runs = mechanism.model.costly ? settings.surrogate.runs * weight_of_run : 0;
     expected.map = count < 2 ? 0 : static_cast<long>(settings.map_points) * settings.map_points;
     return expected;
 }
@@ -109,16 +112,44 @@ void analyse_best(const Search& search, const Expected& expected, MultiStartResu
     }
 }
 
+SurrogateFit account_of(const CostlyRuns& costly) {
+    const Surrogate::Check check = costly.surrogate->leave_one_out();
+    SurrogateFit account{{},
+                         costly.surrogate->components(),
+                         check.error,
+                         check.within_95,
+                         costly.surrogate->scatter(),
+                         costly.evidence_error};
+    for (const KnownRun& run : costly.runs) {
+        account.runs.push_back({run.parameters, data_misfit(run.residuals), std::string(run.residuals.failure)});
+    }
+    return account;
+}
+
 MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem, ProgressMeter& progress,
                            StopFlag stop) {
     const Expected expected = expected_evaluations(mechanism, problem.settings);
     const Misfit misfit(mechanism, problem);
-    const Search search{misfit, progress, stop};
     MechanismFit fit;
     fit.name = mechanism.name;
     fit.title = mechanism.title;
     fit.parameters = mechanism.parameters;
     fit.dimensions = misfit.dimensions();
+
+    CostlyRuns costly;
+    const bool by_surrogate = mechanism.model.costly && !misfit.free_parameters().empty();
+    if (by_surrogate) {
+        progress.begin_stage(mechanism.name, "runs", expected.runs);
+        costly = make_costly_runs(misfit, problem.settings.surrogate, problem.settings.seed, problem.settings.threads,
+                                  progress, stop);
+        if (!costly.surrogate) {
+            fit.evaluations = costly.evaluations;
+            fit.status = costly.stopped ? FitStatus::interrupted : FitStatus::no_valid_point;
+            summarise(misfit, nullptr, false, fit);
+            return fit;
+        }
+    }
+    const Search search{misfit, progress, stop, costly.surrogate.get()};
 
     progress.begin_stage(mechanism.name, "starts", expected.starts);
     MultiStartResult found = search_from_many_starts(search, Priors::counted);
@@ -130,7 +161,12 @@ MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem
     }
     fit.status = search.stopped() ? FitStatus::interrupted : status_of(found.best.status);
     fit.evaluations.add(found.best.evaluations);
-    summarise(misfit, valid, fit);
+    if (by_surrogate) {
+        // Looks at the surrogate are none of the model.
+        fit.evaluations = costly.evaluations;
+        fit.surrogate = account_of(costly);
+    }
+    summarise(misfit, costly.surrogate.get(), valid, fit);
     return fit;
 }
 

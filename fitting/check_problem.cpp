@@ -51,6 +51,19 @@ void check_parameter(const std::string& where, const FreeParameter& parameter, c
     }
 }
 
+void check_observation(const QuantityObservation& observation, Faults& faults) {
+    const std::string where = "observation " + observation.label;
+    check_finite(where, "value", observation.value, faults);
+    check_positive(where, observation.standard_deviation, faults);
+    std::set<std::string> seen;
+    for (const Condition& condition : observation.conditions) {
+        check_finite(where + ", condition " + condition.input, "value", condition.value, faults);
+        if (!seen.insert(condition.input).second) {
+            faults.push_back(where + ", condition " + condition.input + ": given twice");
+        }
+    }
+}
+
 void check_mechanism(const Mechanism& mechanism, Faults& faults) {
     if (!mechanism.model.predict) {
         faults.push_back(mechanism.name + ": the model cannot predict");
@@ -69,20 +82,20 @@ void check_mechanism(const Mechanism& mechanism, Faults& faults) {
             faults.push_back(where + ": the model has no such input");
         } else {
             check_parameter(where, parameter, *input, faults);
+            for (const std::string& name : parameter.also) {
+                const Quantity* other = find(mechanism.model.inputs, name);
+                if (other == nullptr) {
+                    faults.push_back(where + ", also " + name + ": the model has no such input");
+                } else if (!seen.insert(name).second) {
+                    faults.push_back(where + ", also " + name + ": given twice");
+                } else if (other->dimension != input->dimension) {
+                    faults.push_back(where + ", also " + name + ": has another dimension");
+                }
+            }
         }
     }
-}
-
-void check_observation(const QuantityObservation& observation, Faults& faults) {
-    const std::string where = "observation " + observation.label;
-    check_finite(where, "value", observation.value, faults);
-    check_positive(where, observation.standard_deviation, faults);
-    std::set<std::string> seen;
-    for (const Condition& condition : observation.conditions) {
-        check_finite(where + ", condition " + condition.input, "value", condition.value, faults);
-        if (!seen.insert(condition.input).second) {
-            faults.push_back(where + ", condition " + condition.input + ": given twice");
-        }
+    for (const QuantityObservation& observation : mechanism.own_observations) {
+        check_observation(observation, faults);
     }
 }
 
@@ -111,6 +124,12 @@ void check_settings(const FitSettings& settings, Faults& faults) {
     check("profile_points", settings.profile_points, 5);
     check("map_points", settings.map_points, 5);
     check("threads", settings.threads, 1);
+    check("surrogate.runs", settings.surrogate.runs, 12);
+    check("surrogate.first_runs", settings.surrogate.first_runs.value_or(12), 12);
+    if (!(settings.surrogate.tolerance > 0 && settings.surrogate.tolerance < 1)) {
+        faults.push_back("settings: surrogate.tolerance = " + number_in_words(settings.surrogate.tolerance) +
+                         " must be > 0 and < 1");
+    }
     if (!(settings.relative_tolerance > 0 && settings.relative_tolerance < 1)) {
         faults.push_back("settings: relative_tolerance = " + number_in_words(settings.relative_tolerance) +
                          " must be > 0 and < 1");

@@ -33,6 +33,7 @@ struct FreeParameter {
     double lower;      // lower == upper fixes the parameter
     double upper;
     std::optional<Prior> prior;
+    std::vector<std::string> also = {};  // further inputs that take the same value, as two points of a water table
 };
 
 enum class Relation { equal, at_least, at_most };
@@ -71,15 +72,34 @@ struct FieldEvidence {
     std::string source;
 };
 
+// What a prediction at the best point must be like to show a piece of field evidence.
+struct EvidenceSign {
+    std::string evidence;  // its name
+    std::string quantity;  // an output of the mechanism
+    Relation relation;     // at_least or at_most
+    double value;
+};
+
 struct Mechanism {
     std::string name;
     std::string title;
     ModelInterface model;
     std::vector<FreeParameter> parameters;
+    // What is observed of all mechanisms, by the same label, in terms of an output that this one has: "it failed" is a
+    // factor of safety of one and a failed area of half the slope.
+    std::vector<QuantityObservation> own_observations = {};
+    std::vector<EvidenceSign> signs = {};  // beside what the model always explains; every sign of a name has to hold
 };
 
 // Points along an observed profile at which its distance from the predicted one is taken.
 inline constexpr std::size_t profile_samples = 50;
+
+// Of mechanisms whose model is costly: they are fitted through a surrogate made of runs (surrogate.hpp).
+struct SurrogateSettings {
+    int runs = 120;                 // at most, >= 12
+    std::optional<int> first_runs;  // before the surrogate has a say in where to run, >= 12; absent: 10 per parameter
+    double tolerance = 0.1;         // of the relative error of the evidence: fewer runs if it is met, in (0, 1)
+};
 
 struct FitSettings {
     Algorithm algorithm = Algorithm::sbplx;
@@ -90,7 +110,8 @@ struct FitSettings {
     int profile_points = 41;           // points of each profile likelihood, >= 5
     int map_points = 61;               // points along each side of the misfit map, >= 5
     std::uint64_t seed = 1;            // of the algorithms that use chance (crs2, mlsl, isres)
-    int threads = 1;                   // >= 1; the result does not depend on it
+    SurrogateSettings surrogate = {};
+    int threads = 1;  // >= 1; the result does not depend on it
 };
 
 struct FitProblem {

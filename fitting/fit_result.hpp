@@ -118,6 +118,23 @@ struct ObservationFit {
     std::string source;
 };
 
+// How a costly mechanism was fitted. The misfits of a MechanismFit are then the surrogate's, its predictions those of a
+// run at the best point.
+struct SurrogateFit {
+    struct Run {
+        std::vector<double> parameters;
+        double data_misfit;   // meaningful where the run had an answer
+        std::string failure;  // why it had none
+    };
+    std::vector<Run> runs;       // that the surrogate was made of, in the order in which they were chosen
+    std::size_t components = 0;  // of the data, inequalities included
+    double error = 0;            // root mean square, each run predicted from the others; standard deviations of data
+    double within_95 = 0;        // share of such predictions within 1.96 of their own standard deviations
+    double scatter = 0;          // of runs that ought to be alike, in standard deviations of data
+    double evidence_error = 0;   // bound, relative; see costly_runs.hpp
+    double misfit_of_run = 0;    // data misfit of the run at the best point; infinite where it has no answer
+};
+
 struct MechanismFit {
     std::string name;
     std::string title;
@@ -145,6 +162,7 @@ struct MechanismFit {
     std::vector<FailureLocus> loci;           // for each pair of free parameters that the factor of safety depends on
     std::optional<MisfitMap> map;             // of the first two free parameters
     std::vector<MinimumCluster> minima;       // best first
+    std::optional<SurrogateFit> surrogate;    // of a costly mechanism
     EvaluationCount evaluations;
 };
 

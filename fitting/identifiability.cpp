@@ -46,8 +46,7 @@ class Differences {
 
   private:
     Residuals residuals(std::span<const double> point) {
-        search_.progress.count();
-        Residuals result = search_.misfit.residuals(point);
+        Residuals result = search_.residuals(point);
         account_.record({0, result.failure});
         return result;
     }
@@ -137,7 +136,7 @@ void add_covariance(Identifiability& result, const Eigen::VectorXd& values, cons
 bool only_failure_bears(const Misfit& misfit) {
     int failures = 0;
     int others = misfit.data_count();
-    for (const QuantityObservation& observation : misfit.problem().observations) {
+    for (const QuantityObservation& observation : misfit.observations()) {
         const bool is_failure = observation.quantity == "factor_of_safety" && observation.value == 1 &&
                                 observation.relation == Relation::equal;
         failures += is_failure ? 1 : 0;

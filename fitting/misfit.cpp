@@ -31,7 +31,22 @@ bool same(const std::vector<Condition>& left, const std::vector<Condition>& righ
 
 }  // namespace
 
-Misfit::Misfit(const Mechanism& mechanism, const FitProblem& problem) : mechanism_(mechanism), problem_(problem) {
+double data_misfit(const Residuals& residuals) {
+    double sum = 0;
+    for (std::size_t index = 0; index < residuals.pulls.size(); ++index) {
+        sum += residuals.idle[index] ? 0 : residuals.pulls[index] * residuals.pulls[index];
+    }
+    return sum;
+}
+
+Misfit::Misfit(const Mechanism& mechanism, const FitProblem& problem)
+    : mechanism_(mechanism), problem_(problem), observations_(problem.observations) {
+    for (QuantityObservation& observation : observations_) {
+        const auto own = std::ranges::find(mechanism.own_observations, observation.label, &QuantityObservation::label);
+        if (own != mechanism.own_observations.end()) {
+            observation = *own;
+        }
+    }
     bind_parameters();
     sets_.push_back(make_condition_set({}));
     bind_observations();
@@ -43,18 +58,23 @@ Misfit::Misfit(const Mechanism& mechanism, const FitProblem& problem) : mechanis
 
 void Misfit::bind_parameters() {
     for (const FreeParameter& parameter : mechanism_.parameters) {
-        const auto index = input(parameter.name);
-        if (!index) {
-            throw std::invalid_argument(mechanism_.name + ": the model has no input " + parameter.name);
+        std::vector<std::string> names = {parameter.name};
+        names.insert(names.end(), parameter.also.begin(), parameter.also.end());
+        std::vector<std::size_t>& indices = inputs_.emplace_back();
+        for (const std::string& name : names) {
+            const auto index = input(name);
+            if (!index) {
+                throw std::invalid_argument(mechanism_.name + ": the model has no input " + name);
+            }
+            indices.push_back(*index);
         }
-        inputs_.push_back(*index);
         bounds_.push_back({.lower = parameter.lower, .upper = parameter.upper});
     }
 }
 
 void Misfit::bind_observations() {
-    for (std::size_t index = 0; index < problem_.observations.size(); ++index) {
-        const QuantityObservation& observation = problem_.observations[index];
+    for (std::size_t index = 0; index < observations_.size(); ++index) {
+        const QuantityObservation& observation = observations_[index];
         const auto lacking = std::find_if(observation.conditions.begin(), observation.conditions.end(),
                                           [this](const Condition& condition) { return !input(condition.input); });
         const auto bound_output = output(observation.quantity);
@@ -83,16 +103,30 @@ std::size_t Misfit::condition_set(const std::vector<Condition>& conditions) {
 
 Misfit::ConditionSet Misfit::make_condition_set(std::vector<Condition> conditions) const {
     ConditionSet set;
+    const auto is_set = [&set](std::size_t wanted) {
+        return std::ranges::find(set.assignments, wanted, &Assignment::input) != set.assignments.end();
+    };
     for (const Condition& condition : conditions) {
         set.assignments.push_back({*input(condition.input), condition.value});
         set.source.emplace_back(std::nullopt);
     }
-    for (std::size_t index = 0; index < inputs_.size(); ++index) {
-        const bool overridden = std::any_of(set.assignments.begin(), set.assignments.end(),
-                                            [&](const Assignment& entry) { return entry.input == inputs_[index]; });
-        if (!overridden) {
-            set.assignments.push_back({inputs_[index], 0});
-            set.source.emplace_back(index);
+    // A condition on a parameter is one on all inputs that take its value.
+    for (const Condition& condition : conditions) {
+        for (const std::vector<std::size_t>& together : inputs_) {
+            for (const std::size_t index : together) {
+                if (together.front() == *input(condition.input) && !is_set(index)) {
+                    set.assignments.push_back({index, condition.value});
+                    set.source.emplace_back(std::nullopt);
+                }
+            }
+        }
+    }
+    for (std::size_t parameter = 0; parameter < inputs_.size(); ++parameter) {
+        for (const std::size_t index : inputs_[parameter]) {
+            if (!is_set(index)) {
+                set.assignments.push_back({index, 0});
+                set.source.emplace_back(parameter);
+            }
         }
     }
     set.conditions = std::move(conditions);
@@ -125,8 +159,8 @@ std::optional<std::size_t> Misfit::output(std::string_view name) const {
 
 std::vector<Dimension> Misfit::dimensions() const {
     std::vector<Dimension> result;
-    for (const std::size_t index : inputs_) {
-        result.push_back(mechanism_.model.inputs[index].dimension);
+    for (const std::vector<std::size_t>& indices : inputs_) {
+        result.push_back(mechanism_.model.inputs[indices.front()].dimension);
     }
     return result;
 }
@@ -178,7 +212,7 @@ std::string_view Misfit::visit_quantities(const ConditionSet& set, const Predict
                                           const Visitor& visit) const {
     for (const std::size_t index : set.observations) {
         const BoundObservation& bound = bound_[index];
-        const QuantityObservation& observation = problem_.observations[bound.observation];
+        const QuantityObservation& observation = observations_[bound.observation];
         const double pull = (prediction.outputs[bound.output] - observation.value) / observation.standard_deviation;
         if (!std::isfinite(pull)) {
             return bound.not_a_number;
@@ -233,13 +267,19 @@ MisfitParts Misfit::parts(std::span<const double> parameters) const {
             result.data += pull * pull;
         }
     });
+    result.prior = prior(parameters);
+    return result;
+}
+
+double Misfit::prior(std::span<const double> parameters) const {
+    double sum = 0;
     for (std::size_t index = 0; index < parameters.size(); ++index) {
         if (const auto& prior = mechanism_.parameters[index].prior) {
             const double pull = (parameters[index] - prior->mean) / prior->standard_deviation;
-            result.prior += pull * pull;
+            sum += pull * pull;
         }
     }
-    return result;
+    return sum;
 }
 
 Evaluation Misfit::value(std::span<const double> parameters, Priors priors) const {
@@ -256,9 +296,22 @@ Residuals Misfit::residuals(std::span<const double> parameters) const {
     return result;
 }
 
+std::vector<Relation> Misfit::relations() const {
+    std::vector<Relation> relations;
+    for (const ConditionSet& set : sets_) {
+        for (const std::size_t index : set.observations) {
+            relations.push_back(observations_[bound_[index].observation].relation);
+        }
+        if (compares_profile_ && &set == &sets_.front()) {
+            relations.insert(relations.end(), profile_samples_.size(), Relation::equal);
+        }
+    }
+    return relations;
+}
+
 std::vector<ObservationFit> Misfit::compare(std::span<const double> parameters) const {
     std::vector<ObservationFit> table;
-    for (const QuantityObservation& observation : problem_.observations) {
+    for (const QuantityObservation& observation : observations_) {
         const auto index = output(observation.quantity);
         table.push_back({observation.label, observation.quantity, observation.relation,
                          index ? mechanism_.model.outputs[*index].dimension : Dimension::ratio, observation.value,
@@ -305,7 +358,7 @@ int Misfit::missing_count() const {
 std::vector<std::string> Misfit::not_compared() const {
     std::vector<std::string> sentences;
     for (const Unbound& entry : unbound_) {
-        sentences.push_back(problem_.observations[entry.observation].label + ": the mechanism " + entry.reason);
+        sentences.push_back(observations_[entry.observation].label + ": the mechanism " + entry.reason);
     }
     if (problem_.profile && !compares_profile_) {
         sentences.emplace_back("post-failure profile: the mechanism does not predict one");

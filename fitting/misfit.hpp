@@ -34,6 +34,9 @@ struct Residuals {
     std::string_view failure;
 };
 
+// Sum of squares of those that are not idle; meaningful where there is no failure.
+double data_misfit(const Residuals& residuals);
+
 class Misfit {
   public:
     // Keeps references to both. Throws std::invalid_argument if check_problem finds fault with the mechanism's names.
@@ -44,6 +47,8 @@ class Misfit {
 
     const Mechanism& mechanism() const { return mechanism_; }
     const FitProblem& problem() const { return problem_; }
+    // The problem's, those that the mechanism has in its own terms replaced.
+    const std::vector<QuantityObservation>& observations() const { return observations_; }
     const std::vector<Interval>& bounds() const { return bounds_; }
     std::vector<Dimension> dimensions() const;
     // Indices of the parameters with lower < upper.
@@ -54,8 +59,12 @@ class Misfit {
 
     // All of the following take one number per parameter of the mechanism, SI.
     MisfitParts parts(std::span<const double> parameters) const;
+    // The priors' part alone; evaluates no model.
+    double prior(std::span<const double> parameters) const;
     Evaluation value(std::span<const double> parameters, Priors priors) const;
     Residuals residuals(std::span<const double> parameters) const;
+    // Of each of them, in their order.
+    std::vector<Relation> relations() const;
     Prediction predict(std::span<const double> parameters) const;
     // One row per quantity observation of the problem, in its order.
     std::vector<ObservationFit> compare(std::span<const double> parameters) const;
@@ -79,7 +88,7 @@ class Misfit {
         std::vector<std::size_t> observations;  // indices into bound_
     };
     struct BoundObservation {
-        std::size_t observation;  // index into the problem's
+        std::size_t observation;  // index into observations_
         std::size_t output;
         std::string not_a_number;  // cause of failure
     };
@@ -105,9 +114,10 @@ class Misfit {
 
     const Mechanism& mechanism_;
     const FitProblem& problem_;
+    std::vector<QuantityObservation> observations_;
     std::vector<Interval> bounds_;
-    std::vector<std::size_t> inputs_;  // of the parameters
-    std::vector<ConditionSet> sets_;   // the first has no conditions
+    std::vector<std::vector<std::size_t>> inputs_;  // of each parameter
+    std::vector<ConditionSet> sets_;                // the first has no conditions
     std::vector<BoundObservation> bound_;
     std::vector<Unbound> unbound_;
     Polyline profile_samples_;

@@ -21,7 +21,7 @@ void ProgressMeter::begin_stage(std::string_view mechanism, std::string_view sta
     stage_ = stage;
     expected_before_ += expected_in_stage_;
     expected_in_stage_ = static_cast<double>(expected_evaluations);
-    counted_before_ = counted_;
+    worked_before_ = worked_;
     if (callback_) {
         report();
     }
@@ -35,8 +35,9 @@ void ProgressMeter::finish() {
     }
 }
 
-void ProgressMeter::count(long evaluations) {
+void ProgressMeter::count(long evaluations, long usual_ones) {
     counted_ += evaluations;
+    worked_ += usual_ones;
     if (!callback_ || Clock::now().time_since_epoch().count() < next_report_.load(std::memory_order_relaxed)) {
         return;
     }
@@ -48,7 +49,7 @@ void ProgressMeter::count(long evaluations) {
 
 void ProgressMeter::report() {
     next_report_ = (Clock::now() + report_interval).time_since_epoch().count();
-    const double in_stage = std::min(static_cast<double>(counted_ - counted_before_), expected_in_stage_);
+    const double in_stage = std::min(static_cast<double>(worked_ - worked_before_), expected_in_stage_);
     fraction_ = std::max(fraction_, std::min((expected_before_ + in_stage) / expected_total_, 1.0));
     callback_({mechanism_, stage_, fraction_, counted_});
 }

@@ -13,7 +13,7 @@ namespace delabole {
 struct FitProgress {
     std::string_view mechanism;  // or the quantity of a sensitivity study
     std::string_view stage;      // "starts", "profiles", ...
-    double fraction;             // of the expected evaluations of the whole work, 0 to 1, never falling
+    double fraction;             // of the expected work as a whole, 0 to 1, never falling
     long evaluations;            // so far
 };
 
@@ -28,7 +28,9 @@ class ProgressMeter {
     // Not while other threads count.
     void begin_stage(std::string_view mechanism, std::string_view stage, long expected_evaluations);
     void finish();
-    void count(long evaluations = 1);
+    void count(long evaluations = 1) { count(evaluations, evaluations); }
+    // Evaluations that take as long as so many usual ones.
+    void count(long evaluations, long usual_ones);
 
   private:
     void report();
@@ -39,9 +41,10 @@ class ProgressMeter {
     std::string stage_;
     double expected_before_ = 0;
     double expected_in_stage_ = 0;
-    long counted_before_ = 0;
+    long worked_before_ = 0;
     double fraction_ = 0;
     std::atomic<long> counted_ = 0;
+    std::atomic<long> worked_ = 0;  // in usual ones
     std::mutex reporting_;
     std::atomic<std::chrono::steady_clock::rep> next_report_ = 0;
 };

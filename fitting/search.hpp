@@ -4,6 +4,7 @@
 #include "fitting/minimise.hpp"
 #include "fitting/misfit.hpp"
 #include "fitting/progress.hpp"
+#include "fitting/surrogate.hpp"
 
 #include <span>
 
@@ -13,12 +14,18 @@ struct Search {
     const Misfit& misfit;
     ProgressMeter& progress;
     StopFlag stop = nullptr;
+    const Surrogate* surrogate = nullptr;  // asked in place of a costly model
 
     bool stopped() const { return stop_requested(stop); }
 
     Evaluation evaluate(std::span<const double> parameters, Priors priors) const {
         progress.count();
-        return misfit.value(parameters, priors);
+        return surrogate != nullptr ? surrogate->value(parameters, priors) : misfit.value(parameters, priors);
+    }
+
+    Residuals residuals(std::span<const double> parameters) const {
+        progress.count();
+        return surrogate != nullptr ? surrogate->residuals(parameters) : misfit.residuals(parameters);
     }
 
     // The same, entered in an account.

@@ -13,10 +13,29 @@ namespace {
 constexpr double large_pull = 2;
 constexpr double score_of_silence = large_pull * large_pull;
 
+bool holds(const EvidenceSign& sign, const Misfit& misfit, const Prediction& prediction) {
+    const auto output = misfit.output(sign.quantity);
+    if (!output || *output >= prediction.outputs.size()) {
+        return false;
+    }
+    const double value = prediction.outputs[*output];
+    return sign.relation == Relation::at_least ? value >= sign.value : value <= sign.value;
+}
+
+// By its nature, or by every sign that the prediction was to show.
+bool explains(const Misfit& misfit, const Prediction& prediction, const std::string& evidence) {
+    const Mechanism& mechanism = misfit.mechanism();
+    const auto of_evidence = [&](const EvidenceSign& sign) { return sign.evidence == evidence; };
+    const auto shown = [&](const EvidenceSign& sign) {
+        return sign.evidence != evidence || holds(sign, misfit, prediction);
+    };
+    return std::ranges::find(mechanism.model.explains, evidence) != mechanism.model.explains.end() ||
+           (std::ranges::any_of(mechanism.signs, of_evidence) && std::ranges::all_of(mechanism.signs, shown));
+}
+
 void sort_evidence(const Misfit& misfit, MechanismFit& fit) {
-    const std::vector<std::string>& explains = misfit.mechanism().model.explains;
     for (const FieldEvidence& evidence : misfit.problem().evidence) {
-        if (std::find(explains.begin(), explains.end(), evidence.name) != explains.end()) {
+        if (explains(misfit, fit.prediction, evidence.name)) {
             fit.explained.push_back(evidence.name);
         } else {
             fit.unexplained.push_back(evidence.name + ": " + evidence.statement);
@@ -66,7 +85,10 @@ void add_prior_conflicts(MechanismFit& fit) {
 
 }  // namespace
 
-void summarise(const Misfit& misfit, bool found, MechanismFit& fit) {
+void summarise(const Misfit& misfit, const Surrogate* surrogate, bool found, MechanismFit& fit) {
+    if (found) {
+        fit.prediction = misfit.predict(fit.best);
+    }
     sort_evidence(misfit, fit);
     const double silent = static_cast<double>(fit.unexplained.size()) + misfit.missing_count();
     for (std::string& sentence : misfit.not_compared()) {
@@ -79,10 +101,14 @@ void summarise(const Misfit& misfit, bool found, MechanismFit& fit) {
     }
     const MisfitParts parts = misfit.parts(fit.best);
     fit.data_misfit = parts.data;
+    if (surrogate != nullptr) {
+        constexpr double none = std::numeric_limits<double>::infinity();
+        fit.surrogate->misfit_of_run = parts.failure.empty() ? parts.data : none;
+        fit.data_misfit = surrogate->value(fit.best, Priors::ignored).value;
+    }
     fit.prior_misfit = parts.prior;
-    fit.misfit = parts.data + parts.prior;
+    fit.misfit = fit.data_misfit + fit.prior_misfit;
     fit.ranking_score = fit.misfit + score_of_silence * silent;
-    fit.prediction = misfit.predict(fit.best);
     fit.observations = misfit.compare(fit.best);
     fit.profile_rms_m = misfit.profile_rms(fit.best);
     if (fit.profile_rms_m) {

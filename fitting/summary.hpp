@@ -3,11 +3,13 @@
 
 #include "fitting/fit_result.hpp"
 #include "fitting/misfit.hpp"
+#include "fitting/surrogate.hpp"
 
 namespace delabole {
 
 // Fills in everything of `fit` that follows from `fit.best`: misfit parts, prediction, observations, profile distance,
-// explained and unexplained evidence, ranking score.
-void summarise(const Misfit& misfit, bool found, MechanismFit& fit);
+// explained and unexplained evidence, ranking score. The misfit is that of the surrogate where there is one; the rest
+// comes from the model. `found`: there is a best point.
+void summarise(const Misfit& misfit, const Surrogate* surrogate, bool found, MechanismFit& fit);
 
 }  // namespace delabole

@@ -76,8 +76,37 @@ Quantity critical_quantity(CriticalParameter parameter) {
     return {std::string(name_of_critical(parameter)), Dimension::angle, "between standing and failing"};
 }
 
-// `blocks`: how many the outputs are of; another spacing may make others of a slope.
-Prediction predict(RelaxationStudy study, std::size_t blocks, std::span<const Assignment> assignments) {
+bool ends_with_duration(const RelaxationStudy& study) {
+    const RelaxationStop stop =
+        study.settings.value_or(RelaxationNumerics{}).stop.value_or(RelaxationStop::equilibrium);
+    return stop == RelaxationStop::collapse || stop == RelaxationStop::duration;
+}
+
+// Why a run has no answer; empty where it has one.
+std::string_view failure_of(const RelaxationRun& made) {
+    switch (made.result.outcome) {
+    case RelaxationOutcome::equilibrium:
+    case RelaxationOutcome::onset:
+    case RelaxationOutcome::collapse:
+        return {};
+    case RelaxationOutcome::undecided:
+        return made.unfinished() ? word_of(made.result.outcome) : std::string_view();
+    case RelaxationOutcome::scene_not_valid:
+        return word_of(made.result.fault.check);
+    default:
+        return word_of(made.result.outcome);
+    }
+}
+
+// The blocks of a slope have no lasting numbers: another spacing makes others.
+RelaxationAnswer without_blocks_of_slope(RelaxationAnswer answer, const RelaxationStudy& study) {
+    if (std::holds_alternative<RelaxationSlope>(study.model.scene)) {
+        answer.block.clear();
+    }
+    return answer;
+}
+
+Prediction predict(RelaxationStudy study, std::span<const Assignment> assignments) {
     assign(study.model, assignments);
     if (!in_range(study.model)) {
         return {"input_out_of_range", {}, {}};
@@ -87,27 +116,12 @@ Prediction predict(RelaxationStudy study, std::size_t blocks, std::span<const As
         if (made.check != SlopeCheck::valid) {
             return {word_of(made.check), {}, {}};
         }
-        if (made.block.size() != blocks) {
-            return {"other_number_of_blocks", {}, {}};
-        }
     }
-    const RelaxationRun run_at = run(study);
-    switch (run_at.result.outcome) {
-    case RelaxationOutcome::equilibrium:
-    case RelaxationOutcome::onset:
-    case RelaxationOutcome::collapse:
-        break;
-    case RelaxationOutcome::undecided:
-        if (!run_at.settings.stop_at_equilibrium) {
-            break;  // told to run for so long
-        }
-        return {word_of(run_at.result.outcome), {}, {}};
-    case RelaxationOutcome::scene_not_valid:
-        return {word_of(run_at.result.fault.check), {}, {}};
-    default:
-        return {word_of(run_at.result.outcome), {}, {}};
+    const RelaxationRun made = run(study);
+    if (const std::string_view failure = failure_of(made); !failure.empty()) {
+        return {failure, {}, {}};
     }
-    std::vector<double> outputs = output_values(answer_of(run_at));
+    std::vector<double> outputs = output_values(without_blocks_of_slope(answer_of(made), study));
     if (study.critical) {
         const CriticalValue critical = find_critical(study);
         if (critical.status != CriticalStatus::found) {
@@ -115,7 +129,25 @@ Prediction predict(RelaxationStudy study, std::size_t blocks, std::span<const As
         }
         outputs.push_back(critical.value());
     }
-    return {{}, std::move(outputs), run_at.post_failure ? run_at.post_failure->left_standing : Polyline{}};
+    return {{}, std::move(outputs), made.post_failure ? made.post_failure->left_standing : Polyline{}};
+}
+
+RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
+    RelaxationAnswer shape{};
+    shape.block.resize(relaxation_scene(study).block.size());
+    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
+        shape.post_failure.emplace();
+        shape.post_failure->joint.resize(slope->joint.size());
+    }
+    return shape;
+}
+
+std::vector<Quantity> outputs_of(const RelaxationAnswer& shape, const std::optional<CriticalRequest>& critical) {
+    std::vector<Quantity> outputs = outputs_of(shape);
+    if (critical) {
+        outputs.push_back(critical_quantity(critical->parameter));
+    }
+    return outputs;
 }
 
 }  // namespace
@@ -127,6 +159,7 @@ SceneFault check(const RelaxationStudy& study) {
 RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress) {
     RelaxationRun made{relaxation_scene(study), {}, {}, {}};
     made.settings = settings_for(study, work, made.scene.block.size());
+    made.ends_with_duration = ends_with_duration(study);
     made.result.fault = check(made.scene, made.settings);
     if (made.result.fault.check != SceneCheck::valid) {
         return made;
@@ -282,22 +315,16 @@ std::string_view name_of_critical(CriticalParameter parameter) {
     return parameter == CriticalParameter::tilt ? "critical_tilt" : "limiting_friction_angle";
 }
 
+std::vector<Quantity> outputs_of_run(const RelaxationStudy& study) {
+    return outputs_of(shape_of_answer(study), study.critical);
+}
+
 ModelInterface model_interface(const RelaxationStudy& study) {
     ModelInterface model;
     model.inputs = inputs_of(study.model);
-    RelaxationAnswer shape{};
-    shape.block.resize(relaxation_scene(study).block.size());
-    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
-        shape.post_failure.emplace();
-        shape.post_failure->joint.resize(slope->joint.size());
-    }
-    model.outputs = outputs_of(shape);
-    if (study.critical) {
-        model.outputs.push_back(critical_quantity(study.critical->parameter));
-    }
-    model.predict = [study, blocks = shape.block.size()](std::span<const Assignment> assignments) {
-        return predict(study, blocks, assignments);
-    };
+    model.outputs = outputs_of(without_blocks_of_slope(shape_of_answer(study), study), study.critical);
+    model.predict = [study](std::span<const Assignment> assignments) { return predict(study, assignments); };
+    model.costly = true;
     return model;
 }
 

@@ -26,10 +26,10 @@ constexpr std::array<std::string_view, 3> enum_names(RelaxationQuality) {
     return {"draft", "standard", "reference"};
 }
 
-enum class RelaxationStop { equilibrium, onset, collapse };
+enum class RelaxationStop { equilibrium, onset, collapse, duration };
 
-constexpr std::array<std::string_view, 3> enum_names(RelaxationStop) {
-    return {"equilibrium", "onset", "collapse"};
+constexpr std::array<std::string_view, 4> enum_names(RelaxationStop) {
+    return {"equilibrium", "onset", "collapse", "duration"};
 }
 
 enum class OffOn { off, on };
@@ -94,7 +94,8 @@ struct RelaxationNumerics {
             number("collapse_displacement", &N::collapse_displacement, Dimension::ratio, more_than(0),
                    "in block radii, likewise; absent: 1"),
             section("stop", &N::stop,
-                    "end at equilibrium or collapse, at onset too, or at nothing before collapse; absent: equilibrium"),
+                    "end at equilibrium or collapse, at onset too, at nothing before collapse, or at the latest at the "
+                    "duration, which is then no lack of an answer; absent: equilibrium"),
             number("duration", &N::duration, Dimension::time, more_than(0), "longest model time; absent: 60 s"),
             number("most_steps", &N::most_steps, Dimension::ratio, within(1, 1e12), "longest run; absent: 1e8"),
             number("crack_opening", &N::crack_opening, Dimension::ratio, more_than(0),
@@ -279,6 +280,13 @@ struct RelaxationRun {
     std::vector<MotionFrame> frames = {};       // empty where none are kept
     std::optional<RelaxationState> end{};       // absent where the scene is not valid
     std::optional<PostFailure> post_failure{};  // of a jointed slope, at the end
+    bool ends_with_duration = false;            // what has not been decided by then was not to be
+
+    // Out of time or steps before the end that was asked for.
+    bool unfinished() const {
+        return result.outcome == RelaxationOutcome::undecided &&
+               (!ends_with_duration || result.cost.steps >= settings.most_steps);
+    }
 };
 
 // As relax() checks them.
@@ -305,6 +313,9 @@ CriticalValue find_critical(const RelaxationStudy& study, const StudyWork& work 
 
 // "critical_tilt" or "limiting_friction_angle".
 std::string_view name_of_critical(CriticalParameter parameter);
+
+// All that a run answers, as named numbers.
+std::vector<Quantity> outputs_of_run(const RelaxationStudy& study);
 
 // Inputs: every number of the study's model. Outputs: every number of RelaxationAnswer and, where it is asked for, the
 // critical value; of a jointed slope the ground left standing is the predicted profile. A run that was stopped, or

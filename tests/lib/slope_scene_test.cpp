@@ -218,14 +218,37 @@ TEST(SlopeScene, ExcavationOfTheToeLetsTheSlopeDown) {
     EXPECT_EQ(run(study).result.outcome, RelaxationOutcome::collapse);
 }
 
-TEST(SlopeScene, BlocksOtherThanTheOutputsAreOfAreAFailedPrediction) {
+TEST(SlopeScene, PredictionsOfOtherSpacingsHaveTheSameOutputs) {
     const RelaxationStudy study = daylighting_slope(50);
     const ModelInterface model = model_interface(study);
     const auto spacing = std::find_if(model.inputs.begin(), model.inputs.end(),
                                       [](const Quantity& input) { return input.name == "scene.cut[1].trace.spacing"; });
     ASSERT_NE(spacing, model.inputs.end());
     const auto index = static_cast<std::size_t>(spacing - model.inputs.begin());
-    EXPECT_EQ(model.predict(std::vector<Assignment>{{index, 4.0}}).failure, "other_number_of_blocks");
+    const Prediction coarse = model.predict(std::vector<Assignment>{{index, 4.0}});
+    const Prediction fine = model.predict(std::vector<Assignment>{{index, 2.0}});
+    EXPECT_EQ(coarse.failure, "");
+    EXPECT_EQ(coarse.outputs.size(), model.outputs.size());
+    EXPECT_EQ(fine.outputs.size(), model.outputs.size());
+    EXPECT_GT(length(coarse.profile), 0);
+}
+
+TEST(SlopeScene, DurationIsAnAnswerWhereItWasAskedFor) {
+    RelaxationStudy study = daylighting_slope(10);
+    study.settings->stop = RelaxationStop::equilibrium;
+    study.settings->onset_slide = 1e3;
+    study.settings->collapse_displacement = 1e3;
+    study.settings->duration = 0.3;
+    EXPECT_TRUE(run(study).unfinished());
+    EXPECT_EQ(model_interface(study).predict({}).failure, "undecided");
+    study.settings->stop = RelaxationStop::duration;
+    const RelaxationRun made = run(study);
+    EXPECT_EQ(made.result.outcome, RelaxationOutcome::undecided);
+    EXPECT_FALSE(made.unfinished());
+    EXPECT_EQ(model_interface(study).predict({}).failure, "");
+    study = daylighting_slope(70);
+    study.settings->stop = RelaxationStop::duration;
+    EXPECT_EQ(run(study).result.outcome, RelaxationOutcome::equilibrium);
 }
 
 }  // namespace

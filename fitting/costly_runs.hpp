@@ -1,0 +1,41 @@
+// Which runs of a costly mechanism to make: first some that fill the space of its priors, then, by the surrogate made
+// of them, those of which the evidence knows least.
+//
+// The first runs lie on a Sobol sequence, drawn through the priors with twice their standard deviations. After that
+// batches of `runs_at_a_time`, each at the points where
+//     standard deviation of the likelihood x prior density
+// is greatest: of 1024 points drawn from the priors and of 256 near the best of them; a point chosen lowers the worth
+// of its neighbours by their correlation. The work ends when the same quantity, averaged over the prior, is less than
+// `tolerance` of the evidence (a bound of the relative error of the evidence that the surrogate causes, as if it were
+// wrong in the same way everywhere), or with the number of runs allowed.
+//
+// The runs do not depend on the number of threads.
+#pragma once
+
+#include "fitting/minimise.hpp"
+#include "fitting/progress.hpp"
+#include "fitting/surrogate.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace delabole {
+
+inline constexpr std::size_t runs_at_a_time = 8;
+
+struct CostlyRuns {
+    std::vector<KnownRun> runs;            // in the order in which they were chosen
+    std::unique_ptr<Surrogate> surrogate;  // none where too few runs had an answer
+    double evidence_error = 0;             // relative, as above
+    EvaluationCount evaluations;
+    bool stopped = false;
+};
+
+// What one run counts in a progress report, in looks at a surrogate.
+inline constexpr long weight_of_run = 20'000;
+
+CostlyRuns make_costly_runs(const Misfit& misfit, const SurrogateSettings& settings, std::uint64_t seed, int threads,
+                            ProgressMeter& progress, StopFlag stop);
+
+}  // namespace delabole

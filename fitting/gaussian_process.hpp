@@ -1,0 +1,68 @@
+// A smooth function known at scattered points with scatter of its own: Gaussian process regression.
+//
+// y(x) = level + f(x) + scatter. f has mean zero and the covariance amplitude^2 c(r), c the Matern function of order
+// 5/2,
+//     c(r) = (1 + s + s^2 / 3) exp(-s),  s = sqrt(5) r,  r^2 = sum of ((x_i - x'_i) / length_i)^2;
+// scatter is independent from point to point, normal: what a chaotic model adds to its own smooth answer. The level is
+// estimated by generalised least squares and its uncertainty counted (ordinary kriging).
+//
+// The lengths and the ratio scatter / amplitude maximise the likelihood of the data, the level and the amplitude
+// eliminated, times a wide lognormal prior on each (median 0.5 of the box, factor e; median ratio 0.1, factor e^2) that
+// decides only where the data do not. Found by NLopt from two starts.
+//
+// Source: C. E. Rasmussen & C. K. I. Williams, Gaussian Processes for Machine Learning, MIT Press 2006, equations 2.23
+// to 2.26, 5.8 and (leave-one-out) 5.12.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace delabole {
+
+struct ProcessShape {
+    Eigen::VectorXd length;  // of each coordinate, > 0
+    double scatter_ratio;    // standard deviation of the scatter over the amplitude, > 0
+};
+
+struct ProcessPrediction {
+    double mean = 0;
+    double variance = 0;  // of the smooth function there, without the scatter
+};
+
+// c as a function of r^2.
+double matern_correlation(double squared_distance);
+
+class GaussianProcess {
+  public:
+    // points: one row each, coordinates in the unit box; at least two rows, as many as values; all finite. Values that
+    // are all equal are predicted without error.
+    GaussianProcess(const Eigen::MatrixXd& points, const Eigen::VectorXd& values);
+    // The same with a shape known beforehand: O(n^3) instead of some hundred times that.
+    GaussianProcess(const Eigen::MatrixXd& points, const Eigen::VectorXd& values, const ProcessShape& shape);
+
+    const ProcessShape& shape() const { return shape_; }
+    double amplitude() const { return std::sqrt(amplitude_squared_); }
+    double scatter_variance() const { return amplitude_squared_ * shape_.scatter_ratio * shape_.scatter_ratio; }
+
+    // O(n^2). Safe to call from several threads.
+    ProcessPrediction predict(std::span<const double> point) const;
+
+    // At each of the points as if it were not known, the scatter included in the variance. O(n^3).
+    std::vector<ProcessPrediction> leave_one_out() const;
+
+  private:
+    Eigen::MatrixXd points_;  // divided by the lengths
+    Eigen::VectorXd values_;
+    ProcessShape shape_;
+    double level_ = 0;
+    double amplitude_squared_ = 0;
+    Eigen::MatrixXd inverse_;   // of the correlation matrix, scatter on its diagonal
+    Eigen::VectorXd weights_;   // inverse (values - level)
+    Eigen::VectorXd row_sums_;  // of the inverse
+    double whole_sum_ = 0;      // of the inverse
+};
+
+}  // namespace delabole
