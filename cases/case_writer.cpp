@@ -256,17 +256,23 @@ std::size_t characters_in(std::string_view text) {
 
 }  // namespace
 
+std::string resolved_model(const CaseModel& model) {
+    std::string text;
+    write_line(text, "model", in_quotes(model_name(model)));
+    std::visit(
+        [&](const auto& parameters) {
+            write_values(text, parameters);
+            write_sections(text, parameters, "");
+        },
+        model);
+    return text;
+}
+
 std::string resolved_toml(const CaseFile& case_file) {
     std::string text = "schema = 1\n";
     write_text(text, "title", case_file.title);
     write_text(text, "description", case_file.description);
-    write_line(text, "model", in_quotes(model_name(case_file.model)));
-    std::visit(
-        [&](const auto& model) {
-            write_values(text, model);
-            write_sections(text, model, "");
-        },
-        case_file.model);
+    text += resolved_model(case_file.model);
     if (!case_file.sources.empty()) {
         text += "\n[sources]\n";
         for (const auto& [key, source] : case_file.sources) {

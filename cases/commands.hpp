@@ -10,6 +10,8 @@
 
 namespace delabole {
 
+class Ranks;
+
 enum class ExitCode {
     ok = 0,
     mismatch = 1,  // verify: a value outside its tolerance
@@ -32,9 +34,14 @@ struct Options {
     bool json = false;
     bool quiet = false;
     int threads = 1;
+    const Ranks* ranks = nullptr;  // processes that work together; null: this one alone
     double seconds_between_checkpoints = 60;
     std::optional<std::uint64_t> seed;
+    std::filesystem::path store;  // of evaluations; empty: evaluations.sqlite in the result folder
 };
+
+// Whether this process prints and writes: of several ranks only one does.
+bool leads(const Options& options);
 
 using Paths = std::vector<std::filesystem::path>;
 

@@ -5,6 +5,7 @@
 #include "cases/fit_report.hpp"
 #include "cases/inputs_report.hpp"
 #include "cases/interrupt.hpp"
+#include "cases/kept_evaluations.hpp"
 #include "cases/progress.hpp"
 #include "cases/study_output.hpp"
 #include "fitting/back_analysis.hpp"
@@ -64,9 +65,18 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
         throw CaseError(
             {{file.name, 0, 0, "fit", {}, "the case has no [fit] section: there is nothing to back-analyse"}});
     }
-    const FitProblem problem = fit_problem_of(file, options.threads, options.seed);
+    FitProblem problem = fit_problem_of(file, options.threads, options.seed);
     const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
+    KeptEvaluations kept(options, folder);
+    for (std::size_t index = 0; index < problem.mechanisms.size(); ++index) {
+        kept.keep(problem.mechanisms[index].model, file.fit->mechanisms[index].model);
+    }
+    problem.settings.ranks = options.ranks;
     const FitResult result = fit_with_progress(problem, options);
+    kept.count_all();
+    if (!leads(options)) {
+        return ExitCode::ok;
+    }
 
     Report report{file.title.empty() ? file.name : file.title, file.description, {}};
     const std::string status = status_of(result);
@@ -80,11 +90,17 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     source["starts"] = problem.settings.starts;
     source["evaluations_per_start"] = problem.settings.evaluations_per_start;
     source["seed"] = problem.settings.seed;
+    kept.enter(source);
     documents.json["provenance"] = source;
     report.blocks.emplace_back(Heading{"Inputs"});
     report.blocks.emplace_back(inputs_table(file));
     report.blocks.emplace_back(evidence_table(problem));
-    return write_study({file, documents.json, '\n' + documents.screen, reserved}, folder, options, report);
+    const ExitCode code = write_study({file, documents.json, '\n' + documents.screen + kept.summary(), reserved},
+                                      folder, options, report);
+    if (status == "interrupted") {
+        kept.say_how_to_go_on();
+    }
+    return code;
 }
 
 }  // namespace delabole

@@ -21,6 +21,8 @@
 
 namespace delabole {
 
+class Ranks;
+
 // Normal, cut off at the parameter's bounds.
 struct Prior {
     double mean;
@@ -91,6 +93,7 @@ struct FitSettings {
     int map_points = 61;               // points along each side of the misfit map, >= 5
     std::uint64_t seed = 1;            // of the algorithms that use chance (crs2, mlsl, isres)
     int threads = 1;                   // >= 1; the result does not depend on it
+    const Ranks* ranks = nullptr;      // nor on these; null: this process alone
 };
 
 struct FitProblem {

@@ -4,6 +4,7 @@
 #include "fitting/minimise.hpp"
 #include "fitting/misfit.hpp"
 #include "fitting/progress.hpp"
+#include "fitting/share.hpp"
 
 #include <span>
 
@@ -15,6 +16,11 @@ struct Search {
     StopFlag stop = nullptr;
 
     bool stopped() const { return stop_requested(stop); }
+
+    Workers workers() const {
+        const FitSettings& settings = misfit.problem().settings;
+        return {settings.threads, settings.ranks};
+    }
 
     Evaluation evaluate(std::span<const double> parameters, Priors priors) const {
         progress.count();

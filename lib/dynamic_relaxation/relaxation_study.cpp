@@ -298,6 +298,7 @@ ModelInterface model_interface(const RelaxationStudy& study) {
     model.predict = [study, blocks = shape.block.size()](std::span<const Assignment> assignments) {
         return predict(study, blocks, assignments);
     };
+    model.costly = true;
     return model;
 }
 
