@@ -82,7 +82,8 @@ Variances variances(const std::vector<Chain>& chains) {
     return {within, within * (length - 1) / length + between};
 }
 
-double r_hat_of(const std::vector<Chain>& chains) {
+// Square root of the variance together over that within.
+double variance_ratio(const std::vector<Chain>& chains) {
     const Variances v = variances(chains);
     return v.within > 0 ? std::sqrt(v.together / v.within) : std::numeric_limits<double>::infinity();
 }
@@ -137,20 +138,24 @@ std::vector<Chain> up_to(const std::vector<Chain>& chains, double limit) {
     return result;
 }
 
-}  // namespace
-
-ChainDiagnostics diagnose(std::span<const std::vector<double>> chains) {
+void check(std::span<const Chain> chains) {
     if (chains.empty() || chains.front().size() < 4 ||
         std::any_of(chains.begin(), chains.end(),
                     [&](const Chain& chain) { return chain.size() != chains.front().size(); })) {
         throw std::invalid_argument("diagnose: needs chains of equal length, at least 4");
     }
-    const std::vector<Chain> split = halves(chains);
+}
+
+Chain sorted_together(const std::vector<Chain>& chains) {
     Chain sorted;
-    for (const Chain& chain : split) {
+    for (const Chain& chain : chains) {
         sorted.insert(sorted.end(), chain.begin(), chain.end());
     }
     std::sort(sorted.begin(), sorted.end());
+    return sorted;
+}
+
+double r_hat_of(const std::vector<Chain>& split, const std::vector<Chain>& scores, const Chain& sorted) {
     const double median = sorted_quantile(sorted, 0.5);
     std::vector<Chain> folded = split;
     for (Chain& chain : folded) {
@@ -158,10 +163,25 @@ ChainDiagnostics diagnose(std::span<const std::vector<double>> chains) {
             value = std::abs(value - median);
         }
     }
+    return std::max(variance_ratio(scores), variance_ratio(normal_scores(folded)));
+}
+
+}  // namespace
+
+ChainDiagnostics diagnose(std::span<const std::vector<double>> chains) {
+    check(chains);
+    const std::vector<Chain> split = halves(chains);
     const std::vector<Chain> scores = normal_scores(split);
-    return {std::max(r_hat_of(scores), r_hat_of(normal_scores(folded))), effective_size(scores),
+    const Chain sorted = sorted_together(split);
+    return {r_hat_of(split, scores, sorted), effective_size(scores),
             std::min(effective_size(up_to(split, sorted_quantile(sorted, 0.05))),
                      effective_size(up_to(split, sorted_quantile(sorted, 0.95))))};
+}
+
+double r_hat(std::span<const std::vector<double>> chains) {
+    check(chains);
+    const std::vector<Chain> split = halves(chains);
+    return r_hat_of(split, normal_scores(split), sorted_together(split));
 }
 
 }  // namespace delabole

@@ -18,7 +18,9 @@ struct ChainDiagnostics {
     double tail_size;  // the same for the 5 and 95 % quantiles, the lesser of both
 };
 
-// Chains of equal length, at least four values each, otherwise std::invalid_argument.
+// Both: chains of equal length, at least four values each, otherwise std::invalid_argument.
 ChainDiagnostics diagnose(std::span<const std::vector<double>> chains);
+// The first of the three alone, which costs least.
+double r_hat(std::span<const std::vector<double>> chains);
 
 }  // namespace delabole

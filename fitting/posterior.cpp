@@ -78,8 +78,8 @@ std::vector<RunningQuantiles> running_quantiles(const Chains& chains, std::size_
         const Values values = values_of(chains, parameter, length);
         const std::vector<double> sorted = sorted_together(values);
         const Interval interval = central(sorted, probability_95);
-        running.push_back({static_cast<int>(length), interval.lower, sorted_quantile(sorted, 0.5), interval.upper,
-                           diagnose(values).r_hat});
+        running.push_back(
+            {static_cast<int>(length), interval.lower, sorted_quantile(sorted, 0.5), interval.upper, r_hat(values)});
     }
     return running;
 }
@@ -142,13 +142,33 @@ void for_each_chain(Chains& chains, int threads, const std::function<void(std::s
     run_tasks(chains.size(), threads, task);
 }
 
+// The states of all chains, as many of each.
+PosteriorArchive archive_of(const Chains& chains, std::uint64_t seed) {
+    constexpr std::size_t size = 1200;
+    constexpr std::size_t most_components = 16;
+    std::vector<std::vector<double>> points;
+    for (const PosteriorChain& chain : chains) {
+        const std::size_t count = std::min(size / chains.size() + 1, chain.states().size());
+        for (std::size_t index = 0; index < count; ++index) {
+            points.push_back(chain.states()[index * chain.states().size() / count].normal);
+        }
+    }
+    Eigen::MatrixXd columns(static_cast<Eigen::Index>(points.front().size()), static_cast<Eigen::Index>(points.size()));
+    for (std::size_t index = 0; index < points.size(); ++index) {
+        columns.col(static_cast<Eigen::Index>(index)) =
+            Eigen::Map<const Eigen::VectorXd>(points[index].data(), columns.rows());
+    }
+    return {std::move(points), StudentMixture(columns, most_components, seed)};
+}
+
 // Rounds of walking, each twice as long, until the diagnostics are met. False where the work was stopped.
 bool walk_until_converged(const Evaluator& misfit, const PriorSpace& prior, const PosteriorSettings& settings,
                           Chains& chains, Posterior& posterior) {
     int steps = std::max(settings.draws / settings.chains, 8);
     for (int spent = 0;; steps *= 2) {
         spent += steps;
-        for_each_chain(chains, misfit.threads, [&](std::size_t number) { chains[number].walk(steps); });
+        const PosteriorArchive archive = archive_of(chains, settings.seed);
+        for_each_chain(chains, misfit.threads, [&](std::size_t number) { chains[number].walk(steps, archive); });
         if (misfit.stopped()) {
             return false;
         }
@@ -156,9 +176,6 @@ bool walk_until_converged(const Evaluator& misfit, const PriorSpace& prior, cons
         if (converged || spent + 2 * steps > settings.evaluations_per_chain) {
             posterior.status = converged ? PosteriorStatus::converged : PosteriorStatus::not_converged;
             return true;
-        }
-        for (PosteriorChain& chain : chains) {
-            chain.renew_archive();
         }
     }
 }

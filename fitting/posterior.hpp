@@ -1,14 +1,14 @@
 // Samples of the parameters' distribution given the data: density proportional to exp(-misfit / 2) times the prior's,
 // the misfit being chi-square of the data alone. A point where the model has no answer has no density.
 //
-// Several chains that know nothing of each other. Each begins as a population drawn from the prior, which moves by
-// differential evolution towards the posterior; then a single walker goes on, its steps being differences between
-// points of a fixed archive of earlier states, or snooker steps along the line through one of them, so that they have
-// the size and direction of the posterior without tuning; a share of the differences is cut down by up to a factor of
-// 30, for ridges that bend. As the archive is fixed while draws are kept, the chain is a plain Metropolis chain and its
-// distribution exact. Where the diagnostics are not met, all draws are thrown away but for a new archive, and the
-// chains go on twice as long.
-// The walk takes place in the standard normal numbers of prior_space.hpp.
+// Several chains, each begun as a population drawn from the prior that moves by differential evolution towards the
+// posterior. Then one walker of each goes on. Its steps are differences between points of an archive of earlier states
+// of all chains, a third of them cut down by up to a factor of 30 for ridges that bend; snooker steps along the line
+// through one of them; and draws from a mixture of Student distributions fitted to the archive. So they have the size
+// and direction of the posterior without tuning, and reach every mode that any chain has found. The archive is fixed
+// while draws are kept: the chain is then a plain Metropolis chain and its distribution exact. Where the diagnostics
+// are not met, the draws only make the next archive, and the chains go on twice as long. The walk takes place in the
+// standard normal numbers of prior_space.hpp.
 //
 // Accuracy: quantiles and means err as those of bulk_size or tail_size independent draws.
 // Sources: C. J. F. ter Braak, Statistics and Computing 16 (2006) 239-249; C. J. F. ter Braak & J. A. Vrugt, Statistics

@@ -6,20 +6,6 @@
 
 namespace delabole {
 
-namespace {
-
-constexpr std::size_t archive_size = 400;
-
-std::vector<const PosteriorChain::State*> pointers_to(const std::vector<PosteriorChain::State>& states) {
-    std::vector<const PosteriorChain::State*> pointers;
-    for (const PosteriorChain::State& state : states) {
-        pointers.push_back(&state);
-    }
-    return pointers;
-}
-
-}  // namespace
-
 PosteriorChain::PosteriorChain(const Evaluator& misfit, const PriorSpace& prior, std::uint64_t seed, int number)
     : misfit_(misfit), prior_(prior), random_(seed, RandomPurpose::chain, static_cast<std::uint32_t>(number)) {}
 
@@ -44,7 +30,7 @@ bool PosteriorChain::evaluate(State& state) {
     return true;
 }
 
-PosteriorChain::Proposal PosteriorChain::difference_step(const State& from, std::span<const State* const> archive) {
+PosteriorChain::Proposal PosteriorChain::difference_step(const State& from, const Points& archive) {
     const auto dimension = static_cast<double>(from.normal.size());
     // A full difference jumps from mode to mode; the usual length is the best for a normal distribution.
     double length = random_.unit() < 0.1 ? 1 : 2.38 / std::sqrt(2 * dimension);
@@ -58,15 +44,15 @@ PosteriorChain::Proposal PosteriorChain::difference_step(const State& from, std:
     Proposal proposal{from.normal, 0};
     for (std::size_t index = 0; index < proposal.normal.size(); ++index) {
         proposal.normal[index] +=
-            length * (archive[first]->normal[index] - archive[second]->normal[index]) + tremble * normal_number();
+            length * ((*archive[first])[index] - (*archive[second])[index]) + tremble * normal_number();
     }
     return proposal;
 }
 
-PosteriorChain::Proposal PosteriorChain::snooker_step(const State& from, std::span<const State* const> archive) {
-    const std::vector<double>& anchor = archive[random_.below(archive.size())]->normal;
-    const std::vector<double>& first = archive[random_.below(archive.size())]->normal;
-    const std::vector<double>& second = archive[random_.below(archive.size())]->normal;
+PosteriorChain::Proposal PosteriorChain::snooker_step(const State& from, const Points& archive) {
+    const std::vector<double>& anchor = *archive[random_.below(archive.size())];
+    const std::vector<double>& first = *archive[random_.below(archive.size())];
+    const std::vector<double>& second = *archive[random_.below(archive.size())];
     const double length = 1.2 + random_.unit();
     double along = 0;
     double squared = 0;
@@ -87,9 +73,18 @@ PosteriorChain::Proposal PosteriorChain::snooker_step(const State& from, std::sp
     return proposal;
 }
 
-bool PosteriorChain::step(State& state, std::span<const State* const> archive) {
-    constexpr double snooker_share = 0.2;
-    Proposal proposal = random_.unit() < snooker_share ? snooker_step(state, archive) : difference_step(state, archive);
+PosteriorChain::Proposal PosteriorChain::mixture_step(const State& from, const StudentMixture& mixture) {
+    std::vector<double> unit(mixture.unit_dimension());
+    for (double& coordinate : unit) {
+        coordinate = random_.unit();
+    }
+    Proposal proposal{from.normal, 0};
+    mixture.draw(unit, proposal.normal);
+    proposal.log_weight = mixture.log_density(from.normal) - mixture.log_density(proposal.normal);
+    return proposal;
+}
+
+bool PosteriorChain::accept(State& state, Proposal proposal) {
     const double threshold = std::log(random_.unit());
     State candidate;
     candidate.normal = std::move(proposal.normal);
@@ -98,6 +93,12 @@ bool PosteriorChain::step(State& state, std::span<const State* const> archive) {
     }
     state = std::move(candidate);
     return true;
+}
+
+bool PosteriorChain::local_step(State& state, const Points& archive) {
+    constexpr double snooker_share = 0.2;
+    return accept(state,
+                  random_.unit() < snooker_share ? snooker_step(state, archive) : difference_step(state, archive));
 }
 
 bool PosteriorChain::begin() {
@@ -131,37 +132,36 @@ bool PosteriorChain::begin() {
             if (misfit_.stopped()) {
                 return false;
             }
-            std::vector<const State*> others = pointers_to(population);
-            others.erase(others.begin() + static_cast<std::ptrdiff_t>(index));
-            step(population[index], others);
+            Points others;
+            for (std::size_t other = 0; other < members; ++other) {
+                if (other != index) {
+                    others.push_back(&population[other].normal);
+                }
+            }
+            local_step(population[index], others);
         }
         if (generation >= generations - kept) {
-            archive_.insert(archive_.end(), population.begin(), population.end());
+            states_.insert(states_.end(), population.begin(), population.end());
         }
     }
     current_ = population[random_.below(members)];
     return true;
 }
 
-void PosteriorChain::walk(int steps) {
-    const std::vector<const State*> archive = pointers_to(archive_);
+void PosteriorChain::walk(int steps, const PosteriorArchive& archive) {
+    Points points;
+    for (const std::vector<double>& point : archive.points) {
+        points.push_back(&point);
+    }
     states_.clear();
     states_.reserve(static_cast<std::size_t>(steps));
     moved_ = 0;
+    constexpr double mixture_share = 0.4;
     for (int number = 0; number < steps && !misfit_.stopped(); ++number) {
-        moved_ += step(current_, archive) ? 1 : 0;
+        const bool moved = random_.unit() < mixture_share ? accept(current_, mixture_step(current_, archive.mixture))
+                                                          : local_step(current_, points);
+        moved_ += moved ? 1 : 0;
         states_.push_back(current_);
-    }
-}
-
-void PosteriorChain::renew_archive() {
-    if (states_.empty()) {
-        return;
-    }
-    const std::size_t count = std::min(archive_size, states_.size());
-    archive_.clear();
-    for (std::size_t index = 0; index < count; ++index) {
-        archive_.push_back(states_[index * states_.size() / count]);
     }
 }
 

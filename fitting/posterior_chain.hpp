@@ -4,12 +4,19 @@
 #include "fitting/counted_random.hpp"
 #include "fitting/evaluate_points.hpp"
 #include "fitting/prior_space.hpp"
+#include "fitting/student_mixture.hpp"
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace delabole {
+
+// What all chains take their steps from; it stays as it is while they walk.
+struct PosteriorArchive {
+    std::vector<std::vector<double>> points;  // earlier states of all chains, at least two
+    StudentMixture mixture;                   // in their shape
+};
 
 class PosteriorChain {
   public:
@@ -22,19 +29,18 @@ class PosteriorChain {
 
     PosteriorChain(const Evaluator& misfit, const PriorSpace& prior, std::uint64_t seed, int number);
 
-    // A population from the prior, moved by differential evolution; false where no draw has an answer or the work was
-    // stopped.
+    // A population from the prior, moved by differential evolution; its last generations are the states. False where no
+    // draw has an answer or the work was stopped.
     bool begin();
-    // Steps with the archive as it is; the states are those after each step.
-    void walk(int steps);
-    // The states of the last walk become the archive.
-    void renew_archive();
+    // The states are those after each step.
+    void walk(int steps, const PosteriorArchive& archive);
 
     const std::vector<State>& states() const { return states_; }
     int moved() const { return moved_; }  // steps of the last walk that moved
     const EvaluationCount& evaluations() const { return evaluations_; }
 
   private:
+    using Points = std::vector<const std::vector<double>*>;
     struct Proposal {
         std::vector<double> normal;
         double log_weight;  // of the step back over the step there
@@ -42,14 +48,15 @@ class PosteriorChain {
 
     double normal_number();
     bool evaluate(State& state);
-    Proposal difference_step(const State& from, std::span<const State* const> archive);
-    Proposal snooker_step(const State& from, std::span<const State* const> archive);
-    bool step(State& state, std::span<const State* const> archive);
+    Proposal difference_step(const State& from, const Points& archive);
+    Proposal snooker_step(const State& from, const Points& archive);
+    Proposal mixture_step(const State& from, const StudentMixture& mixture);
+    bool accept(State& state, Proposal proposal);
+    bool local_step(State& state, const Points& archive);
 
     const Evaluator& misfit_;
     const PriorSpace& prior_;
     RandomStream random_;
-    std::vector<State> archive_;
     State current_;
     std::vector<State> states_;
     int moved_ = 0;
