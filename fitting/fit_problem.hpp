@@ -73,6 +73,16 @@ struct FieldEvidence {
     std::string source;
 };
 
+// A measurement that could be made next: how much it would tell is asked before it is paid for.
+struct FitCandidate {
+    std::string label;
+    std::string quantity;               // an output or an input of the model; a mechanism without it learns nothing
+    double standard_deviation;          // > 0; of the measurement
+    std::vector<Condition> conditions;  // under which an output would be measured
+    std::optional<double> cost;         // > 0, in any unit that the candidates share
+    std::string source;
+};
+
 struct Mechanism {
     std::string name;
     std::string title;
@@ -101,6 +111,7 @@ struct FitProblem {
     std::vector<QuantityObservation> observations;
     std::optional<ProfileObservation> profile;
     std::vector<FieldEvidence> evidence;
+    std::vector<FitCandidate> candidates;
     FitSettings settings;
 };
 
