@@ -248,9 +248,9 @@ struct Predictor {
     std::vector<Outcome> outcomes;
 };
 
-// ln of the mean normal density of an outcome over the draws, but for a constant; without one of them where it is
-// theirs.
-double log_density(const Answered& draws, double outcome, double deviation, std::optional<std::size_t> left_out) {
+// ln of the mean normal density of an outcome over the draws, but for a constant and for the draw of that number, if
+// there is one.
+double log_density(const Answered& draws, double outcome, double deviation, std::size_t left_out) {
     double least = std::numeric_limits<double>::infinity();
     const auto square = [&](std::size_t draw) {
         const double pull = (outcome - draws.predicted[draw]) / deviation;
@@ -263,7 +263,7 @@ double log_density(const Answered& draws, double outcome, double deviation, std:
     for (std::size_t draw = 0; draw < draws.size(); ++draw) {
         sum += draw == left_out ? 0 : std::exp(-0.5 * (square(draw) - least));
     }
-    return std::log(sum / static_cast<double>(draws.size() - (left_out ? 1 : 0))) - 0.5 * least;
+    return std::log(sum / static_cast<double>(draws.size() - (left_out < draws.size() ? 1 : 0))) - 0.5 * least;
 }
 
 double entropy(std::span<const double> probabilities) {
@@ -279,7 +279,7 @@ double entropy_after(const std::vector<Predictor>& predictors, std::size_t sourc
                      double deviation) {
     std::vector<double> logs;
     for (std::size_t index = 0; index < predictors.size(); ++index) {
-        const auto own = index == source ? std::optional(outcome.draw) : std::nullopt;
+        const std::size_t own = index == source ? outcome.draw : predictors[index].draws.size();
         logs.push_back(std::log(predictors[index].probability) +
                        log_density(predictors[index].draws, outcome.value, deviation, own));
     }

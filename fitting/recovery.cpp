@@ -185,9 +185,12 @@ MechanismRecovery recover(const Mechanism& mechanism, const FitProblem& problem,
     const Workers workers{settings.threads, settings.ranks};
     result.repetitions =
         share_tasks<Recovered>(static_cast<std::size_t>(settings.repetitions), workers, [&](std::size_t number) {
-            return stop_requested(stop)
-                       ? Recovered{.status = PosteriorStatus::interrupted, .has_truth = true}
-                       : Repetition(mechanism, without_profile, misfit, prior, settings, number).run(progress, stop);
+            if (stop_requested(stop)) {
+                Recovered not_begun;
+                not_begun.status = PosteriorStatus::interrupted;
+                return not_begun;
+            }
+            return Repetition(mechanism, without_profile, misfit, prior, settings, number).run(progress, stop);
         });
     std::erase_if(result.repetitions, [&](const Recovered& one) {
         const bool interrupted = one.status == PosteriorStatus::interrupted;

@@ -37,9 +37,9 @@ MechanismRecovery recovery_of(const FitProblem& problem, const RecoverySettings&
 }
 
 TEST(Recovery, FindsALinearGaussianCalibrated) {
-    const MechanismRecovery result = recovery_of(linear(), quick(200));
+    const MechanismRecovery result = recovery_of(linear(), quick(80));
     EXPECT_EQ(result.without_truth, 0);
-    EXPECT_GT(result.counted, 190) << result.not_converged << " did not converge";
+    EXPECT_GT(result.counted, 75) << result.not_converged << " did not converge";
     ASSERT_EQ(result.parameters.size(), 2U);
     for (const ParameterRecovery& parameter : result.parameters) {
         // The 95 % intervals of six numbers, fixed by the seed.
@@ -55,7 +55,7 @@ TEST(Recovery, FindsALinearGaussianCalibrated) {
 
 // Three standard deviations off the prior's mean, which pulls by more than the posterior is wide.
 TEST(Recovery, SeesThatThePriorPulls) {
-    RecoverySettings settings = quick(60);
+    RecoverySettings settings = quick(30);
     settings.truth = {4, 0};
     const MechanismRecovery result = recovery_of(linear(), settings);
     // In closed form the mean of x1 misses 4 by 3 x (share of the prior in its precision) = 3 / (1 + 1 / 1.05) = 1.5,
@@ -68,8 +68,8 @@ TEST(Recovery, SeesThatThePriorPulls) {
 TEST(Recovery, KeepsRanksUniformWithInequalities) {
     FitProblem problem = linear();
     problem.observations[1] = test::observe("second", 0, 0.3, Relation::at_least);
-    const MechanismRecovery result = recovery_of(problem, quick(150));
-    EXPECT_GT(result.counted, 140);
+    const MechanismRecovery result = recovery_of(problem, quick(60));
+    EXPECT_GT(result.counted, 55);
     for (const ParameterRecovery& parameter : result.parameters) {
         EXPECT_GT(parameter.uniformity, 0.001);
         EXPECT_TRUE(parameter.coverage_95.interval_95.contains(0.95)) << parameter.coverage_95.value;
@@ -81,7 +81,7 @@ TEST(Recovery, DrawsNoTruthWithoutAnAnswer) {
     problem.mechanisms[0].model = formula_model(2, {"sum", "second"}, [](std::span<const double> x) {
         return x[0] < 1 ? Prediction{"too_small", {}, {}} : answer({x[0] + x[1], x[1]});
     });
-    for (const Recovered& one : recovery_of(problem, quick(12)).repetitions) {
+    for (const Recovered& one : recovery_of(problem, quick(8)).repetitions) {
         ASSERT_TRUE(one.has_truth);
         EXPECT_GE(one.truth[0], 1);
     }
