@@ -132,6 +132,20 @@ void write_profile(std::string& text, const ProfileObservation& profile) {
     write_text(text, "source", profile.source);
 }
 
+void write_candidate(std::string& text, const CaseCandidate& candidate,
+                     const std::vector<std::vector<Quantity>>& inputs) {
+    const FitCandidate& values = candidate.candidate;
+    text += "\n[[fit.candidate]]\n";
+    write_line(text, "label", in_quotes(values.label));
+    write_line(text, "quantity", in_quotes(values.quantity));
+    write_line(text, "standard_deviation", written_quantity(values.standard_deviation, candidate.dimension));
+    write_conditions(text, values.conditions, inputs);
+    if (values.cost) {
+        write_line(text, "cost", written_quantity(*values.cost, Dimension::ratio));
+    }
+    write_text(text, "source", values.source);
+}
+
 void write_fit(std::string& text, const CaseFit& fit, const CaseModel& base) {
     write_settings(text, fit.settings);
     std::vector<std::vector<Quantity>> inputs;
@@ -150,6 +164,9 @@ void write_fit(std::string& text, const CaseFit& fit, const CaseModel& base) {
         write_line(text, "name", in_quotes(evidence.name));
         write_line(text, "statement", in_quotes(evidence.statement));
         write_text(text, "source", evidence.source);
+    }
+    for (const CaseCandidate& candidate : fit.candidates) {
+        write_candidate(text, candidate, inputs);
     }
 }
 

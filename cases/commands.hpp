@@ -37,6 +37,8 @@ struct Options {
     const Ranks* ranks = nullptr;  // processes that work together; null: this one alone
     double seconds_between_checkpoints = 60;
     std::optional<std::uint64_t> seed;
+    int repetitions = 100;        // of a recovery
+    bool at_best = false;         // recover the best fit instead of draws of the prior
     std::filesystem::path store;  // of evaluations; empty: evaluations.sqlite in the result folder
 };
 
@@ -48,6 +50,7 @@ using Paths = std::vector<std::filesystem::path>;
 // Each may throw UsageError (usage), CaseError (invalid_case) and OutputError (output_failure).
 ExitCode run_command(const Paths& cases, const Options& options);
 ExitCode fit_command(const std::filesystem::path& path, const Options& options);
+ExitCode recover_command(const std::filesystem::path& path, const Options& options);
 ExitCode sensitivity_command(const std::filesystem::path& path, const Options& options);
 ExitCode trade_command(const std::filesystem::path& path, const Options& options);
 ExitCode check_command(const Paths& cases, const Options& options);

@@ -285,6 +285,7 @@ CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outp
                    [&](Section& element) { read_observation(element, names, fit.observations); });
     fit.profile = read_profile(section);
     for_each_table(section, "evidence", [&](Section& element) { read_evidence(element, fit.evidence); });
+    fit.candidates = read_candidates(section, names);
     const bool empty_list =
         observations == nullptr || (observations->kind == Node::Kind::array && observations->elements.empty());
     if (empty_list && !section.contains("profile")) {

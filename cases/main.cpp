@@ -123,7 +123,8 @@ struct Program {
         chosen = [this, command = std::move(command)] {
             if (!options.ranks->alone()) {
                 throw delabole::UsageError(
-                    "of the commands only fit and sensitivity share their work among ranks: run this one without "
+                    "of the commands only fit, recover and sensitivity share their work among ranks: run this one "
+                    "without "
                     "mpirun");
             }
             return command();
@@ -154,6 +155,8 @@ struct Program {
         fit->footer(example("delabole fit cases/delabole_1967.toml --out results/delabole_1967"));
         fit->callback([this] { share_out([this] { return delabole::fit_command(one_case, options); }); });
 
+        add_recovery();
+
         CLI::App* sensitivity = app.add_subcommand(
             "sensitivity", "Which parameter matters, the distribution of an answer, the probability of failure");
         sensitivity->add_option("CASE", one_case, "Case file with a [sensitivity] section")->required();
@@ -173,6 +176,24 @@ struct Program {
         add_threads(*trade, options);
         trade->footer(example("delabole trade cases/relaxation/single_block.toml"));
         trade->callback([this] { choose([this] { return delabole::trade_command(one_case, options); }); });
+    }
+
+    void add_recovery() {
+        CLI::App* recover = app.add_subcommand(
+            "recover", "Whether a back-analysis finds known parameters again: coverage of its intervals, bias, ranks");
+        recover->add_option("CASE", one_case, "Case file with a [fit] section")->required();
+        add_common(*recover, options);
+        add_output(*recover, options);
+        add_loops(*recover, options);
+        add_store(*recover, options);
+        recover->add_option("--repetitions", options.repetitions, "Data sets to make and to fit; 100 by default")
+            ->check(CLI::Range(2, 1'000'000))
+            ->type_name("N");
+        recover->add_flag_callback(
+            "--at-best", [this] { options.at_best = true; },
+            "Make the data from the best fit instead of draws of the prior");
+        recover->footer(example("delabole recover cases/delabole_1967.toml --repetitions 20"));
+        recover->callback([this] { share_out([this] { return delabole::recover_command(one_case, options); }); });
     }
 
     void add_case_tools() {

@@ -213,6 +213,7 @@ MechanismRecovery recover(const Mechanism& mechanism, const FitProblem& problem,
     for (std::size_t index = 0; index < prior.free().size(); ++index) {
         const std::size_t parameter = prior.free()[index];
         ParameterRecovery& summary = result.parameters.emplace_back(summarise(counted, index, parameter));
+        summary.index = parameter;
         summary.name = mechanism.parameters[parameter].name;
         summary.dimension = dimensions[parameter];
     }

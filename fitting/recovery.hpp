@@ -58,6 +58,7 @@ auto members(Type& one) {
 
 struct ParameterRecovery {
     std::string name;
+    std::size_t index;  // among the mechanism's parameters
     Dimension dimension;
     Estimate coverage_68;  // shares of the repetitions, with their 95 % (binomial) intervals
     Estimate coverage_95;

@@ -71,7 +71,7 @@ ranks 2 fit good_fit.toml --no-such-option
 expect "exit code of the command line" test "$status" == 2
 ranks 2 run good_fit.toml
 expect "exit code" test "$status" == 2
-expect_error 'only fit and sensitivity share their work among ranks'
+expect_error 'only fit, recover and sensitivity share their work among ranks'
 
 title "a rank is killed in the middle: the others end, and the same command goes on"
 blocks=(sensitivity "$source_folder/cases/relaxation/single_block_probability.toml" --set settings.quality=standard
