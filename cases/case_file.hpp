@@ -64,6 +64,7 @@ struct CaseFit {
     std::optional<ProfileObservation> profile;
     std::vector<FieldEvidence> evidence;
     FitSettings settings;
+    std::optional<PosteriorStudy> posterior;
 };
 
 // [sensitivity], SI throughout.

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "fitting/algorithm.hpp"
+#include "fitting/posterior_settings.hpp"
 #include "geometry/polyline.hpp"
 #include "parameters/model_interface.hpp"
 
@@ -99,6 +100,7 @@ struct FitProblem {
     std::optional<ProfileObservation> profile;
     std::vector<FieldEvidence> evidence;
     FitSettings settings;
+    std::optional<PosteriorStudy> posterior;  // absent: neither posteriors nor evidences
 };
 
 }  // namespace delabole
