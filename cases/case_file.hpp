@@ -70,6 +70,7 @@ struct CaseFit {
     std::vector<FieldEvidence> evidence;
     std::vector<CaseCandidate> candidates;
     FitSettings settings;
+    std::optional<PosteriorStudy> posterior;
 };
 
 // [sensitivity], SI throughout.

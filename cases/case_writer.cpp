@@ -108,6 +108,14 @@ void write_settings(std::string& text, const FitSettings& settings) {
     write_line(text, "seed", std::to_string(settings.seed));
 }
 
+void write_posterior(std::string& text, const PosteriorStudy& study) {
+    text += "\n[fit.posterior]\n";
+    write_line(text, "chains", std::to_string(study.chains));
+    write_line(text, "draws", std::to_string(study.draws));
+    write_line(text, "evaluations_per_chain", std::to_string(study.evaluations_per_chain));
+    write_line(text, "evidence_points", std::to_string(study.evidence_points));
+}
+
 void write_observation(std::string& text, const CaseObservation& observation,
                        const std::vector<std::vector<Quantity>>& inputs) {
     const QuantityObservation& values = observation.observation;
@@ -148,6 +156,9 @@ void write_candidate(std::string& text, const CaseCandidate& candidate,
 
 void write_fit(std::string& text, const CaseFit& fit, const CaseModel& base) {
     write_settings(text, fit.settings);
+    if (fit.posterior) {
+        write_posterior(text, *fit.posterior);
+    }
     std::vector<std::vector<Quantity>> inputs;
     for (const FitMechanism& mechanism : fit.mechanisms) {
         inputs.push_back(named_inputs(mechanism.model));

@@ -134,6 +134,37 @@ MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem
     return fit;
 }
 
+void add_posterior(const FitProblem& problem, std::size_t mechanism, ProgressMeter& progress, StopFlag stop,
+                   MechanismFit& fit) {
+    progress.begin_stage(fit.name, "posterior", expected_posterior_evaluations(problem, mechanism));
+    fit.posterior = study_posterior(problem, mechanism, progress, stop);
+    fit.posterior->least_misfit = std::min(fit.posterior->least_misfit, fit.data_misfit);
+    fit.evaluations.add(fit.posterior->posterior.evaluations);
+    for (const VariantEvidence& variant : fit.posterior->evidences) {
+        fit.evaluations.add(variant.evidence.evaluations);
+    }
+    if (fit.posterior->posterior.status == PosteriorStatus::interrupted) {
+        fit.status = FitStatus::interrupted;
+        fit.posterior.reset();
+    }
+}
+
+bool have_evidence(const FitResult& result) {
+    return std::all_of(result.mechanisms.begin(), result.mechanisms.end(),
+                       [](const MechanismFit& fit) { return fit.posterior.has_value(); });
+}
+
+void rank(FitResult& result) {
+    if (have_evidence(result)) {
+        std::stable_sort(result.mechanisms.begin(), result.mechanisms.end(), [](const auto& left, const auto& right) {
+            return left.posterior->log_evidence() > right.posterior->log_evidence();
+        });
+    } else {
+        std::stable_sort(result.mechanisms.begin(), result.mechanisms.end(),
+                         [](const auto& left, const auto& right) { return left.ranking_score < right.ranking_score; });
+    }
+}
+
 }  // namespace
 
 FitResult fit(const FitProblem& problem, const FitProgressCallback& progress, StopFlag stop) {
@@ -149,14 +180,21 @@ FitResult fit(const FitProblem& problem, const FitProgressCallback& progress, St
     for (const Mechanism& mechanism : problem.mechanisms) {
         expected += expected_evaluations(mechanism, problem.settings).total();
     }
+    for (std::size_t index = 0; problem.posterior && index < problem.mechanisms.size(); ++index) {
+        expected += expected_posterior_evaluations(problem, index);
+    }
     ProgressMeter meter(progress, expected);
     FitResult result;
     for (const Mechanism& mechanism : problem.mechanisms) {
         result.mechanisms.push_back(fit_mechanism(mechanism, problem, meter, stop));
     }
+    for (std::size_t index = 0; problem.posterior && index < problem.mechanisms.size(); ++index) {
+        if (!stop_requested(stop)) {
+            add_posterior(problem, index, meter, stop, result.mechanisms[index]);
+        }
+    }
     meter.finish();
-    std::stable_sort(result.mechanisms.begin(), result.mechanisms.end(),
-                     [](const auto& left, const auto& right) { return left.ranking_score < right.ranking_score; });
+    rank(result);
     result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     return result;
 }

@@ -14,18 +14,11 @@
 #include "fitting/posterior.hpp"
 
 #include <array>
-#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
 
 namespace delabole {
-
-struct EvidenceSettings {
-    int points = 512;     // of each replicate, >= 16
-    int replicates = 16;  // >= 2
-    std::uint64_t seed = 1;
-};
 
 enum class EvidenceStatus {
     estimated,

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "fitting/algorithm.hpp"
+#include "fitting/posterior_settings.hpp"
 #include "geometry/polyline.hpp"
 #include "parameters/model_interface.hpp"
 
@@ -113,6 +114,7 @@ struct FitProblem {
     std::vector<FieldEvidence> evidence;
     std::vector<FitCandidate> candidates;
     FitSettings settings;
+    std::optional<PosteriorStudy> posterior;  // absent: neither posteriors nor evidences
 };
 
 }  // namespace delabole

@@ -3,6 +3,7 @@
 
 #include "fitting/evaluation.hpp"
 #include "fitting/fit_problem.hpp"
+#include "fitting/mechanism_posterior.hpp"
 
 #include <Eigen/Core>
 
@@ -162,11 +163,13 @@ struct MechanismFit {
     std::vector<FailureLocus> loci;           // for each pair of free parameters that the factor of safety depends on
     std::optional<MisfitMap> map;             // of the first two free parameters
     std::vector<MinimumCluster> minima;       // best first
-    EvaluationCount evaluations;
+    std::optional<MechanismPosterior> posterior;  // where the problem asks for it
+    EvaluationCount evaluations;                  // the posterior's included
 };
 
 struct FitResult {
-    std::vector<MechanismFit> mechanisms;  // least ranking_score first
+    // Greatest evidence first, field evidence included; where there is none, least ranking_score first.
+    std::vector<MechanismFit> mechanisms;
     double wall_seconds = 0;
 };
 

@@ -17,24 +17,17 @@
 
 #include "fitting/chain_diagnostics.hpp"
 #include "fitting/evaluate_points.hpp"
+#include "fitting/posterior_settings.hpp"
 #include "fitting/prior_space.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace delabole {
-
-struct PosteriorSettings {
-    int chains = 8;                      // >= 2
-    int draws = 4000;                    // steps of all chains together in the first round; >= 8 for each chain
-    int evaluations_per_chain = 16'000;  // no further round is begun that would exceed it
-    std::uint64_t seed = 1;
-};
 
 // Of one parameter, what the chains have to meet: R-hat below 1.01 and effective sizes of bulk and tails above 400, as
 // Vehtari et al. (2021) advise.
