@@ -145,7 +145,11 @@ void write_candidate(std::string& text, const CaseCandidate& candidate,
     const FitCandidate& values = candidate.candidate;
     text += "\n[[fit.candidate]]\n";
     write_line(text, "label", in_quotes(values.label));
-    write_line(text, "quantity", in_quotes(values.quantity));
+    std::string names;
+    for (const std::string& name : values.quantities) {
+        names += (names.empty() ? "" : ", ") + in_quotes(name);
+    }
+    write_line(text, "quantity", "[" + names + "]");
     write_line(text, "standard_deviation", written_quantity(values.standard_deviation, candidate.dimension));
     write_conditions(text, values.conditions, inputs);
     if (values.cost) {

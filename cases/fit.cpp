@@ -3,12 +3,14 @@
 #include "cases/commands.hpp"
 #include "cases/fit_problem_of_case.hpp"
 #include "cases/fit_report.hpp"
+#include "cases/information_report.hpp"
 #include "cases/inputs_report.hpp"
 #include "cases/interrupt.hpp"
 #include "cases/kept_evaluations.hpp"
 #include "cases/progress.hpp"
 #include "cases/study_output.hpp"
 #include "fitting/back_analysis.hpp"
+#include "fitting/candidate_draws.hpp"
 #include "fitting/check_problem.hpp"
 
 #include <algorithm>
@@ -73,6 +75,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     }
     problem.settings.ranks = options.ranks;
     const FitResult result = fit_with_progress(problem, options);
+    const std::vector<CandidateInformation> information = information_of(problem, result, {}, &interrupt_flag());
     kept.count_all();
     if (!leads(options)) {
         return ExitCode::ok;
@@ -84,6 +87,11 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     add_reservation(reserved, status == "interrupted", report);
     FitDocuments documents = document_fit(file, problem, result, folder, report);
     documents.json["status"] = status;
+    if (!information.empty()) {
+        const InformationDocuments next = document_information(problem.candidates, information, folder, report);
+        documents.json["value_of_information"] = next.json;
+        documents.screen += next.screen;
+    }
     Json source = provenance(file, "fit", options, watch.seconds());
     source["fit_seconds"] = result.wall_seconds;
     source["algorithm"] = std::string(word_of(problem.settings.algorithm));

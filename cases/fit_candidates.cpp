@@ -31,10 +31,30 @@ std::vector<std::string> measurable_names(const std::vector<ModelNames>& models)
     return names;
 }
 
+// One name or a list of them.
+std::vector<std::string> read_quantities(Section& section) {
+    const Node* node =
+        section.require("quantity", "name of an output or an input of the model, or a list of such names");
+    if (node == nullptr) {
+        return {};
+    }
+    std::vector<std::string> names;
+    const bool several = node->kind == Node::Kind::array;
+    for (const Node& element : several ? node->elements : std::vector<Node>{*node}) {
+        if (const auto name = read_text(section.reading(), element, section.path_of("quantity"))) {
+            names.push_back(*name);
+        }
+    }
+    if (several && node->elements.empty()) {
+        section.complain("quantity", *node, "is empty");
+    }
+    return names;
+}
+
 void read_candidate(Section& section, const std::vector<ModelNames>& models, std::vector<CaseCandidate>& candidates) {
     FitCandidate candidate{};
     candidate.label = require_text(section, "label", "what could be measured, in a few words");
-    candidate.quantity = require_text(section, "quantity", "name of an output or an input of the model");
+    candidate.quantities = read_quantities(section);
     candidate.conditions = read_conditions(section, models);
     candidate.source = read_optional_text(section, "source");
     section.allow("standard_deviation");
@@ -46,14 +66,22 @@ void read_candidate(Section& section, const std::vector<ModelNames>& models, std
         })) {
         section.complain("label", *section.peek("label"), "names two candidates");
     }
-    const Quantity* measured = find_measured(models, candidate.quantity);
-    if (measured == nullptr) {
-        const bool known = std::ranges::all_of(models, &ModelNames::inputs_known);
-        if (!candidate.quantity.empty() && known) {
+    const Quantity* measured = nullptr;
+    for (const std::string& name : candidate.quantities) {
+        const Quantity* quantity = find_measured(models, name);
+        if (quantity == nullptr) {
+            if (std::ranges::all_of(models, &ModelNames::inputs_known)) {
+                section.complain("quantity", *section.peek("quantity"),
+                                 name + " is neither an output nor an input of any mechanism" +
+                                     suggestion(name, measurable_names(models)));
+            }
+        } else if (measured != nullptr && measured->dimension != quantity->dimension) {
             section.complain("quantity", *section.peek("quantity"),
-                             "is neither an output nor an input of any mechanism" +
-                                 suggestion(candidate.quantity, measurable_names(models)));
+                             name + " and " + measured->name + " are not of one dimension");
         }
+        measured = measured != nullptr ? measured : quantity;
+    }
+    if (measured == nullptr) {
         return;
     }
     candidate.standard_deviation = read_number(section, "standard_deviation", measured->dimension, more_than(0),

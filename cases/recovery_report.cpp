@@ -122,9 +122,8 @@ void document_mechanism(const MechanismRecovery& recovery, const ResultFolder& f
 
 }  // namespace
 
-RecoveryDocuments document_recovery(const std::vector<MechanismRecovery>& recoveries,
-                                    const std::vector<Mechanism>& mechanisms, bool at_best, const ResultFolder& folder,
-                                    Report& report) {
+RecoveryDocuments document_recovery(const std::vector<MechanismRecovery>& recoveries, bool at_best,
+                                    const ResultFolder& folder, Report& report) {
     RecoveryDocuments documents;
     report.blocks.emplace_back(Heading{"Known parameters found again"});
     report.blocks.emplace_back(Paragraph{

@@ -15,10 +15,9 @@ struct RecoveryDocuments {
     std::string screen;  // a table
 };
 
-// Appends blocks to the report and writes tables and figures into the folder. `recoveries` are those of `mechanisms`,
-// in their order; `at_best`: the truth was the best fit.
-RecoveryDocuments document_recovery(const std::vector<MechanismRecovery>& recoveries,
-                                    const std::vector<Mechanism>& mechanisms, bool at_best, const ResultFolder& folder,
-                                    Report& report);
+// Appends blocks to the report and writes tables and figures into the folder. `at_best`: the truth was the best
+// fit.
+RecoveryDocuments document_recovery(const std::vector<MechanismRecovery>& recoveries, bool at_best,
+                                    const ResultFolder& folder, Report& report);
 
 }  // namespace delabole

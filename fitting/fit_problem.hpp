@@ -77,7 +77,9 @@ struct FieldEvidence {
 // A measurement that could be made next: how much it would tell is asked before it is paid for.
 struct FitCandidate {
     std::string label;
-    std::string quantity;               // an output or an input of the model; a mechanism without it learns nothing
+    // Outputs or inputs of models: what is measured may have one name in one mechanism, another in the next. The first
+    // that a mechanism has counts; one that has none learns nothing.
+    std::vector<std::string> quantities;
     double standard_deviation;          // > 0; of the measurement
     std::vector<Condition> conditions;  // under which an output would be measured
     std::optional<double> cost;         // > 0, in any unit that the candidates share

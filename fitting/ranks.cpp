@@ -18,11 +18,11 @@ namespace delabole {
 
 namespace {
 
-// Whether a launcher has started this process as one of several: MPI itself takes a quarter of a second to begin, and
-// complains where it cannot, which is no business of a program that is run alone. Words of Open MPI, of MPICH and Intel
-// MPI, and of Slurm's srun.
+// Whether a launcher has started this process as one of several: MPI itself takes time to begin, and complains where it
+// cannot, which is no business of a program that is run alone. Words of Open MPI, of MPICH and Intel MPI, and of
+// Slurm's srun.
 bool is_one_of_several() {
-    constexpr std::array words{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_NTASKS"};
+    constexpr std::array words{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"};
     return std::any_of(words.begin(), words.end(), [](const char* word) {
         const char* value = std::getenv(word);  // NOLINT(concurrency-mt-unsafe): nobody sets any
         return value != nullptr && std::atoi(value) > 1;

@@ -15,7 +15,7 @@ namespace delabole {
 namespace {
 
 FitCandidate candidate(const std::string& label, double standard_deviation) {
-    return {label, label, standard_deviation, {}, std::nullopt, ""};
+    return {label, {label}, standard_deviation, {}, std::nullopt, ""};
 }
 
 constexpr int chains = 8;
