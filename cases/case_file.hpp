@@ -64,13 +64,20 @@ struct FitMechanism {
     std::vector<CaseSign> signs = {};
 };
 
+struct CaseCandidate {
+    FitCandidate candidate;  // SI
+    Dimension dimension;     // of its standard deviation
+};
+
 // [fit], in the terms of fitting/fit_problem.hpp, SI throughout.
 struct CaseFit {
     std::vector<FitMechanism> mechanisms;  // at least one; a case without [[fit.mechanism]] has one named as its model
     std::vector<CaseObservation> observations;  // may be empty where there is a profile
     std::optional<ProfileObservation> profile;
     std::vector<FieldEvidence> evidence;
+    std::vector<CaseCandidate> candidates;
     FitSettings settings;
+    std::optional<PosteriorStudy> posterior;
 };
 
 // [sensitivity], SI throughout.

@@ -21,6 +21,8 @@ std::vector<std::string> names_in(const std::vector<Quantity>& quantities);
 std::vector<Condition> read_conditions(Section& section, const std::vector<ModelNames>& models);
 
 std::vector<Expectation> read_expectations(Section& root, const ModelNames& names);
+// [[fit.candidate]] of the section [fit].
+std::vector<CaseCandidate> read_candidates(Section& fit, const std::vector<ModelNames>& models);
 CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outputs_of);
 CaseSensitivity read_sensitivity(Section& root, const CaseModel& model, const OutputsOf& outputs_of);
 // The keys that need not exist are checked after everything else was read.

@@ -148,6 +148,14 @@ void write_settings(std::string& text, const FitSettings& settings) {
     write_line(text, "tolerance", written_quantity(settings.surrogate.tolerance, Dimension::ratio));
 }
 
+void write_posterior(std::string& text, const PosteriorStudy& study) {
+    text += "\n[fit.posterior]\n";
+    write_line(text, "chains", std::to_string(study.chains));
+    write_line(text, "draws", std::to_string(study.draws));
+    write_line(text, "evaluations_per_chain", std::to_string(study.evaluations_per_chain));
+    write_line(text, "evidence_points", std::to_string(study.evidence_points));
+}
+
 void write_profile(std::string& text, const ProfileObservation& profile) {
     text += "\n[fit.profile]\npoints = [\n";
     for (const Point& point : profile.profile) {
@@ -159,8 +167,29 @@ void write_profile(std::string& text, const ProfileObservation& profile) {
     write_text(text, "source", profile.source);
 }
 
+void write_candidate(std::string& text, const CaseCandidate& candidate,
+                     const std::vector<std::vector<Quantity>>& inputs) {
+    const FitCandidate& values = candidate.candidate;
+    text += "\n[[fit.candidate]]\n";
+    write_line(text, "label", in_quotes(values.label));
+    std::string names;
+    for (const std::string& name : values.quantities) {
+        names += (names.empty() ? "" : ", ") + in_quotes(name);
+    }
+    write_line(text, "quantity", "[" + names + "]");
+    write_line(text, "standard_deviation", written_quantity(values.standard_deviation, candidate.dimension));
+    write_conditions(text, values.conditions, inputs);
+    if (values.cost) {
+        write_line(text, "cost", written_quantity(*values.cost, Dimension::ratio));
+    }
+    write_text(text, "source", values.source);
+}
+
 void write_fit(std::string& text, const CaseFit& fit, const CaseModel& base) {
     write_settings(text, fit.settings);
+    if (fit.posterior) {
+        write_posterior(text, *fit.posterior);
+    }
     std::vector<std::vector<Quantity>> inputs;
     for (const FitMechanism& mechanism : fit.mechanisms) {
         inputs.push_back(named_inputs(mechanism.model));
@@ -177,6 +206,9 @@ void write_fit(std::string& text, const CaseFit& fit, const CaseModel& base) {
         write_line(text, "name", in_quotes(evidence.name));
         write_line(text, "statement", in_quotes(evidence.statement));
         write_text(text, "source", evidence.source);
+    }
+    for (const CaseCandidate& candidate : fit.candidates) {
+        write_candidate(text, candidate, inputs);
     }
 }
 
@@ -283,17 +315,23 @@ std::size_t characters_in(std::string_view text) {
 
 }  // namespace
 
+std::string resolved_model(const CaseModel& model) {
+    std::string text;
+    write_line(text, "model", in_quotes(model_name(model)));
+    std::visit(
+        [&](const auto& parameters) {
+            write_values(text, parameters);
+            write_sections(text, parameters, "");
+        },
+        model);
+    return text;
+}
+
 std::string resolved_toml(const CaseFile& case_file) {
     std::string text = "schema = 1\n";
     write_text(text, "title", case_file.title);
     write_text(text, "description", case_file.description);
-    write_line(text, "model", in_quotes(model_name(case_file.model)));
-    std::visit(
-        [&](const auto& model) {
-            write_values(text, model);
-            write_sections(text, model, "");
-        },
-        case_file.model);
+    text += resolved_model(case_file.model);
     if (!case_file.sources.empty()) {
         text += "\n[sources]\n";
         for (const auto& [key, source] : case_file.sources) {

@@ -12,6 +12,9 @@ namespace delabole {
 // not give the identical double). Reading it again gives the identical model, fit and expectations.
 std::string resolved_toml(const CaseFile& case_file);
 
+// The part of it that makes the model: equal for models that predict the same, whatever else their cases hold.
+std::string resolved_model(const CaseModel& model);
+
 // 16 hexadecimal digits, FNV-1a over resolved_toml(): equal for cases that mean the same whatever their layout,
 // comments and units. It tells cases apart, it does not protect against forgery.
 std::string case_hash(const CaseFile& case_file);

@@ -10,6 +10,8 @@
 
 namespace delabole {
 
+class Ranks;
+
 enum class ExitCode {
     ok = 0,
     mismatch = 1,  // verify: a value outside its tolerance
@@ -32,15 +34,25 @@ struct Options {
     bool json = false;
     bool quiet = false;
     int threads = 1;
+    const Ranks* ranks = nullptr;  // processes that work together; null: this one alone
     double seconds_between_checkpoints = 60;
     std::optional<std::uint64_t> seed;
+    int repetitions = 100;                // of a recovery
+    bool at_best = false;                 // recover the best fit instead of draws of the prior
+    std::vector<std::string> mechanisms;  // the only ones to be fitted; empty: all
+    bool without_costly = false;          // fit none whose model is costly
+    std::filesystem::path store;          // of evaluations; empty: evaluations.sqlite in the result folder
 };
+
+// Whether this process prints and writes: of several ranks only one does.
+bool leads(const Options& options);
 
 using Paths = std::vector<std::filesystem::path>;
 
 // Each may throw UsageError (usage), CaseError (invalid_case) and OutputError (output_failure).
 ExitCode run_command(const Paths& cases, const Options& options);
 ExitCode fit_command(const std::filesystem::path& path, const Options& options);
+ExitCode recover_command(const std::filesystem::path& path, const Options& options);
 ExitCode sensitivity_command(const std::filesystem::path& path, const Options& options);
 ExitCode trade_command(const std::filesystem::path& path, const Options& options);
 ExitCode check_command(const Paths& cases, const Options& options);

@@ -3,11 +3,14 @@
 #include "cases/commands.hpp"
 #include "cases/fit_problem_of_case.hpp"
 #include "cases/fit_report.hpp"
+#include "cases/information_report.hpp"
 #include "cases/inputs_report.hpp"
 #include "cases/interrupt.hpp"
+#include "cases/kept_evaluations.hpp"
 #include "cases/progress.hpp"
 #include "cases/study_output.hpp"
 #include "fitting/back_analysis.hpp"
+#include "fitting/candidate_draws.hpp"
 #include "fitting/check_problem.hpp"
 
 #include <algorithm>
@@ -55,18 +58,51 @@ std::string reservation(const std::string& status) {
     return {};
 }
 
+// Leaves those that are asked for, in the order of the case.
+void choose_mechanisms(CaseFile& file, const Options& options) {
+    std::vector<FitMechanism>& mechanisms = file.fit->mechanisms;
+    for (const std::string& name : options.mechanisms) {
+        if (std::ranges::find(mechanisms, name, &FitMechanism::name) == mechanisms.end()) {
+            std::vector<std::string> names;
+            for (const FitMechanism& mechanism : mechanisms) {
+                names.push_back(mechanism.name);
+            }
+            throw UsageError("--mechanism " + name + ": the case has no such mechanism" + suggestion(name, names));
+        }
+    }
+    std::erase_if(mechanisms, [&](const FitMechanism& mechanism) {
+        const bool wanted = options.mechanisms.empty() ||
+                            std::ranges::find(options.mechanisms, mechanism.name) != options.mechanisms.end();
+        return !wanted || (options.without_costly && interface_of(mechanism.model).costly);
+    });
+    if (mechanisms.empty()) {
+        throw UsageError("--without-costly leaves no mechanism to fit");
+    }
+}
+
 }  // namespace
 
 ExitCode fit_command(const std::filesystem::path& path, const Options& options) {
     const Stopwatch watch;
-    const CaseFile file = read_case(path, settings_of(options));
+    CaseFile file = read_case(path, settings_of(options));
     if (!file.fit) {
         throw CaseError(
             {{file.name, 0, 0, "fit", {}, "the case has no [fit] section: there is nothing to back-analyse"}});
     }
-    const FitProblem problem = fit_problem_of(file, options.threads, options.seed);
+    choose_mechanisms(file, options);
+    FitProblem problem = fit_problem_of(file, options.threads, options.seed);
     const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
+    KeptEvaluations kept(options, folder);
+    for (std::size_t index = 0; index < problem.mechanisms.size(); ++index) {
+        kept.keep(problem.mechanisms[index].model, file.fit->mechanisms[index].model);
+    }
+    problem.settings.ranks = options.ranks;
     const FitResult result = fit_with_progress(problem, options);
+    const std::vector<CandidateInformation> information = information_of(problem, result, {}, &interrupt_flag());
+    kept.count_all();
+    if (!leads(options)) {
+        return ExitCode::ok;
+    }
 
     Report report{file.title.empty() ? file.name : file.title, file.description, {}};
     const std::string status = status_of(result);
@@ -74,17 +110,28 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     add_reservation(reserved, status == "interrupted", report);
     FitDocuments documents = document_fit(file, problem, result, folder, report);
     documents.json["status"] = status;
+    if (!information.empty()) {
+        const InformationDocuments next = document_information(problem.candidates, information, folder, report);
+        documents.json["value_of_information"] = next.json;
+        documents.screen += next.screen;
+    }
     Json source = provenance(file, "fit", options, watch.seconds());
     source["fit_seconds"] = result.wall_seconds;
     source["algorithm"] = std::string(word_of(problem.settings.algorithm));
     source["starts"] = problem.settings.starts;
     source["evaluations_per_start"] = problem.settings.evaluations_per_start;
     source["seed"] = problem.settings.seed;
+    kept.enter(source);
     documents.json["provenance"] = source;
     report.blocks.emplace_back(Heading{"Inputs"});
     report.blocks.emplace_back(inputs_table(file));
     report.blocks.emplace_back(evidence_table(problem));
-    return write_study({file, documents.json, '\n' + documents.screen, reserved}, folder, options, report);
+    const ExitCode code = write_study({file, documents.json, '\n' + documents.screen + kept.summary(), reserved},
+                                      folder, options, report);
+    if (status == "interrupted") {
+        kept.say_how_to_go_on();
+    }
+    return code;
 }
 
 }  // namespace delabole

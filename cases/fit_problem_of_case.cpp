@@ -13,7 +13,11 @@ FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::
     }
     problem.profile = fit.profile;
     problem.evidence = fit.evidence;
+    for (const CaseCandidate& candidate : fit.candidates) {
+        problem.candidates.push_back(candidate.candidate);
+    }
     problem.settings = fit.settings;
+    problem.posterior = fit.posterior;
     problem.settings.threads = threads;
     problem.settings.seed = seed.value_or(fit.settings.seed);
     for (const FitMechanism& mechanism : fit.mechanisms) {

@@ -80,6 +80,24 @@ FitSettings read_settings(Section& section) {
     return settings;
 }
 
+std::optional<PosteriorStudy> read_posterior(Section& fit) {
+    constexpr int most = 100'000'000;
+    const Node* node = fit.take("posterior");
+    const Node* table = node == nullptr ? nullptr : as_table(fit.reading(), *node, fit.path_of("posterior"));
+    if (table == nullptr) {
+        return std::nullopt;
+    }
+    Section section(fit.reading(), *table, fit.path_of("posterior"));
+    PosteriorStudy study;
+    read_count(section, "chains", 2, 1000, study.chains);
+    // Fewer of each chain cannot be told to agree.
+    read_count(section, "draws", 8 * study.chains, most, study.draws);
+    read_count(section, "evaluations_per_chain", 1, most, study.evaluations_per_chain);
+    read_count(section, "evidence_points", 16, 1 << 24, study.evidence_points);
+    section.finish();
+    return study;
+}
+
 std::optional<Prior> read_prior(Section& parameter, const Quantity& input) {
     const Node* node = parameter.take("prior");
     if (node == nullptr) {
@@ -383,6 +401,7 @@ CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outp
     }
     Section section(root.reading(), *table, "fit");
     fit.settings = read_settings(section);
+    fit.posterior = read_posterior(section);
     std::vector<ModelNames> names;
     fit.mechanisms = read_mechanisms(section, case_file, outputs_of, names);
     const Node* observations = section.peek("observation");
@@ -390,6 +409,7 @@ CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outp
                    [&](Section& element) { read_observation(element, names, fit.observations); });
     fit.profile = read_profile(section);
     for_each_table(section, "evidence", [&](Section& element) { read_evidence(element, fit.evidence); });
+    fit.candidates = read_candidates(section, names);
     const bool empty_list =
         observations == nullptr || (observations->kind == Node::Kind::array && observations->elements.empty());
     if (empty_list && !section.contains("profile")) {

@@ -4,6 +4,8 @@
 #include "cases/commands.hpp"
 #include "cases/interrupt.hpp"
 #include "cases/spelling.hpp"
+#include "fitting/evaluation_store.hpp"
+#include "fitting/ranks.hpp"
 #include "plots/atomic_file.hpp"
 #include "version/version.hpp"
 
@@ -13,6 +15,7 @@
 #include <unistd.h>
 
 #include <charconv>
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -20,6 +23,7 @@
 #include <iostream>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace {
@@ -64,6 +68,15 @@ void add_loops(CLI::App& command, Options& options) {
     command.add_option("--seed", options.seed, "Replace the seed of the case")->check(is_seed)->type_name("N");
 }
 
+void add_store(CLI::App& command, Options& options) {
+    command
+        .add_option("--store", options.store,
+                    "File that keeps the evaluations of costly models (dynamic relaxation), made where it is missing: "
+                    "a study that was stopped goes on from it, and others of the same model use them too; by default "
+                    "evaluations.sqlite in the result folder")
+        ->type_name("FILE");
+}
+
 std::string reproduce_help() {
     std::string text = "Recompute what the thesis prints, printed value beside computed value. WHAT is one of\n";
     for (const auto& [name, meaning] : delabole::reproducible()) {
@@ -89,7 +102,8 @@ struct Program {
     std::string word;
     std::function<ExitCode()> chosen;
 
-    Program() {
+    explicit Program(const delabole::Ranks& ranks) {
+        options.ranks = &ranks;
         app.set_version_flag("--version",
                              std::string(delabole::version()) + " (" + std::string(delabole::revision()) + ")");
         app.require_subcommand(1);
@@ -97,6 +111,24 @@ struct Program {
         add_analysis();
         add_case_tools();
         add_proof();
+    }
+
+    // A command whose work several ranks can share.
+    void share_out(std::function<ExitCode()> command) {
+        options.quiet = options.quiet || !options.ranks->leads();
+        chosen = std::move(command);
+    }
+
+    void choose(std::function<ExitCode()> command) {
+        chosen = [this, command = std::move(command)] {
+            if (!options.ranks->alone()) {
+                throw delabole::UsageError(
+                    "of the commands only fit, recover and sensitivity share their work among ranks: run this one "
+                    "without "
+                    "mpirun");
+            }
+            return command();
+        };
     }
 
     void add_analysis() {
@@ -111,7 +143,7 @@ struct Program {
             ->check(CLI::NonNegativeNumber)
             ->type_name("SECONDS");
         run->footer(example("delabole run cases/plane_failure/wyllie_mah_7_1.toml --set water.water_depth=\"2 m\""));
-        run->callback([this] { chosen = [this] { return delabole::run_command(cases, options); }; });
+        run->callback([this] { choose([this] { return delabole::run_command(cases, options); }); });
 
         CLI::App* fit = app.add_subcommand(
             "fit", "Back-analyse a failure: what its evidence determines, fitted parameters, ranking of mechanisms");
@@ -119,8 +151,15 @@ struct Program {
         add_common(*fit, options);
         add_output(*fit, options);
         add_loops(*fit, options);
-        fit->footer(example("delabole fit cases/delabole_1967.toml --out results/delabole_1967"));
-        fit->callback([this] { chosen = [this] { return delabole::fit_command(one_case, options); }; });
+        add_store(*fit, options);
+        fit->add_option("--mechanism", options.mechanisms, "Fit this mechanism only; may be given again")
+            ->type_name("NAME");
+        fit->add_flag("--without-costly", options.without_costly,
+                      "Leave out mechanisms whose every prediction is a run of dynamic relaxation");
+        fit->footer(example("delabole fit cases/delabole_1967.toml --without-costly --out results/delabole_1967"));
+        fit->callback([this] { share_out([this] { return delabole::fit_command(one_case, options); }); });
+
+        add_recovery();
 
         CLI::App* sensitivity = app.add_subcommand(
             "sensitivity", "Which parameter matters, the distribution of an answer, the probability of failure");
@@ -128,8 +167,10 @@ struct Program {
         add_common(*sensitivity, options);
         add_output(*sensitivity, options);
         add_loops(*sensitivity, options);
+        add_store(*sensitivity, options);
         sensitivity->footer(example("delabole sensitivity cases/plane_failure/sau_mau_ping_probability.toml"));
-        sensitivity->callback([this] { chosen = [this] { return delabole::sensitivity_command(one_case, options); }; });
+        sensitivity->callback(
+            [this] { share_out([this] { return delabole::sensitivity_command(one_case, options); }); });
 
         CLI::App* trade = app.add_subcommand(
             "trade", "Accuracy against cost of a dynamic relaxation: its critical value over the numerical knobs");
@@ -138,7 +179,25 @@ struct Program {
         add_output(*trade, options);
         add_threads(*trade, options);
         trade->footer(example("delabole trade cases/relaxation/single_block.toml"));
-        trade->callback([this] { chosen = [this] { return delabole::trade_command(one_case, options); }; });
+        trade->callback([this] { choose([this] { return delabole::trade_command(one_case, options); }); });
+    }
+
+    void add_recovery() {
+        CLI::App* recover = app.add_subcommand(
+            "recover", "Whether a back-analysis finds known parameters again: coverage of its intervals, bias, ranks");
+        recover->add_option("CASE", one_case, "Case file with a [fit] section")->required();
+        add_common(*recover, options);
+        add_output(*recover, options);
+        add_loops(*recover, options);
+        add_store(*recover, options);
+        recover->add_option("--repetitions", options.repetitions, "Data sets to make and to fit; 100 by default")
+            ->check(CLI::Range(2, 1'000'000))
+            ->type_name("N");
+        recover->add_flag_callback(
+            "--at-best", [this] { options.at_best = true; },
+            "Make the data from the best fit instead of draws of the prior");
+        recover->footer(example("delabole recover cases/delabole_1967.toml --repetitions 20"));
+        recover->callback([this] { share_out([this] { return delabole::recover_command(one_case, options); }); });
     }
 
     void add_case_tools() {
@@ -146,21 +205,21 @@ struct Program {
         check->add_option("CASE", cases, "Case files")->required();
         add_common(*check, options);
         check->footer(example("delabole check cases/delabole_1967.toml"));
-        check->callback([this] { chosen = [this] { return delabole::check_command(cases, options); }; });
+        check->callback([this] { choose([this] { return delabole::check_command(cases, options); }); });
 
         CLI::App* show =
             app.add_subcommand("show", "Print a case as it is understood, with defaults, in standard units");
         show->add_option("CASE", one_case, "Case file")->required();
         add_common(*show, options);
         show->footer(example("delabole show cases/delabole_1967.toml"));
-        show->callback([this] { chosen = [this] { return delabole::show_command(one_case, options); }; });
+        show->callback([this] { choose([this] { return delabole::show_command(one_case, options); }); });
 
         CLI::App* init =
             app.add_subcommand("init", "Write a commented case to start from, to standard output or --out");
         init->add_option("MODEL", word, delabole::choices(delabole::model_names()))->required();
         init->add_option("--out", options.out, "File to write; an existing one is not overwritten")->type_name("FILE");
         init->footer(example("delabole init plane_failure --out my_slope.toml"));
-        init->callback([this] { chosen = [this] { return delabole::init_command(word, options); }; });
+        init->callback([this] { choose([this] { return delabole::init_command(word, options); }); });
     }
 
     void add_proof() {
@@ -168,7 +227,7 @@ struct Program {
         verify->add_option("CASE", cases, "Case files or folders of them");
         add_common(*verify, options);
         verify->footer(example("delabole verify cases/plane_failure"));
-        verify->callback([this] { chosen = [this] { return delabole::verify_command(cases, options); }; });
+        verify->callback([this] { choose([this] { return delabole::verify_command(cases, options); }); });
 
         CLI::App* reproduce = app.add_subcommand("reproduce", reproduce_help());
         reproduce->add_option("WHAT", word, "What to reproduce; everything by default");
@@ -177,7 +236,7 @@ struct Program {
         add_output(*reproduce, options);
         add_threads(*reproduce, options);
         reproduce->footer(example("delabole reproduce fig2.8"));
-        reproduce->callback([this] { chosen = [this] { return delabole::reproduce_command(word, options); }; });
+        reproduce->callback([this] { choose([this] { return delabole::reproduce_command(word, options); }); });
     }
 };
 
@@ -201,21 +260,38 @@ int code_if_output_arrived(ExitCode exit_code) {
     return code(exit_code);
 }
 
-int guarded(const std::function<ExitCode()>& command) {
+// Ends with a message. Where others work at the same, the leader's message stands for all; only a rank that alone has
+// met something has to say so itself.
+int fail(const std::string& message, ExitCode exit_code, const delabole::Ranks& ranks) {
+    if (!ranks.leads()) {
+        std::this_thread::sleep_for(std::chrono::seconds(3));
+    }
+    std::cerr << message << '\n';
+    std::cerr.flush();
+    ranks.end_all(code(exit_code));
+    return code(exit_code);
+}
+
+int guarded(const std::function<ExitCode()>& command, const delabole::Ranks& ranks) {
+    const auto failed = [&](const std::exception& error, ExitCode exit_code) {
+        return fail(std::string("delabole: ") + error.what(), exit_code, ranks);
+    };
     try {
         return code_if_output_arrived(command());
     } catch (const delabole::UsageError& error) {
-        std::cerr << "delabole: " << error.what() << '\n';
-        return code(ExitCode::usage);
+        return failed(error, ExitCode::usage);
     } catch (const delabole::CaseError& error) {
-        std::cerr << error.what() << '\n';
-        return code(ExitCode::invalid_case);
-    } catch (const delabole::Interrupted&) {
-        std::cerr << "delabole: interrupted\n";
-        return code(ExitCode::not_converged);
+        return fail(error.what(), ExitCode::invalid_case, ranks);
+    } catch (const delabole::Interrupted& error) {
+        return failed(error, ExitCode::not_converged);
+    } catch (const delabole::StoreError& error) {
+        return failed(error, ExitCode::output_failure);
     } catch (const delabole::OutputError& error) {
-        std::cerr << "delabole: " << error.what() << '\n';
-        return code(ExitCode::output_failure);
+        return failed(error, ExitCode::output_failure);
+    } catch (const std::exception& error) {
+        return fail("delabole: stopped by an error that lies neither in the case nor in the command: " +
+                        std::string(error.what()),
+                    ExitCode::internal_error, ranks);
     }
 }
 
@@ -224,19 +300,25 @@ int guarded(const std::function<ExitCode()>& command) {
 int main(int argument_count, char** arguments) {
     occupy_standard_streams();
     try {
-        Program program;
+        const delabole::Ranks ranks;
+        Program program(ranks);
         try {
             program.app.parse(argument_count, arguments);
         } catch (const CLI::ParseError& error) {
+            if (!ranks.leads()) {
+                return code(ExitCode::ok);
+            }
             // CLI11 has exit codes of its own, above 100; help and version are no errors.
             const bool asked_for = program.app.exit(error) == 0;
             return asked_for ? code_if_output_arrived(ExitCode::ok) : code(ExitCode::usage);
         }
-        delabole::catch_interrupts();
-        return guarded(program.chosen);
+        // mpirun gives ranks that it ends no time to finish anything.
+        if (ranks.alone()) {
+            delabole::catch_interrupts();
+        }
+        return guarded(program.chosen, ranks);
     } catch (const std::exception& error) {
-        std::cerr << "delabole: stopped by an error that lies neither in the case nor in the command: " << error.what()
-                  << '\n';
+        std::cerr << "delabole: cannot begin: " << error.what() << '\n';
         return code(ExitCode::internal_error);
     }
 }

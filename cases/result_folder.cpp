@@ -2,6 +2,7 @@
 
 #include "cases/case_writer.hpp"
 #include "cases/interrupt.hpp"
+#include "fitting/ranks.hpp"
 #include "plots/atomic_file.hpp"
 #include "plots/text.hpp"
 #include "version/version.hpp"
@@ -124,6 +125,9 @@ Json provenance(const CaseFile& file, const std::string& command, const Options&
         json["seed"] = *options.seed;
     }
     json["threads"] = options.threads;
+    if (options.ranks != nullptr && !options.ranks->alone()) {
+        json["ranks"] = options.ranks->count();
+    }
     json["wall_seconds"] = wall_seconds;
     return json;
 }

@@ -5,6 +5,7 @@
 #include "cases/commands.hpp"
 #include "cases/inputs_report.hpp"
 #include "cases/interrupt.hpp"
+#include "cases/kept_evaluations.hpp"
 #include "cases/progress.hpp"
 #include "cases/sensitivity_problem_of_case.hpp"
 #include "cases/sensitivity_report.hpp"
@@ -45,9 +46,16 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
     if (!file.sensitivity) {
         throw CaseError({{file.name, 0, 0, "sensitivity", {}, "the case has no [sensitivity] section"}});
     }
-    const SensitivityProblem problem = sensitivity_problem_of(file, options.threads, options.seed);
+    SensitivityProblem problem = sensitivity_problem_of(file, options.threads, options.seed);
     const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
+    KeptEvaluations kept(options, folder);
+    kept.keep(problem.model, file.model);
+    problem.ranks = options.ranks;
     const SensitivityResult result = study_with_progress(problem, options);
+    kept.count_all();
+    if (!leads(options)) {
+        return ExitCode::ok;
+    }
 
     Report report{file.title.empty() ? file.name : file.title, file.description, {}};
     const std::string reserved = reservation(result.status);
@@ -59,10 +67,16 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
     Json source = provenance(file, "sensitivity", options, watch.seconds());
     source["study_seconds"] = result.wall_seconds;
     source["seed"] = problem.study.seed;
+    kept.enter(source);
     json["provenance"] = source;
     report.blocks.emplace_back(Heading{"Inputs"});
     report.blocks.emplace_back(inputs_table(file));
-    return write_study({file, json, documents.screen, reserved}, folder, options, report);
+    const ExitCode code =
+        write_study({file, json, documents.screen + kept.summary(), reserved}, folder, options, report);
+    if (result.status == SensitivityStatus::interrupted) {
+        kept.say_how_to_go_on();
+    }
+    return code;
 }
 
 }  // namespace delabole

@@ -1,10 +1,15 @@
 #include "cases/study_output.hpp"
 
 #include "cases/case_writer.hpp"
+#include "fitting/ranks.hpp"
 
 #include <iostream>
 
 namespace delabole {
+
+bool leads(const Options& options) {
+    return options.ranks == nullptr || options.ranks->leads();
+}
 
 void add_reservation(const std::string& reserved, bool interrupted, Report& report) {
     if (!reserved.empty()) {

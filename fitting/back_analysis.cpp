@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <stdexcept>
 
 namespace delabole {
@@ -126,22 +127,21 @@ SurrogateFit account_of(const CostlyRuns& costly) {
     return account;
 }
 
-MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem, ProgressMeter& progress,
-                           StopFlag stop) {
+// `misfit` outlives what is kept of a costly mechanism.
+MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem, const Misfit& misfit,
+                           CostlyRuns& costly, ProgressMeter& progress, StopFlag stop) {
     const Expected expected = expected_evaluations(mechanism, problem.settings);
-    const Misfit misfit(mechanism, problem);
     MechanismFit fit;
     fit.name = mechanism.name;
     fit.title = mechanism.title;
     fit.parameters = mechanism.parameters;
     fit.dimensions = misfit.dimensions();
 
-    CostlyRuns costly;
     const bool by_surrogate = mechanism.model.costly && !misfit.free_parameters().empty();
     if (by_surrogate) {
         progress.begin_stage(mechanism.name, "runs", expected.runs);
-        costly = make_costly_runs(misfit, problem.settings.surrogate, problem.settings.seed, problem.settings.threads,
-                                  progress, stop);
+        costly = make_costly_runs(misfit, problem.settings.surrogate, problem.settings.seed,
+                                  {problem.settings.threads, problem.settings.ranks}, progress, stop);
         if (!costly.surrogate) {
             fit.evaluations = costly.evaluations;
             fit.status = costly.stopped ? FitStatus::interrupted : FitStatus::no_valid_point;
@@ -170,6 +170,41 @@ MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem
     return fit;
 }
 
+void add_posterior(const FitProblem& problem, std::size_t mechanism, const CostlyRuns& costly, ProgressMeter& progress,
+                   StopFlag stop, MechanismFit& fit) {
+    progress.begin_stage(fit.name, "posterior", expected_posterior_evaluations(problem, mechanism));
+    const bool by_surrogate = costly.surrogate != nullptr;
+    fit.posterior = study_posterior(problem, mechanism, by_surrogate ? &costly : nullptr, progress, stop);
+    fit.posterior->missing_field_evidence = static_cast<int>(problem.evidence.size() - fit.explained.size());
+    fit.posterior->least_misfit = std::min(fit.posterior->least_misfit, fit.data_misfit);
+    if (!by_surrogate) {
+        fit.evaluations.add(fit.posterior->posterior.evaluations);
+        for (const VariantEvidence& variant : fit.posterior->evidences) {
+            fit.evaluations.add(variant.evidence.evaluations);
+        }
+    }
+    if (fit.posterior->posterior.status == PosteriorStatus::interrupted) {
+        fit.status = FitStatus::interrupted;
+        fit.posterior.reset();
+    }
+}
+
+bool have_evidence(const FitResult& result) {
+    return std::all_of(result.mechanisms.begin(), result.mechanisms.end(),
+                       [](const MechanismFit& fit) { return fit.posterior.has_value(); });
+}
+
+void rank(FitResult& result) {
+    if (have_evidence(result)) {
+        std::stable_sort(result.mechanisms.begin(), result.mechanisms.end(), [](const auto& left, const auto& right) {
+            return left.posterior->log_evidence() > right.posterior->log_evidence();
+        });
+    } else {
+        std::stable_sort(result.mechanisms.begin(), result.mechanisms.end(),
+                         [](const auto& left, const auto& right) { return left.ranking_score < right.ranking_score; });
+    }
+}
+
 }  // namespace
 
 FitResult fit(const FitProblem& problem, const FitProgressCallback& progress, StopFlag stop) {
@@ -185,14 +220,25 @@ FitResult fit(const FitProblem& problem, const FitProgressCallback& progress, St
     for (const Mechanism& mechanism : problem.mechanisms) {
         expected += expected_evaluations(mechanism, problem.settings).total();
     }
+    for (std::size_t index = 0; problem.posterior && index < problem.mechanisms.size(); ++index) {
+        expected += expected_posterior_evaluations(problem, index);
+    }
     ProgressMeter meter(progress, expected);
     FitResult result;
-    for (const Mechanism& mechanism : problem.mechanisms) {
-        result.mechanisms.push_back(fit_mechanism(mechanism, problem, meter, stop));
+    std::vector<std::unique_ptr<Misfit>> misfits;
+    std::vector<CostlyRuns> costly(problem.mechanisms.size());
+    for (std::size_t index = 0; index < problem.mechanisms.size(); ++index) {
+        const Mechanism& mechanism = problem.mechanisms[index];
+        misfits.push_back(std::make_unique<Misfit>(mechanism, problem));
+        result.mechanisms.push_back(fit_mechanism(mechanism, problem, *misfits.back(), costly[index], meter, stop));
+    }
+    for (std::size_t index = 0; problem.posterior && index < problem.mechanisms.size(); ++index) {
+        if (!stop_requested(stop)) {
+            add_posterior(problem, index, costly[index], meter, stop, result.mechanisms[index]);
+        }
     }
     meter.finish();
-    std::stable_sort(result.mechanisms.begin(), result.mechanisms.end(),
-                     [](const auto& left, const auto& right) { return left.ranking_score < right.ranking_score; });
+    rank(result);
     result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     return result;
 }

@@ -1,5 +1,7 @@
 #include "fitting/check_problem.hpp"
 
+#include "fitting/dependence.hpp"
+#include "fitting/mechanism_posterior.hpp"
 #include "fitting/words.hpp"
 
 #include <algorithm>
@@ -136,6 +138,46 @@ void check_settings(const FitSettings& settings, Faults& faults) {
     }
 }
 
+// As given, and as the study of the dependence on them changes them.
+void check_priors(const FitProblem& problem, Faults& faults) {
+    for (const EvidenceVariant variant : variants_of(problem)) {
+        for (const Mechanism& mechanism : varied(problem, variant).mechanisms) {
+            for (const FreeParameter& parameter : mechanism.parameters) {
+                const std::string fault = fault_of_prior(parameter);
+                if (!fault.empty()) {
+                    faults.push_back(mechanism.name + ", parameter " + parameter.name + ": " + fault +
+                                     (variant == EvidenceVariant::as_given ? "" : " (standard deviation halved)"));
+                }
+            }
+        }
+        if (!faults.empty()) {
+            return;
+        }
+    }
+}
+
+void check_posterior(const FitProblem& problem, Faults& faults) {
+    const PosteriorStudy& study = *problem.posterior;
+    const auto check = [&faults](const char* key, int value, int least) {
+        if (value < least) {
+            faults.push_back("posterior: " + std::string(key) + " = " + std::to_string(value) +
+                             " must be >= " + std::to_string(least));
+        }
+    };
+    check("chains", study.chains, 2);
+    check("draws", study.draws, 8 * study.chains);
+    check("evaluations_per_chain", study.evaluations_per_chain, 1);
+    check("evidence_points", study.evidence_points, 16);
+    for (const Mechanism& mechanism : problem.mechanisms) {
+        // Two coordinates of the sequence serve the choice among distributions and their tails.
+        if (mechanism.parameters.size() + 2 > most_parameters) {
+            faults.push_back(mechanism.name + ": " + std::to_string(mechanism.parameters.size()) +
+                             " free parameters, at most 38 with a posterior");
+        }
+    }
+    check_priors(problem, faults);
+}
+
 }  // namespace
 
 std::vector<std::string> check_problem(const FitProblem& problem) {
@@ -150,6 +192,9 @@ std::vector<std::string> check_problem(const FitProblem& problem) {
         check_profile(*problem.profile, faults);
     }
     check_settings(problem.settings, faults);
+    if (problem.posterior && faults.empty()) {
+        check_posterior(problem, faults);
+    }
     return faults;
 }
 

@@ -2,7 +2,7 @@
 
 #include "fitting/counted_random.hpp"
 #include "fitting/distribution.hpp"
-#include "fitting/parallel.hpp"
+#include "fitting/prior_space.hpp"
 #include "fitting/statistics.hpp"
 
 #include <algorithm>
@@ -18,52 +18,35 @@ namespace {
 constexpr std::size_t prior_candidates = 1024;
 constexpr std::size_t near_candidates = 256;
 constexpr std::size_t best_kept = 16;
-constexpr double near_share = 0.15;  // of a parameter's spread
+constexpr double near_share = 0.15;  // standard deviations of the prior
 // Shapes and components are found anew when the runs have become so many times more.
 constexpr double growth_before_new_shape = 1.25;
 
 using Points = std::vector<std::vector<double>>;
 
-// Priors as distributions; `wider` multiplies their standard deviations.
-class PriorSpace {
-  public:
-    PriorSpace(const Misfit& misfit, double wider) : bounds_(misfit.bounds()) {
-        for (const FreeParameter& parameter : misfit.mechanism().parameters) {
-            marginal_.emplace_back();
-            if (parameter.prior && parameter.lower < parameter.upper) {
-                marginal_.back().emplace(
-                    Distribution{Normal{parameter.prior->mean, wider * parameter.prior->standard_deviation},
-                                 parameter.lower, parameter.upper});
-            }
+std::vector<FreeParameter> with_wider_priors(std::vector<FreeParameter> parameters) {
+    for (FreeParameter& parameter : parameters) {
+        if (parameter.prior) {
+            parameter.prior->standard_deviation *= 2;
         }
     }
+    return parameters;
+}
 
-    double at(std::size_t parameter, double share) const {
-        const std::optional<Marginal>& marginal = marginal_[parameter];
-        return marginal ? marginal->quantile(share)
-                        : std::lerp(bounds_[parameter].lower, bounds_[parameter].upper, share);
+std::vector<double> at(const PriorSpace& space, std::span<const double> standard_normal) {
+    std::vector<double> point(space.parameters().size());
+    space.values(standard_normal, point);
+    return point;
+}
+
+Points draw(const PriorSpace& space, std::size_t count) {
+    Points points;
+    for (std::vector<double>& unit : sobol_points(space.size(), count)) {
+        std::ranges::transform(unit, unit.begin(), normal_quantile);
+        points.push_back(at(space, unit));
     }
-
-    double spread(std::size_t parameter) const {
-        const std::optional<Marginal>& marginal = marginal_[parameter];
-        return marginal ? marginal->standard_deviation()
-                        : (bounds_[parameter].upper - bounds_[parameter].lower) / std::sqrt(12.0);
-    }
-
-    Points draw(std::size_t count) const {
-        Points points = sobol_points(bounds_.size(), count);
-        for (std::vector<double>& point : points) {
-            for (std::size_t parameter = 0; parameter < point.size(); ++parameter) {
-                point[parameter] = at(parameter, point[parameter]);
-            }
-        }
-        return points;
-    }
-
-  private:
-    std::vector<Interval> bounds_;
-    std::vector<std::optional<Marginal>> marginal_;
-};
+    return points;
+}
 
 struct Candidate {
     std::vector<double> point;
@@ -73,12 +56,12 @@ struct Candidate {
 
 class Refinement {
   public:
-    Refinement(const Misfit& misfit, std::uint64_t seed, int threads)
+    Refinement(const Misfit& misfit, std::uint64_t seed, const Workers& workers)
         : misfit_(misfit),
-          space_(misfit, 1),
+          space_(misfit.mechanism().parameters),
           random_(seed, RandomPurpose::jitter),
-          threads_(threads),
-          drawn_(space_.draw(prior_candidates)) {}
+          workers_(workers),
+          drawn_(draw(space_, prior_candidates)) {}
 
     // Points of the next batch, worthiest first.
     Points next(const Surrogate& surrogate, std::size_t count) {
@@ -109,7 +92,8 @@ class Refinement {
 
     std::vector<Candidate> judged(const Surrogate& surrogate, const Points& points) const {
         std::vector<Candidate> candidates(points.size());
-        run_tasks(points.size(), threads_, [&](std::size_t index) {
+        // Not shared among ranks: it takes less than to tell each other.
+        run_tasks(points.size(), workers_.threads, [&](std::size_t index) {
             const LikelihoodEstimate likelihood = surrogate.likelihood(points[index]);
             candidates[index] = {points[index], likelihood,
                                  likelihood.log_deviation() - misfit_.prior(points[index]) / 2};
@@ -135,15 +119,12 @@ class Refinement {
     Points around(const std::vector<Candidate>& candidates) {
         Points points;
         for (std::size_t index = 0; index < near_candidates; ++index) {
-            std::vector<double> point = candidates[index % best_kept].point;
-            for (std::size_t parameter = 0; parameter < point.size(); ++parameter) {
-                const double step = normal_quantile(random_.unit(used_, static_cast<std::uint32_t>(parameter)));
-                const Interval& range = misfit_.bounds()[parameter];
-                point[parameter] = std::clamp(point[parameter] + near_share * space_.spread(parameter) * step,
-                                              range.lower, range.upper);
+            std::vector<double> normal = space_.coordinates(candidates[index % best_kept].point);
+            for (std::size_t place = 0; place < normal.size(); ++place) {
+                normal[place] += near_share * normal_quantile(random_.unit(used_, static_cast<std::uint32_t>(place)));
             }
             ++used_;
-            points.push_back(std::move(point));
+            points.push_back(at(space_, normal));
         }
         return points;
     }
@@ -151,27 +132,51 @@ class Refinement {
     const Misfit& misfit_;
     PriorSpace space_;
     CountedRandom random_;
-    int threads_;
+    Workers workers_;
     Points drawn_;
     std::uint64_t used_ = 0;
     double evidence_error_ = std::numeric_limits<double>::infinity();
 };
 
+// A run as it travels between ranks.
+struct RunMessage {
+    bool made = false;
+    std::vector<double> pulls = {};
+    std::vector<int> idle = {};
+    std::string failure = {};
+};
+
+template <class Type>
+requires std::same_as<std::remove_const_t<Type>, RunMessage>
+auto members(Type& run) {
+    return std::tie(run.made, run.pulls, run.idle, run.failure);
+}
+
 // Runs them all; those that were stopped are left out.
-void run_at(const Points& points, const Misfit& misfit, int threads, ProgressMeter& progress, StopFlag stop,
+void run_at(const Points& points, const Misfit& misfit, const Workers& workers, ProgressMeter& progress, StopFlag stop,
             CostlyRuns& made) {
-    std::vector<std::optional<KnownRun>> runs(points.size());
-    run_tasks(points.size(), threads, [&](std::size_t index) {
+    std::vector<Residuals> own(points.size());
+    const std::vector<RunMessage> runs = share_tasks<RunMessage>(points.size(), workers, [&](std::size_t index) {
+        RunMessage run;
         if (!stop_requested(stop)) {
-            runs[index] = KnownRun{points[index], misfit.residuals(points[index])};
+            const Residuals& found = own[index] = misfit.residuals(points[index]);
+            run = {true, found.pulls, {found.idle.begin(), found.idle.end()}, std::string(found.failure)};
             progress.count(1, weight_of_run);
         }
+        return run;
     });
-    for (std::optional<KnownRun>& run : runs) {
-        if (run) {
-            made.evaluations.record({0, run->residuals.failure});
-            made.runs.push_back(*std::move(run));
+    for (std::size_t index = 0; index < runs.size(); ++index) {
+        const RunMessage& run = runs[index];
+        if (!run.made) {
+            continue;
         }
+        // The cause as a text that lasts: the model's own, or one that the ranks keep.
+        std::string_view failure = own[index].failure;
+        if (failure != run.failure) {
+            failure = workers.ranks->word(run.failure);
+        }
+        made.evaluations.record({0, failure});
+        made.runs.push_back({points[index], {run.pulls, {run.idle.begin(), run.idle.end()}, failure}});
     }
     made.stopped = stop_requested(stop);
 }
@@ -183,15 +188,16 @@ std::size_t valid_runs(const CostlyRuns& made) {
 
 }  // namespace
 
-CostlyRuns make_costly_runs(const Misfit& misfit, const SurrogateSettings& settings, std::uint64_t seed, int threads,
-                            ProgressMeter& progress, StopFlag stop) {
+CostlyRuns make_costly_runs(const Misfit& misfit, const SurrogateSettings& settings, std::uint64_t seed,
+                            const Workers& workers, ProgressMeter& progress, StopFlag stop) {
     CostlyRuns made;
     const std::size_t free = misfit.free_parameters().size();
     const auto most = static_cast<std::size_t>(settings.runs);
     const std::size_t first =
         std::min(settings.first_runs ? static_cast<std::size_t>(*settings.first_runs) : 10 * free, most);
-    run_at(PriorSpace(misfit, 2).draw(first), misfit, threads, progress, stop, made);
-    Refinement refinement(misfit, seed, threads);
+    run_at(draw(PriorSpace(with_wider_priors(misfit.mechanism().parameters)), first), misfit, workers, progress, stop,
+           made);
+    Refinement refinement(misfit, seed, workers);
     std::size_t shaped_with = 0;
     while (valid_runs(made) >= Surrogate::least_runs(free)) {
         const bool shape_anew =
@@ -203,9 +209,20 @@ CostlyRuns make_costly_runs(const Misfit& misfit, const SurrogateSettings& setti
         if (made.stopped || next.empty() || made.evidence_error < settings.tolerance) {
             break;
         }
-        run_at(next, misfit, threads, progress, stop, made);
+        run_at(next, misfit, workers, progress, stop, made);
     }
     return made;
+}
+
+std::vector<KnownRun> judged_by(const Misfit& other, const Misfit& as_judged, std::vector<KnownRun> runs) {
+    const std::vector<Datum> now = other.data();
+    const std::vector<Datum> then = as_judged.data();
+    for (KnownRun& run : runs) {
+        for (std::size_t index = 0; index < run.residuals.pulls.size(); ++index) {
+            run.residuals.pulls[index] *= then[index].standard_deviation / now[index].standard_deviation;
+        }
+    }
+    return runs;
 }
 
 }  // namespace delabole

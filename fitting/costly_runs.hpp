@@ -9,11 +9,11 @@
 // `tolerance` of the evidence (a bound of the relative error of the evidence that the surrogate causes, as if it were
 // wrong in the same way everywhere), or with the number of runs allowed.
 //
-// The runs do not depend on the number of threads.
+// The runs do not depend on the number of threads and ranks.
 #pragma once
 
-#include "fitting/minimise.hpp"
 #include "fitting/progress.hpp"
+#include "fitting/share.hpp"
 #include "fitting/surrogate.hpp"
 
 #include <cstdint>
@@ -35,7 +35,11 @@ struct CostlyRuns {
 // What one run counts in a progress report, in looks at a surrogate.
 inline constexpr long weight_of_run = 20'000;
 
-CostlyRuns make_costly_runs(const Misfit& misfit, const SurrogateSettings& settings, std::uint64_t seed, int threads,
-                            ProgressMeter& progress, StopFlag stop);
+CostlyRuns make_costly_runs(const Misfit& misfit, const SurrogateSettings& settings, std::uint64_t seed,
+                            const Workers& workers, ProgressMeter& progress, StopFlag stop);
+
+// The runs as they would be judged with other standard deviations of the data: `as_judged` is the misfit that they were
+// made with, `other` that of a problem that differs from its problem in nothing else that a run depends on.
+std::vector<KnownRun> judged_by(const Misfit& other, const Misfit& as_judged, std::vector<KnownRun> runs);
 
 }  // namespace delabole

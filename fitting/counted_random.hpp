@@ -27,7 +27,20 @@ constexpr std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> count
 }
 
 // What a number is drawn for; numbers of different purposes are independent.
-enum class RandomPurpose : std::uint32_t { sample, shift, permutation, jitter, trajectory, bootstrap, start };
+enum class RandomPurpose : std::uint32_t {
+    sample,
+    shift,
+    permutation,
+    jitter,
+    trajectory,
+    bootstrap,
+    start,
+    chain,
+    fit,
+    outcome,
+    truth,
+    error
+};
 
 class CountedRandom {
   public:
@@ -57,6 +70,22 @@ class CountedRandom {
   private:
     std::uint64_t seed_;
     RandomPurpose purpose_;
+};
+
+// Numbers one after the other, for a walk whose length nobody knows beforehand. Streams of different numbers are
+// independent; stream < 2^31.
+class RandomStream {
+  public:
+    RandomStream(std::uint64_t seed, RandomPurpose purpose, std::uint32_t stream)
+        : random_(seed, purpose), stream_(stream) {}
+
+    double unit() { return random_.unit(drawn_++, stream_); }
+    std::size_t below(std::size_t count) { return random_.below(count, drawn_++, stream_); }
+
+  private:
+    CountedRandom random_;
+    std::uint32_t stream_;
+    std::uint64_t drawn_ = 0;
 };
 
 }  // namespace delabole

@@ -1,8 +1,9 @@
-// One quantity evaluated at many points, on several threads.
+// One quantity evaluated at many points, on several threads of several ranks.
 #pragma once
 
 #include "fitting/minimise.hpp"
 #include "fitting/progress.hpp"
+#include "fitting/share.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -19,10 +20,13 @@ struct Evaluator {
     ProgressMeter& progress;
     StopFlag stop = nullptr;
     int threads = 1;
+    const Ranks* ranks = nullptr;  // null: this process alone
 
+    Workers workers() const { return {threads, ranks}; }
     bool stopped() const { return stop_requested(stop); }
 
     // Of points 0 ... count - 1, in their order; where the work was stopped, of those up to the first that is missing.
+    // Every rank calls this, from the thread that made Ranks.
     std::vector<Evaluation> evaluate(std::size_t dimension, std::size_t count, const PointOf& point) const;
 };
 

@@ -159,13 +159,16 @@ std::vector<FailureLocus> trace_failure_loci(const Search& search, std::span<con
             pairs.push_back({spreads[first].first, spreads[second].first, scan_x});
         }
     }
-    std::vector<FailureLocus> loci(pairs.size());
-    std::vector<EvaluationCount> accounts(pairs.size());
-    run_tasks(pairs.size(), misfit.problem().settings.threads, [&](std::size_t number) {
-        loci[number] = trace(search, Plane(search, best, *output, accounts[number]), pairs[number]);
+    using Traced = std::pair<FailureLocus, EvaluationCount>;
+    const auto all = share_tasks<Traced>(pairs.size(), search.workers(), [&](std::size_t number) {
+        Traced traced;
+        traced.first = trace(search, Plane(search, best, *output, traced.second), pairs[number]);
+        return traced;
     });
-    for (const EvaluationCount& entry : accounts) {
-        account.add(entry);
+    std::vector<FailureLocus> loci;
+    for (const auto& [locus, evaluations] : all) {
+        loci.push_back(locus);
+        account.add(evaluations);
     }
     return loci;
 }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "fitting/algorithm.hpp"
+#include "fitting/posterior_settings.hpp"
 #include "geometry/polyline.hpp"
 #include "parameters/model_interface.hpp"
 
@@ -20,6 +21,8 @@
 #include <vector>
 
 namespace delabole {
+
+class Ranks;
 
 // Normal, cut off at the parameter's bounds.
 struct Prior {
@@ -80,6 +83,18 @@ struct EvidenceSign {
     double value;
 };
 
+// A measurement that could be made next: how much it would tell is asked before it is paid for.
+struct FitCandidate {
+    std::string label;
+    // Outputs or inputs of models: what is measured may have one name in one mechanism, another in the next. The first
+    // that a mechanism has counts; one that has none learns nothing.
+    std::vector<std::string> quantities;
+    double standard_deviation;          // > 0; of the measurement
+    std::vector<Condition> conditions;  // under which an output would be measured
+    std::optional<double> cost;         // > 0, in any unit that the candidates share
+    std::string source;
+};
+
 struct Mechanism {
     std::string name;
     std::string title;
@@ -111,7 +126,8 @@ struct FitSettings {
     int map_points = 61;               // points along each side of the misfit map, >= 5
     std::uint64_t seed = 1;            // of the algorithms that use chance (crs2, mlsl, isres)
     SurrogateSettings surrogate = {};
-    int threads = 1;  // >= 1; the result does not depend on it
+    int threads = 1;               // >= 1; the result does not depend on it
+    const Ranks* ranks = nullptr;  // nor on these; null: this process alone
 };
 
 struct FitProblem {
@@ -119,7 +135,9 @@ struct FitProblem {
     std::vector<QuantityObservation> observations;
     std::optional<ProfileObservation> profile;
     std::vector<FieldEvidence> evidence;
+    std::vector<FitCandidate> candidates;
     FitSettings settings;
+    std::optional<PosteriorStudy> posterior;  // absent: neither posteriors nor evidences
 };
 
 }  // namespace delabole

@@ -3,13 +3,17 @@
 
 #include "fitting/evaluation.hpp"
 #include "fitting/fit_problem.hpp"
+#include "fitting/mechanism_posterior.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
+#include <concepts>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace delabole {
@@ -60,6 +64,14 @@ struct ProfileLikelihood {
     bool with_priors;  // whether the priors of the other and of this parameter were counted
 };
 
+// For share_tasks, as members() of the locus below.
+template <class Type>
+requires std::same_as<std::remove_const_t<Type>, ProfileLikelihood>
+auto members(Type& profile) {
+    return std::tie(profile.parameter, profile.values, profile.misfits, profile.least_misfit, profile.interval_68,
+                    profile.interval_95, profile.determination, profile.with_priors);
+}
+
 enum class IdentifiabilityStatus {
     reliable,
     steps_disagree,      // sensitivities differ by over 1 % between two step sizes: a kink or a rough model
@@ -93,6 +105,12 @@ struct FailureLocus {
     std::vector<Point> points;  // the points of one branch follow each other
     std::vector<int> branch;    // of each point, from 0
 };
+
+template <class Type>
+requires std::same_as<std::remove_const_t<Type>, FailureLocus>
+auto members(Type& locus) {
+    return std::tie(locus.x, locus.y, locus.points, locus.branch);
+}
 
 // Misfit, priors included, over the plane of two free parameters, the others at the best point. z(row, column): y(row),
 // x(column).
@@ -163,11 +181,13 @@ struct MechanismFit {
     std::optional<MisfitMap> map;             // of the first two free parameters
     std::vector<MinimumCluster> minima;       // best first
     std::optional<SurrogateFit> surrogate;    // of a costly mechanism
-    EvaluationCount evaluations;
+    std::optional<MechanismPosterior> posterior;  // where the problem asks for it
+    EvaluationCount evaluations;                  // the posterior's included
 };
 
 struct FitResult {
-    std::vector<MechanismFit> mechanisms;  // least ranking_score first
+    // Greatest evidence first, field evidence included; where there is none, least ranking_score first.
+    std::vector<MechanismFit> mechanisms;
     double wall_seconds = 0;
 };
 

@@ -296,17 +296,19 @@ Residuals Misfit::residuals(std::span<const double> parameters) const {
     return result;
 }
 
-std::vector<Relation> Misfit::relations() const {
-    std::vector<Relation> relations;
+std::vector<Datum> Misfit::data() const {
+    std::vector<Datum> data;
     for (const ConditionSet& set : sets_) {
         for (const std::size_t index : set.observations) {
-            relations.push_back(observations_[bound_[index].observation].relation);
+            const QuantityObservation& observation = observations_[bound_[index].observation];
+            data.push_back({observation.label, observation.relation, observation.standard_deviation});
         }
         if (compares_profile_ && &set == &sets_.front()) {
-            relations.insert(relations.end(), profile_samples_.size(), Relation::equal);
+            data.insert(data.end(), profile_samples_.size(),
+                        {"post-failure profile", Relation::equal, problem_.profile->standard_deviation});
         }
     }
-    return relations;
+    return data;
 }
 
 std::vector<ObservationFit> Misfit::compare(std::span<const double> parameters) const {

@@ -34,6 +34,13 @@ struct Residuals {
     std::string_view failure;
 };
 
+// What a residual is of.
+struct Datum {
+    std::string label;
+    Relation relation;
+    double standard_deviation;
+};
+
 // Sum of squares of those that are not idle; meaningful where there is no failure.
 double data_misfit(const Residuals& residuals);
 
@@ -63,8 +70,8 @@ class Misfit {
     double prior(std::span<const double> parameters) const;
     Evaluation value(std::span<const double> parameters, Priors priors) const;
     Residuals residuals(std::span<const double> parameters) const;
-    // Of each of them, in their order.
-    std::vector<Relation> relations() const;
+    // What each of them is of, in their order.
+    std::vector<Datum> data() const;
     Prediction predict(std::span<const double> parameters) const;
     // One row per quantity observation of the problem, in its order.
     std::vector<ObservationFit> compare(std::span<const double> parameters) const;

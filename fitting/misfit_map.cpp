@@ -1,6 +1,5 @@
 #include "fitting/misfit_map.hpp"
 
-#include "fitting/parallel.hpp"
 #include "fitting/statistics.hpp"
 
 #include <cmath>
@@ -32,22 +31,27 @@ std::optional<MisfitMap> map_misfit(const Search& search, std::span<const double
     map.y_values = grid(search.misfit.bounds()[free[1]], settings.map_points);
     map.level_68 = misfit + chi_square_quantile(probability_68, 2);
     map.level_95 = misfit + chi_square_quantile(probability_95, 2);
-    map.misfit.setConstant(settings.map_points, settings.map_points, std::numeric_limits<double>::infinity());
+    map.misfit.resize(settings.map_points, settings.map_points);
 
-    std::vector<EvaluationCount> accounts(map.y_values.size());
-    run_tasks(map.y_values.size(), settings.threads, [&](std::size_t row) {
+    using Row = std::pair<std::vector<double>, EvaluationCount>;
+    const auto rows = share_tasks<Row>(map.y_values.size(), search.workers(), [&](std::size_t row) {
+        Row result{std::vector<double>(map.x_values.size(), std::numeric_limits<double>::infinity()), {}};
         std::vector<double> point(best.begin(), best.end());
         point[free[1]] = map.y_values[row];
         for (std::size_t column = 0; column < map.x_values.size() && !search.stopped(); ++column) {
             point[free[0]] = map.x_values[column];
-            const Evaluation evaluation = search.evaluate(point, Priors::counted, accounts[row]);
+            const Evaluation evaluation = search.evaluate(point, Priors::counted, result.second);
             if (evaluation.valid()) {
-                map.misfit(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = evaluation.value;
+                result.first[column] = evaluation.value;
             }
         }
+        return result;
     });
-    for (const EvaluationCount& row : accounts) {
-        account.add(row);
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        for (std::size_t column = 0; column < map.x_values.size(); ++column) {
+            map.misfit(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = rows[row].first[column];
+        }
+        account.add(rows[row].second);
     }
     return map;
 }

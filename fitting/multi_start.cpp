@@ -113,10 +113,9 @@ MinimiseResult polish(const Search& search, Priors priors, std::span<const doubl
 }
 
 MinimiseResult polish_best_of(const Search& search, Priors priors, const std::vector<std::vector<double>>& starts) {
-    std::vector<MinimiseResult> runs(starts.size());
     const FitSettings& settings = settings_of(search);
-    run_tasks(starts.size(), settings.threads, [&](std::size_t number) {
-        runs[number] = polish(search, priors, starts[number], settings.evaluations_per_start);
+    const auto runs = share_tasks<MinimiseResult>(starts.size(), search.workers(), [&](std::size_t number) {
+        return polish(search, priors, starts[number], settings.evaluations_per_start);
     });
     EvaluationCount evaluations;
     for (const MinimiseResult& run : runs) {
@@ -151,9 +150,9 @@ MultiStartResult search_from_many_starts(const Search& search, Priors priors) {
     const long per_run =
         one_run ? static_cast<long>(settings.starts) * settings.evaluations_per_start : settings.evaluations_per_start;
     const auto starts = starting_points(search.misfit, one_run ? 1 : static_cast<std::size_t>(settings.starts));
-    std::vector<MinimiseResult> runs(starts.size());
-    run_tasks(starts.size(), settings.threads,
-              [&](std::size_t number) { runs[number] = explore_and_polish(search, priors, starts[number], per_run); });
+    const auto runs = share_tasks<MinimiseResult>(starts.size(), search.workers(), [&](std::size_t number) {
+        return explore_and_polish(search, priors, starts[number], per_run);
+    });
 
     std::vector<MinimiseResult> sorted = runs;
     std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
@@ -168,7 +167,7 @@ MultiStartResult search_from_many_starts(const Search& search, Priors priors) {
     result.best = sorted.front();
     result.best.evaluations = evaluations;
     if (result.best.found()) {
-        const MinimiseResult polished = polish(search, priors, result.best.point, settings.evaluations_per_start);
+        const MinimiseResult polished = polish_best_of(search, priors, {result.best.point});
         result.best = combine(result.best, polished);
         result.minima.front().parameters = result.best.point;
         result.minima.front().misfit = result.best.value;

@@ -8,7 +8,10 @@
 
 #include "fitting/minimise.hpp"
 
+#include <concepts>
 #include <span>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace delabole {
@@ -29,6 +32,14 @@ struct NearestPoint {
     double misalignment = 0;  // sine of the angle between the point's radius and the direction
     EvaluationCount evaluations;
 };
+
+// For share_tasks.
+template <class Type>
+requires std::same_as<std::remove_const_t<Type>, NearestPoint>
+auto members(Type& found) {
+    return std::tie(found.converged, found.point, found.direction, found.distance, found.off_surface,
+                    found.misalignment, found.evaluations);
+}
 
 // g(u) is a margin: positive on the side of the origin or not, in any unit. A failed evaluation counts as a wall.
 NearestPoint nearest_point(const Objective& g, std::span<const double> start, const NearestPointSettings& settings,

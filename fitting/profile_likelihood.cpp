@@ -3,14 +3,16 @@
 #include "fitting/bracketed_root.hpp"
 #include "fitting/misfit_map.hpp"
 #include "fitting/multi_start.hpp"
-#include "fitting/parallel.hpp"
 #include "fitting/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace delabole {
@@ -30,6 +32,25 @@ struct Knot {
 
 using Knots = std::map<double, Knot>;
 using Place = Knots::const_iterator;
+
+template <class Type>
+requires std::same_as<std::remove_const_t<Type>, Knot>
+auto members(Type& knot) {
+    return std::tie(knot.misfit, knot.point);
+}
+
+// What tracing one parameter gives.
+struct Traced {
+    ProfileLikelihood profile;
+    Knot lowest;
+    EvaluationCount evaluations;
+};
+
+template <class Type>
+requires std::same_as<std::remove_const_t<Type>, Traced>
+auto members(Type& traced) {
+    return std::tie(traced.profile, traced.lowest, traced.evaluations);
+}
 
 struct IntervalEnd {
     double value;
@@ -315,31 +336,31 @@ std::vector<MinimumCluster> further_minima(const Search& search, Priors priors, 
 
 std::vector<ProfileLikelihood> trace_profiles(const Search& search, Priors priors,
                                               std::span<const MinimumCluster> minima, MinimiseResult& best) {
-    const FitSettings& settings = search.misfit.problem().settings;
     const std::vector<std::size_t> free = search.misfit.free_parameters();
     std::vector<ProfileLikelihood> profiles(free.size());
     constexpr int most_passes = 3;
     for (int pass = 0; pass < most_passes && best.found() && !search.stopped(); ++pass) {
         const std::vector<MinimumCluster> further = further_minima(search, priors, minima, best, best.evaluations);
-        std::vector<Knot> lowest(free.size());
-        std::vector<EvaluationCount> accounts(free.size());
-        run_tasks(free.size(), settings.threads, [&](std::size_t number) {
+        const auto all = share_tasks<Traced>(free.size(), search.workers(), [&](std::size_t number) {
             Tracer tracer(search, priors, free[number], best, further);
-            profiles[number] = tracer.trace();
-            lowest[number] = tracer.lowest();
-            accounts[number] = tracer.evaluations();
+            Traced traced;
+            traced.profile = tracer.trace();
+            traced.lowest = tracer.lowest();
+            traced.evaluations = tracer.evaluations();
+            return traced;
         });
         Knot better_point{best.value - better, {}};
         for (std::size_t number = 0; number < free.size(); ++number) {
-            best.evaluations.add(accounts[number]);
-            if (lowest[number].misfit < better_point.misfit) {
-                better_point = lowest[number];
+            profiles[number] = all[number].profile;
+            best.evaluations.add(all[number].evaluations);
+            if (all[number].lowest.misfit < better_point.misfit) {
+                better_point = all[number].lowest;
             }
         }
         if (better_point.point.empty()) {
             break;
         }
-        MinimiseResult polished = polish(search, priors, better_point.point, settings.evaluations_per_start);
+        MinimiseResult polished = polish_best_of(search, priors, {better_point.point});
         polished.evaluations.add(best.evaluations);
         best = std::move(polished);
     }

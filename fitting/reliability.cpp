@@ -97,11 +97,9 @@ ReliabilityResult reliability(const Evaluator& evaluator, const InputSpace& spac
     const NearestPointSettings how{.step = settings.step, .tolerance = settings.tolerance};
     const CountedRandom random(seed, RandomPurpose::start);
     const auto starts = static_cast<std::size_t>(settings.starts);
-    std::vector<NearestPoint> found(starts);
-    run_tasks(starts, evaluator.threads, [&](std::size_t number) {
-        if (!evaluator.stopped()) {
-            found[number] = nearest_point(margin, start_of(number, dimension, random), how, evaluator.stop);
-        }
+    const auto found = share_tasks<NearestPoint>(starts, evaluator.workers(), [&](std::size_t number) {
+        return evaluator.stopped() ? NearestPoint{}
+                                   : nearest_point(margin, start_of(number, dimension, random), how, evaluator.stop);
     });
     result.starts = settings.starts;
     for (const NearestPoint& nearest : found) {

@@ -4,6 +4,7 @@
 #include "fitting/minimise.hpp"
 #include "fitting/misfit.hpp"
 #include "fitting/progress.hpp"
+#include "fitting/share.hpp"
 #include "fitting/surrogate.hpp"
 
 #include <span>
@@ -17,6 +18,11 @@ struct Search {
     const Surrogate* surrogate = nullptr;  // asked in place of a costly model
 
     bool stopped() const { return stop_requested(stop); }
+
+    Workers workers() const {
+        const FitSettings& settings = misfit.problem().settings;
+        return {settings.threads, settings.ranks};
+    }
 
     Evaluation evaluate(std::span<const double> parameters, Priors priors) const {
         progress.count();

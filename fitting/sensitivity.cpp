@@ -124,7 +124,7 @@ SensitivityResult sensitivity(const SensitivityProblem& problem, FitProgressCall
     const Objective quantity = quantity_of(problem.model, study);
     const Expected expected(study);
     ProgressMeter meter(std::move(progress), expected.total());
-    const Evaluator evaluator{quantity, meter, stop, problem.threads};
+    const Evaluator evaluator{quantity, meter, stop, problem.threads, problem.ranks};
 
     SensitivityResult result;
     if (study.tornado && !evaluator.stopped()) {

@@ -16,6 +16,8 @@
 
 namespace delabole {
 
+class Ranks;
+
 struct UncertainParameter {
     std::string name;  // an input of the model
     Distribution distribution;
@@ -46,7 +48,8 @@ struct SensitivityStudy {
 struct SensitivityProblem {
     ModelInterface model;
     SensitivityStudy study;
-    int threads = 1;  // >= 1; no result depends on it
+    int threads = 1;               // >= 1; no result depends on it
+    const Ranks* ranks = nullptr;  // nor on these; null: this process alone
 };
 
 // Where a study is wrong: "parameter[2].standard_deviation", "correlation[1]", "sobol_indices", "" for all of it.

@@ -59,9 +59,10 @@ double LikelihoodEstimate::log_deviation() const {
 }
 
 Surrogate::Surrogate(const Misfit& misfit, std::span<const KnownRun> runs, const Surrogate* before)
-    : misfit_(misfit), free_(misfit.free_parameters()), relation_(misfit.relations()) {
-    for (std::size_t index = 0; index < relation_.size(); ++index) {
-        (relation_[index] == Relation::equal ? equality_ : inequality_).push_back(index);
+    : misfit_(misfit), free_(misfit.free_parameters()) {
+    const std::vector<Datum> data = misfit.data();
+    for (std::size_t index = 0; index < data.size(); ++index) {
+        (data[index].relation == Relation::equal ? equality_ : inequality_).push_back(index);
     }
     std::vector<const KnownRun*> valid;
     for (const KnownRun& run : runs) {
@@ -90,7 +91,7 @@ Surrogate::Surrogate(const Misfit& misfit, std::span<const KnownRun> runs, const
         values_.emplace_back(scores.col(column));
     }
     for (const std::size_t index : inequality_) {
-        const double sign = relation_[index] == Relation::at_least ? 1 : -1;
+        const double sign = data[index].relation == Relation::at_least ? 1 : -1;
         Eigen::VectorXd pulls(count);
         for (Eigen::Index row = 0; row < count; ++row) {
             pulls[row] = sign * valid[static_cast<std::size_t>(row)]->residuals.pulls[index];

@@ -78,7 +78,6 @@ class Surrogate {
 
     const Misfit& misfit_;
     std::vector<std::size_t> free_;
-    std::vector<Relation> relation_;     // of the residuals
     std::vector<std::size_t> equality_;  // indices of residuals
     std::vector<std::size_t> inequality_;
     Eigen::MatrixXd basis_;  // equalities x components

@@ -39,8 +39,8 @@ struct ModelInterface {
     std::vector<std::string> explains;
     // Pure and safe to call from several threads. Values outside an input's range give a failure, not an exception.
     std::function<Prediction(std::span<const Assignment>)> predict;
-    // A prediction takes longer than to look one up on the disk and to keep it there, some milliseconds: loops keep
-    // what they have computed.
+    // A prediction takes longer than a millisecond, many times what it takes to keep one on the disk and to look it up:
+    // loops keep what they have computed.
     bool costly = false;
 };
 

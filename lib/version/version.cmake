@@ -5,6 +5,7 @@ add_custom_target(delabole_revision
     COMMAND ${CMAKE_COMMAND}
         -D source_directory=${PROJECT_SOURCE_DIR}
         -D version=${PROJECT_VERSION}
+        "-D compiler=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_SYSTEM_PROCESSOR} ${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS}"
         -D template=${CMAKE_CURRENT_LIST_DIR}/version.cpp.in
         -D output=${version_source}
         -P ${CMAKE_CURRENT_LIST_DIR}/write_version.cmake

@@ -12,4 +12,9 @@ std::string_view version();
 // "unknown" where it was not built in a git checkout of its own.
 std::string_view revision();
 
+// Hash of the sources of lib/, of the compiler and of its options, sixty-four digits: programs of one fingerprint
+// predict the same to the last bit. Unlike the revision it tells uncommitted changes apart, and does not change with
+// sources that compute no prediction.
+std::string_view fingerprint();
+
 }  // namespace delabole

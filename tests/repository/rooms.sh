@@ -11,7 +11,7 @@ rooms=(lib fitting plots cases tests)
 # What each room may include between angle brackets beside the standard library and POSIX.
 declare -A libraries=(
     [lib]='(unsupported/)?Eigen/|gsl/|glpk\.h$'
-    [fitting]='(unsupported/)?Eigen/|gsl/|nlopt\.hp?p?$'
+    [fitting]='(unsupported/)?Eigen/|gsl/|nlopt\.hp?p?$|(sqlite3|mpi)\.h$'
     [plots]='(unsupported/)?Eigen/|gsl/|gnuplot-iostream\.h$'
     [cases]='(unsupported/)?Eigen/|gsl/|toml\+\+/|udunits2\.h$|CLI/|nlohmann/'
     [tests]='(unsupported/)?Eigen/|gsl/|nlopt\.hp?p?$|gnuplot-iostream\.h$|toml\+\+/|udunits2\.h$|CLI/|nlohmann/|gtest/|gmock/|benchmark/|boost/multiprecision/|fuzzer/'
@@ -27,7 +27,8 @@ declare -A rooms_below=(
 )
 posix='^(sys/[a-z]+|unistd|fcntl|signal|poll|spawn|termios)\.h$'
 # The one file that may include it: a library whose types nobody else should see.
-declare -A only_file=([glpk.h]=lib/limit_equilibrium/lp_bound.cpp)
+declare -A only_file=([glpk.h]=lib/limit_equilibrium/lp_bound.cpp [sqlite3.h]=fitting/evaluation_store.cpp
+    [mpi.h]=fitting/ranks.cpp)
 forbidden_in_lib='^(iostream|fstream|ostream|istream|iomanip|cstdio|stdio\.h|filesystem|syncstream|print)$'
 
 broken=0
