@@ -39,8 +39,8 @@ struct Options {
     std::optional<std::uint64_t> seed;
     int repetitions = 100;                // of a recovery
     bool at_best = false;                 // recover the best fit instead of draws of the prior
-    std::vector<std::string> mechanisms;  // the only ones to be fitted; empty: all
-    bool without_costly = false;          // fit none whose model is costly
+    std::vector<std::string> mechanisms;  // the only ones to be fitted; empty: all that are not costly
+    bool with_costly = false;             // and those
     std::filesystem::path store;          // of evaluations; empty: evaluations.sqlite in the result folder
 };
 

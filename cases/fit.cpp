@@ -8,10 +8,12 @@
 #include "cases/interrupt.hpp"
 #include "cases/kept_evaluations.hpp"
 #include "cases/progress.hpp"
+#include "cases/spelling.hpp"
 #include "cases/study_output.hpp"
 #include "fitting/back_analysis.hpp"
 #include "fitting/candidate_draws.hpp"
 #include "fitting/check_problem.hpp"
+#include "fitting/words.hpp"
 
 #include <algorithm>
 
@@ -58,26 +60,30 @@ std::string reservation(const std::string& status) {
     return {};
 }
 
-// Leaves those that are asked for, in the order of the case.
-void choose_mechanisms(CaseFile& file, const Options& options) {
-    std::vector<FitMechanism>& mechanisms = file.fit->mechanisms;
+// Leaves those that are asked for, in the order of the case. Returns the names of those that wait to be asked for.
+std::vector<std::string> choose_mechanisms(CaseFit& fit, const Options& options) {
+    if (options.mechanisms.empty()) {
+        return options.with_costly ? std::vector<std::string>() : leave_out_costly(fit);
+    }
+    std::vector<std::string> names;
+    for (const FitMechanism& mechanism : fit.mechanisms) {
+        names.push_back(mechanism.name);
+    }
     for (const std::string& name : options.mechanisms) {
-        if (std::ranges::find(mechanisms, name, &FitMechanism::name) == mechanisms.end()) {
-            std::vector<std::string> names;
-            for (const FitMechanism& mechanism : mechanisms) {
-                names.push_back(mechanism.name);
-            }
+        if (std::ranges::find(names, name) == names.end()) {
             throw UsageError("--mechanism " + name + ": the case has no such mechanism" + suggestion(name, names));
         }
     }
-    std::erase_if(mechanisms, [&](const FitMechanism& mechanism) {
-        const bool wanted = options.mechanisms.empty() ||
-                            std::ranges::find(options.mechanisms, mechanism.name) != options.mechanisms.end();
-        return !wanted || (options.without_costly && interface_of(mechanism.model).costly);
+    std::erase_if(fit.mechanisms, [&](const FitMechanism& mechanism) {
+        return std::ranges::find(options.mechanisms, mechanism.name) == options.mechanisms.end();
     });
-    if (mechanisms.empty()) {
-        throw UsageError("--without-costly leaves no mechanism to fit");
-    }
+    return {};
+}
+
+// What the reader should know of mechanisms that were not fitted.
+std::string left_out_in_words(const std::vector<std::string>& names) {
+    return "Left out: " + list_in_words(names) +
+           ". Every prediction is a run of dynamic relaxation; --with-costly fits such mechanisms too, in minutes.";
 }
 
 }  // namespace
@@ -89,7 +95,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
         throw CaseError(
             {{file.name, 0, 0, "fit", {}, "the case has no [fit] section: there is nothing to back-analyse"}});
     }
-    choose_mechanisms(file, options);
+    const std::vector<std::string> left_out = choose_mechanisms(*file.fit, options);
     FitProblem problem = fit_problem_of(file, options.threads, options.seed);
     const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
     KeptEvaluations kept(options, folder);
@@ -110,6 +116,11 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     add_reservation(reserved, status == "interrupted", report);
     FitDocuments documents = document_fit(file, problem, result, folder, report);
     documents.json["status"] = status;
+    if (!left_out.empty()) {
+        documents.json["left_out"] = left_out;
+        documents.screen += left_out_in_words(left_out) + "\n";
+        report.blocks.emplace_back(Paragraph{left_out_in_words(left_out)});
+    }
     if (!information.empty()) {
         const InformationDocuments next = document_information(problem.candidates, information, folder, report);
         documents.json["value_of_information"] = next.json;

@@ -3,6 +3,8 @@
 #include "cases/analysis.hpp"
 #include "fitting/check_problem.hpp"
 
+#include <algorithm>
+
 namespace delabole {
 
 FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::uint64_t> seed) {
@@ -38,6 +40,21 @@ FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::
         throw CaseError(std::move(problems));
     }
     return problem;
+}
+
+std::vector<std::string> leave_out_costly(CaseFit& fit) {
+    const auto costly = [](const FitMechanism& mechanism) { return interface_of(mechanism.model).costly; };
+    std::vector<std::string> names;
+    if (std::ranges::all_of(fit.mechanisms, costly)) {
+        return names;
+    }
+    for (const FitMechanism& mechanism : fit.mechanisms) {
+        if (costly(mechanism)) {
+            names.push_back(mechanism.name);
+        }
+    }
+    std::erase_if(fit.mechanisms, costly);
+    return names;
 }
 
 }  // namespace delabole

@@ -1,6 +1,7 @@
 #include "cases/fit_report.hpp"
 
 #include "cases/model_reports.hpp"
+#include "cases/surrogate_report.hpp"
 #include "cases/units.hpp"
 #include "fitting/words.hpp"
 #include "plots/fit_figures.hpp"
@@ -261,6 +262,9 @@ Json json_of(const MechanismFit& fit) {
                 std::vector<double>(correlation.row(row).begin(), correlation.row(row).end()));
         }
     }
+    if (fit.surrogate) {
+        json["surrogate"] = json_of_surrogate(*fit.surrogate);
+    }
     json["explained"] = fit.explained;
     json["unexplained"] = fit.unexplained;
     json["evaluations"] = fit.evaluations.total;
@@ -306,6 +310,9 @@ void append_best_figures(Report& report, const ResultFolder& folder, const Mecha
     std::vector<Condition> best;
     for (std::size_t index = 0; index < fit.best.size(); ++index) {
         best.push_back({fit.parameters[index].name, fit.best[index]});
+        for (const std::string& name : fit.parameters[index].also) {
+            best.push_back({name, fit.best[index]});
+        }
     }
     std::visit([&](const auto& at_best) { append_mechanism_figures(at_best, fit, problem, folder, report); },
                with_conditions(model, best));
@@ -327,6 +334,10 @@ void append_mechanism(Report& report, const ResultFolder& folder, const Mechanis
             Notice{NoticeKind::warning,
                    "Not converged",
                    {"status: " + std::string(word_of(fit.status)) + "; the best point seen is shown"}});
+    }
+    if (fit.surrogate) {
+        report.blocks.emplace_back(Paragraph{surrogate_in_words(fit)});
+        write_runs(fit, folder);
     }
     report.blocks.emplace_back(parameter_table(fit));
     if (!fit.identifiability.singular_values.empty()) {
@@ -373,6 +384,9 @@ std::string screen_of(const MechanismFit& fit) {
     }
     if (!table.rows.empty()) {
         text += text_table(rows);
+    }
+    if (fit.surrogate && !fit.best.empty()) {
+        text += "  " + surrogate_in_words(fit) + "\n";
     }
     text += "  misfit " + number_in_words(fit.data_misfit) + " of " + std::to_string(fit.data_count) +
             " data, priors " + number_in_words(fit.prior_misfit) + "; " + std::string(word_of(fit.status)) + "\n";

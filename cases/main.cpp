@@ -154,9 +154,10 @@ struct Program {
         add_store(*fit, options);
         fit->add_option("--mechanism", options.mechanisms, "Fit this mechanism only; may be given again")
             ->type_name("NAME");
-        fit->add_flag("--without-costly", options.without_costly,
-                      "Leave out mechanisms whose every prediction is a run of dynamic relaxation");
-        fit->footer(example("delabole fit cases/delabole_1967.toml --without-costly --out results/delabole_1967"));
+        fit->add_flag("--with-costly", options.with_costly,
+                      "Fit mechanisms too whose every prediction is a run of dynamic relaxation: minutes")
+            ->excludes("--mechanism");
+        fit->footer(example("delabole fit cases/delabole_1967.toml --out results/delabole_1967"));
         fit->callback([this] { share_out([this] { return delabole::fit_command(one_case, options); }); });
 
         add_recovery();

@@ -84,10 +84,11 @@ std::string reservation(const std::string& status) {
 
 ExitCode recover_command(const std::filesystem::path& path, const Options& options) {
     const Stopwatch watch;
-    const CaseFile file = read_case(path, settings_of(options));
+    CaseFile file = read_case(path, settings_of(options));
     if (!file.fit) {
         throw CaseError({{file.name, 0, 0, "fit", {}, "the case has no [fit] section: there is nothing to recover"}});
     }
+    leave_out_costly(*file.fit);
     FitProblem problem = fit_problem_of(file, options.threads, options.seed);
     if (problem.observations.empty()) {
         throw CaseError({problem_at(file, "fit",

@@ -14,7 +14,8 @@ constexpr double foot = 0.3048;
 
 const FitResult& result_of_1967() {
     static const FitResult result = [] {
-        const CaseFile file = read_case(std::string(DELABOLE_CASES) + "/delabole_1967.toml");
+        CaseFile file = read_case(std::string(DELABOLE_CASES) + "/delabole_1967.toml");
+        leave_out_costly(*file.fit);
         return fit(fit_problem_of(file, 1, std::nullopt));
     }();
     return result;

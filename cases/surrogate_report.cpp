@@ -1,0 +1,81 @@
+#include "cases/surrogate_report.hpp"
+
+#include "cases/units.hpp"
+#include "fitting/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+std::string in_percent(double share) {
+    return number_in_words(std::round(1000 * share) / 10) + " %";
+}
+
+std::size_t runs_without_answer(const SurrogateFit& surrogate) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(surrogate.runs, [](const SurrogateFit::Run& run) { return !run.failure.empty(); }));
+}
+
+}  // namespace
+
+std::string surrogate_in_words(const MechanismFit& fit) {
+    const SurrogateFit& surrogate = *fit.surrogate;
+    std::string text = "Fitted through a surrogate of " + std::to_string(surrogate.runs.size()) + " runs, " +
+                       std::to_string(runs_without_answer(surrogate)) +
+                       " of them without an answer: " + std::to_string(surrogate.components) +
+                       " smooth functions of the parameters. Each run predicted " + "from the others is missed by " +
+                       number_in_words(surrogate.error) +
+                       " standard deviations of the data, within its own 95 % band in " +
+                       in_percent(surrogate.within_95) + " of the cases; runs that ought to be alike differ by " +
+                       number_in_words(surrogate.scatter) + ", which no parameter decides. By the surrogate the " +
+                       "evidence may be wrong by " + in_percent(surrogate.evidence_error) + " at most.";
+    if (std::isfinite(surrogate.misfit_of_run)) {
+        text += " Data misfit at the best point: " + number_in_words(fit.data_misfit) + " by the surrogate, " +
+                number_in_words(surrogate.misfit_of_run) + " of the run made there.";
+    } else {
+        text += " The run at the best point has no answer.";
+    }
+    return text;
+}
+
+Json json_of_surrogate(const SurrogateFit& surrogate) {
+    Json json;
+    json["runs"] = surrogate.runs.size();
+    json["runs_without_answer"] = runs_without_answer(surrogate);
+    json["components"] = surrogate.components;
+    json["error"] = json_number(surrogate.error);
+    json["within_95"] = json_number(surrogate.within_95);
+    json["scatter"] = json_number(surrogate.scatter);
+    json["evidence_error"] = json_number(surrogate.evidence_error);
+    json["misfit_of_run"] = json_number(surrogate.misfit_of_run);
+    return json;
+}
+
+void write_runs(const MechanismFit& fit, const ResultFolder& folder) {
+    std::vector<std::string> columns = {"run"};
+    for (std::size_t index = 0; index < fit.parameters.size(); ++index) {
+        columns.push_back(column_name(fit.parameters[index].name, fit.dimensions[index]));
+    }
+    columns.insert(columns.end(), {"data_misfit", "failure"});
+    CsvTable table(columns);
+    for (std::size_t number = 0; number < fit.surrogate->runs.size(); ++number) {
+        const SurrogateFit::Run& run = fit.surrogate->runs[number];
+        std::vector<std::variant<double, std::string>> row = {static_cast<double>(number + 1)};
+        for (std::size_t index = 0; index < run.parameters.size(); ++index) {
+            row.emplace_back(in_display_unit(run.parameters[index], fit.dimensions[index]));
+        }
+        if (run.failure.empty()) {
+            row.emplace_back(run.data_misfit);
+        } else {
+            row.emplace_back(std::string());
+        }
+        row.emplace_back(run.failure);
+        table.add_row(row);
+    }
+    folder.write(fit.name + "_runs.csv", table.text());
+}
+
+}  // namespace delabole
