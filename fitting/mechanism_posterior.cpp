@@ -269,7 +269,7 @@ MechanismPosterior study_posterior(const FitProblem& problem, std::size_t mechan
 long expected_posterior_evaluations(const FitProblem& problem, std::size_t mechanism) {
     const PosteriorStudy& study = *problem.posterior;
     const auto parameters = static_cast<long>(problem.mechanisms[mechanism].parameters.size());
-    const long begin = 41 * std::clamp(10 * parameters, 20L, 80L);
+    const long begin = 31 * std::clamp(10 * parameters, 20L, 80L);
     const long evidence = static_cast<long>(EvidenceSettings{}.replicates) * study.evidence_points;
     const auto variants = static_cast<long>(variants_of(problem).size()) - 1;
     return study.chains * begin + 3L * study.draws + evidence +

@@ -21,7 +21,7 @@ namespace delabole {
 
 namespace {
 
-constexpr double panel = 0.82;  // side of a panel
+constexpr double panel = 0.74;  // side of a panel; the rest holds titles and numbers
 constexpr std::size_t most_parameters_drawn = 6;
 
 struct Shown {
@@ -77,7 +77,7 @@ Point corner_of(std::size_t rows, std::size_t row, std::size_t column) {
 
 std::string title_of(const Shown& shown) {
     const std::string unit = human_unit(display_unit(shown.dimension).symbol);
-    return wrapped(human_name(shown.parameter->name) + (unit.empty() ? "" : " (" + unit + ")"), 16);
+    return wrapped(human_name(shown.parameter->name) + (unit.empty() ? "" : " (" + unit + ")"), 20);
 }
 
 void add_frame(const Point& corner, Figure& figure) {
@@ -304,11 +304,14 @@ std::optional<Figure> posterior_corner_figure(const MechanismFit& fit) {
         const Point diagonal = corner_of(rows, row, row);
         add_marginal(shown[row], diagonal, fit.best[shown[row].index], figure);
         add_frame(diagonal, figure);
-        figure.labels.push_back({.at = diagonal + Point(panel / 2, panel + 0.1),
-                                 .text = title_of(shown[row]),
+        const std::string title = title_of(shown[row]);
+        // A text of several lines grows downwards from where it is put.
+        const auto lines = static_cast<double>(1 + std::count(title.begin(), title.end(), '\n'));
+        figure.labels.push_back({.at = diagonal + Point(panel / 2, panel - 0.03 + 0.085 * lines),
+                                 .text = title,
                                  .align = Label::Align::centre,
                                  .boxed = false,
-                                 .size = 0.78});
+                                 .size = 0.75});
         add_ticks(shown[row], corner_of(rows, rows - 1, row), true, figure);
         if (row > 0) {
             add_ticks(shown[row], corner_of(rows, row, 0), false, figure);
@@ -317,9 +320,9 @@ std::optional<Figure> posterior_corner_figure(const MechanismFit& fit) {
     drop_repeated_legends(figure);
     figure.frame = false;
     figure.x.range = std::pair{-0.28, static_cast<double>(rows) - 0.1};
-    figure.y.range = std::pair{-0.2, static_cast<double>(rows) + 0.08};
-    figure.width = std::max(520, 110 + 210 * static_cast<int>(rows));
-    figure.height = std::max(420, 60 + 210 * static_cast<int>(rows));
+    figure.y.range = std::pair{-0.2, static_cast<double>(rows)};
+    figure.width = std::max(560, 110 + 215 * static_cast<int>(rows));
+    figure.height = std::max(450, 70 + 215 * static_cast<int>(rows));
     return figure;
 }
 

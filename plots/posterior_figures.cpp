@@ -87,7 +87,7 @@ std::optional<Figure> evidence_figure(const FitResult& result) {
                           .legend = errors.empty() ? "95 % interval of the sum" : "",
                           .width = 4});
         figure.labels.push_back({.at = {end, height},
-                                 .text = human_number(end, 3) + "\u00a0",
+                                 .text = "\u2212" + human_number(-end, 3) + "\u00a0",
                                  .align = Label::Align::right,
                                  .boxed = false});
         figure.y.ticks.emplace_back(height, wrapped(human_name(fits[row]->name), 18));
@@ -149,9 +149,11 @@ std::optional<Figure> evidence_dependence_figure(const FitResult& result) {
 }
 
 std::optional<Figure> chain_agreement_figure(const FitResult& result) {
-    Figure figure{.title = "Agreement of the chains",
-                  .x = {.title = "steps of each chain"},
-                  .y = {.title = "greatest R-hat less 1, logarithm to base 10"}};
+    Figure figure{
+        .title = "Agreement of the chains", .x = {.title = "steps of each chain"}, .y = {.title = "greatest R-hat"}};
+    for (const double r_hat : {1.0001, 1.0003, 1.001, 1.003, 1.01, 1.03, 1.1, 1.3, 2.0, 4.0}) {
+        figure.y.ticks.emplace_back(std::log10(r_hat - 1), human_number(r_hat, 5));
+    }
     std::size_t count = 0;
     double longest = 0;
     for (const MechanismFit& fit : result.mechanisms) {
