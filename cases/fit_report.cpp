@@ -1,6 +1,7 @@
 #include "cases/fit_report.hpp"
 
 #include "cases/model_reports.hpp"
+#include "cases/posterior_report.hpp"
 #include "cases/units.hpp"
 #include "fitting/words.hpp"
 #include "plots/fit_figures.hpp"
@@ -263,6 +264,9 @@ Json json_of(const MechanismFit& fit) {
     }
     json["explained"] = fit.explained;
     json["unexplained"] = fit.unexplained;
+    if (fit.posterior) {
+        json["posterior"] = json_of_posterior(fit);
+    }
     json["evaluations"] = fit.evaluations.total;
     json["failed_evaluations"] = Json::object();
     for (const auto& [cause, number] : fit.evaluations.failed_by_cause) {
@@ -320,6 +324,7 @@ void append_mechanism(Report& report, const ResultFolder& folder, const Mechanis
             Notice{NoticeKind::warning,
                    "No answer",
                    {"the model has no answer anywhere within the bounds. " + evaluations_in_words(fit.evaluations)}});
+        append_posterior(fit, folder, report);
         return;
     }
     if (fit.status != FitStatus::converged) {
@@ -329,6 +334,7 @@ void append_mechanism(Report& report, const ResultFolder& folder, const Mechanis
                    {"status: " + std::string(word_of(fit.status)) + "; the best point seen is shown"}});
     }
     report.blocks.emplace_back(parameter_table(fit));
+    append_posterior(fit, folder, report);
     if (!fit.identifiability.singular_values.empty()) {
         report.blocks.emplace_back(direction_table(fit.identifiability));
     }
@@ -374,6 +380,7 @@ std::string screen_of(const MechanismFit& fit) {
     if (!table.rows.empty()) {
         text += text_table(rows);
     }
+    text += screen_of_posterior(fit);
     text += "  misfit " + number_in_words(fit.data_misfit) + " of " + std::to_string(fit.data_count) +
             " data, priors " + number_in_words(fit.prior_misfit) + "; " + std::string(word_of(fit.status)) + "\n";
     for (const std::string& sentence : fit.unexplained) {
@@ -414,6 +421,7 @@ FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const
         "mechanism "
         "says nothing about. A mechanism whose geometry is put in matches the observed surfaces by construction; one "
         "that predicts them has to earn it."});
+    append_evidence(result, folder, report);
     if (const auto profiles = profiles_figure(problem, result, toe_elevation_of(file.model))) {
         report.blocks.emplace_back(folder.draw(*profiles, "profiles",
                                                "Where the geometry is put in, the profile is no prediction: only a "
@@ -424,6 +432,8 @@ FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const
         documents.json["mechanisms"].push_back(json_of(fit));
         documents.screen += screen_of(fit) + "\n";
     }
+    documents.json["evidence"] = json_of_evidence(result);
+    documents.screen += screen_of_evidence(result);
     return documents;
 }
 
