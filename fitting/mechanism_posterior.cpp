@@ -47,7 +47,7 @@ class Target {
     Target(const FitProblem& problem, std::size_t mechanism, ProgressMeter& progress, StopFlag stop)
         : misfit_(problem.mechanisms[mechanism], problem),
           quantity_([this](std::span<const double> parameters) { return misfit_.value(parameters, Priors::ignored); }),
-          evaluator_{quantity_, progress, stop, problem.settings.threads, problem.settings.ranks},
+          evaluator_{quantity_, progress, stop, problem.settings.threads},
           prior_(problem.mechanisms[mechanism].parameters) {}
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;
