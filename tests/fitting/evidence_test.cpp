@@ -110,12 +110,12 @@ TEST(Evidence, OfAModelWithoutFreeParametersIsItsLikelihood) {
 
 TEST(StudentMixture, IsADensityAndDrawsFromIt) {
     // Points on a bent line.
-    Eigen::MatrixXd points(2, 400);
+    Eigen::MatrixXd points(2, 1200);
     for (Eigen::Index index = 0; index < points.cols(); ++index) {
-        const double x = -2 + 4 * static_cast<double>(index) / 399;
+        const double x = -2 + 4 * static_cast<double>(index) / 1199;
         points.col(index) << x, x * x + 0.1 * std::sin(37 * static_cast<double>(index));
     }
-    const StudentMixture mixture(points, 8, 1);
+    const StudentMixture mixture(points, Eigen::VectorXd::Ones(points.cols()), 8, 1);
     EXPECT_GT(mixture.size(), 3U);
     const auto in_box = [](double x, double y) { return x > 0.5 && x < 1.5 && y > 0.5 && y < 1.5; };
     double whole = 0;
