@@ -71,10 +71,9 @@ TEST(Evidence, FindsAModeThatTheDrawsMissed) {
         }
     }
     const Evidence found = evidence(target, draws, {2048, 16, 1});
-    // A fourth of the evidence rests on the prior's share of the points; the error says so.
-    EXPECT_NEAR(found.log_evidence, test::two_modes_evidence, 4.1 * found.standard_error);
-    EXPECT_LT(found.standard_error, 0.15);
-    EXPECT_GT(found.standard_error, evidence(target, sample(target).draws, {2048, 16, 1}).standard_error);
+    EXPECT_NEAR(found.log_evidence, test::two_modes_evidence, 4.1 * found.standard_error + 1e-4);
+    // Pilot points of the prior have found it, else a fourth of the evidence would rest on the prior's share.
+    EXPECT_LT(found.standard_error, 0.01);
 }
 
 TEST(Evidence, NeedsNoDraws) {
