@@ -76,7 +76,7 @@ EvidenceSettings evidence_settings(const FitProblem& problem) {
 }
 
 constexpr int guiding_chains = 2;
-constexpr int guiding_draws = 800;
+constexpr int guiding_draws = 1600;
 
 // Draws that only guide the evidence need not meet the diagnostics.
 PosteriorSettings guiding_settings(const FitProblem& problem) {

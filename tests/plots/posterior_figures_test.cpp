@@ -62,7 +62,7 @@ TEST(PosteriorFigures, EvidenceIsTheSumOfItsParts) {
     EXPECT_EQ(figure.y.ticks[0].second, "toppling");
     EXPECT_GT(figure.y.ticks[0].first, figure.y.ticks[1].first);
     const auto length = [&](const std::string& legend) {
-        const Boxes::Box& box = with_legend<Boxes>(figure, legend).boxes[0];
+        const Boxes::Box box = with_legend<Boxes>(figure, legend).boxes[0];
         return box.upper_right.x() - box.lower_left.x();
     };
     EXPECT_NEAR(length("misfit of the best point"), 1, 1e-12);
