@@ -1,6 +1,7 @@
 #include "cases/fit_report.hpp"
 
 #include "cases/model_reports.hpp"
+#include "cases/posterior_report.hpp"
 #include "cases/surrogate_report.hpp"
 #include "cases/units.hpp"
 #include "fitting/words.hpp"
@@ -267,6 +268,9 @@ Json json_of(const MechanismFit& fit) {
     }
     json["explained"] = fit.explained;
     json["unexplained"] = fit.unexplained;
+    if (fit.posterior) {
+        json["posterior"] = json_of_posterior(fit);
+    }
     json["evaluations"] = fit.evaluations.total;
     json["failed_evaluations"] = Json::object();
     for (const auto& [cause, number] : fit.evaluations.failed_by_cause) {
@@ -327,6 +331,7 @@ void append_mechanism(Report& report, const ResultFolder& folder, const Mechanis
             Notice{NoticeKind::warning,
                    "No answer",
                    {"the model has no answer anywhere within the bounds. " + evaluations_in_words(fit.evaluations)}});
+        append_posterior(fit, folder, report);
         return;
     }
     if (fit.status != FitStatus::converged) {
@@ -340,6 +345,7 @@ void append_mechanism(Report& report, const ResultFolder& folder, const Mechanis
         write_runs(fit, folder);
     }
     report.blocks.emplace_back(parameter_table(fit));
+    append_posterior(fit, folder, report);
     if (!fit.identifiability.singular_values.empty()) {
         report.blocks.emplace_back(direction_table(fit.identifiability));
     }
@@ -385,6 +391,7 @@ std::string screen_of(const MechanismFit& fit) {
     if (!table.rows.empty()) {
         text += text_table(rows);
     }
+    text += screen_of_posterior(fit);
     if (fit.surrogate && !fit.best.empty()) {
         text += "  " + surrogate_in_words(fit) + "\n";
     }
@@ -428,6 +435,7 @@ FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const
         "mechanism "
         "says nothing about. A mechanism whose geometry is put in matches the observed surfaces by construction; one "
         "that predicts them has to earn it."});
+    append_evidence(result, folder, report);
     if (const auto profiles = profiles_figure(problem, result, toe_elevation_of(file.model))) {
         report.blocks.emplace_back(folder.draw(*profiles, "profiles",
                                                "Where the geometry is put in, the profile is no prediction: only a "
@@ -438,6 +446,8 @@ FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const
         documents.json["mechanisms"].push_back(json_of(fit));
         documents.screen += screen_of(fit) + "\n";
     }
+    documents.json["evidence"] = json_of_evidence(result);
+    documents.screen += screen_of_evidence(result);
     return documents;
 }
 

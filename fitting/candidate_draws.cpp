@@ -73,10 +73,10 @@ class Measured {
     std::vector<Assignment> fixed_;
 };
 
-// All of them, or as many of each chain as a costly model allows.
+// No more than are worth their time, as many of each chain.
 std::vector<Draw> draws_of(const Posterior& posterior, bool costly) {
-    const std::size_t step =
-        costly ? std::max<std::size_t>((posterior.draws.size() + most_costly_draws - 1) / most_costly_draws, 1) : 1;
+    const std::size_t most = costly ? most_costly_draws : most_draws;
+    const std::size_t step = std::max<std::size_t>((posterior.draws.size() + most - 1) / most, 1);
     std::vector<Draw> draws;
     for (std::size_t index = step - 1; index < posterior.draws.size(); index += step) {
         draws.push_back(posterior.draws[index]);

@@ -9,7 +9,9 @@
 
 namespace delabole {
 
-// Draws of a costly model's posterior at which candidates are predicted, each of which is an evaluation.
+// Draws of a posterior at which candidates are predicted: errors of reductions are then about a hundredth. Of a costly
+// model, where each is an evaluation, fewer have to do.
+inline constexpr std::size_t most_draws = 2000;
 inline constexpr std::size_t most_costly_draws = 256;
 
 // Of each mechanism with a posterior, in the order of the result; probabilities from the evidence, field evidence

@@ -12,7 +12,8 @@
 
 namespace delabole {
 
-// Sets the parameters of the point of that index. Safe to call from several threads.
+// Sets the parameters of the point of that index. Safe to call from several threads. Among ranks each asks for its own
+// points only: what this notes down beside the parameters is not known to the others.
 using PointOf = std::function<void(std::size_t index, std::span<double> parameters)>;
 
 struct Evaluator {

@@ -26,7 +26,7 @@ constexpr const char* tables =
     " UNIQUE (program, description));"
     "CREATE TABLE evaluation (model INTEGER NOT NULL REFERENCES model (id), parameters BLOB NOT NULL,"
     " failure TEXT NOT NULL, outputs BLOB NOT NULL, profile BLOB NOT NULL, seconds REAL NOT NULL,"
-    " checksum INTEGER NOT NULL, PRIMARY KEY (model, parameters)) WITHOUT ROWID;";
+    " checksum INTEGER NOT NULL, UNIQUE (model, parameters));";
 
 // Sorted by input, the last of several values for one input, as assign() takes them.
 std::string key_of(std::span<const Assignment> assignments) {

@@ -17,25 +17,23 @@ namespace delabole {
 namespace {
 
 constexpr double prior_share = 0.2;
+constexpr std::size_t most_components = 16;
 
-// Densities and draws in the standard normal numbers of the prior.
+double log_prior(std::span<const double> normal) {
+    double sum = -0.5 * static_cast<double>(normal.size()) * std::log(2 * std::numbers::pi);
+    for (const double number : normal) {
+        sum -= number * number / 2;
+    }
+    return sum;
+}
+
+// Densities and draws in the standard normal numbers of the prior. Without a mixture, the prior itself.
 class Proposal {
   public:
-    Proposal(const PriorSpace& prior, std::span<const Draw> draws, std::uint64_t seed) : dimension_(prior.size()) {
-        constexpr std::size_t most_draws = 1500;
-        constexpr std::size_t most_components = 16;
-        if (draws.empty()) {
-            return;
-        }
-        const std::size_t count = std::min(draws.size(), most_draws);
-        Eigen::MatrixXd points(static_cast<Eigen::Index>(dimension_), static_cast<Eigen::Index>(count));
-        for (std::size_t index = 0; index < count; ++index) {
-            const std::vector<double> point = prior.coordinates(draws[index * draws.size() / count].parameters);
-            points.col(static_cast<Eigen::Index>(index)) =
-                Eigen::Map<const Eigen::VectorXd>(point.data(), points.rows());
-        }
-        mixture_.emplace(points, most_components, seed);
-    }
+    explicit Proposal(std::size_t dimension) : dimension_(dimension) {}
+    Proposal(const Eigen::MatrixXd& points, const Eigen::VectorXd& weights, std::uint64_t seed)
+        : dimension_(static_cast<std::size_t>(points.rows())),
+          mixture_(StudentMixture(points, weights, most_components, seed)) {}
 
     std::size_t unit_dimension() const { return dimension_ + 2; }
 
@@ -53,23 +51,115 @@ class Proposal {
         return from_prior;
     }
 
-    // log(prior density / density of the draws)
-    double log_weight(std::span<const double> normal) const {
+    // log(density of the draws / prior density)
+    double log_ratio(std::span<const double> normal) const {
         if (!mixture_) {
             return 0;
         }
-        double log_prior = -0.5 * static_cast<double>(dimension_) * std::log(2 * std::numbers::pi);
-        for (const double number : normal) {
-            log_prior -= number * number / 2;
-        }
-        // prior / (share prior + rest mixture) = 1 / (share + rest mixture / prior)
-        const double ratio = std::exp(mixture_->log_density(normal) - log_prior);
-        return -std::log(prior_share + (1 - prior_share) * ratio);
+        const double ratio = std::exp(mixture_->log_density(normal) - log_prior(normal));
+        return std::log(prior_share + (1 - prior_share) * ratio);
     }
 
   private:
     std::size_t dimension_;
     std::optional<StudentMixture> mixture_;
+};
+
+Proposal proposal_from(const PriorSpace& prior, std::span<const Draw> draws, std::uint64_t seed) {
+    constexpr std::size_t most_draws = 2000;
+    if (draws.empty()) {
+        return Proposal(prior.size());
+    }
+    const std::size_t count = std::min(draws.size(), most_draws);
+    Eigen::MatrixXd points(static_cast<Eigen::Index>(prior.size()), static_cast<Eigen::Index>(count));
+    for (std::size_t index = 0; index < count; ++index) {
+        const std::vector<double> point = prior.coordinates(draws[index * draws.size() / count].parameters);
+        points.col(static_cast<Eigen::Index>(index)) = Eigen::Map<const Eigen::VectorXd>(point.data(), points.rows());
+    }
+    return {points, Eigen::VectorXd::Ones(points.cols()), seed};
+}
+
+// Points drawn from a proposal, and what the model said.
+struct Sample {
+    Eigen::MatrixXd points;  // one per column, standard normal numbers
+    std::vector<Evaluation> evaluations;
+    std::vector<char> from_prior;
+
+    std::span<const double> point(std::size_t index) const {
+        return {points.col(static_cast<Eigen::Index>(index)).data(), static_cast<std::size_t>(points.rows())};
+    }
+};
+
+// Replicates first, first + 1, ... of the sequence, one after the other. Shorter where the work was stopped.
+Sample sample_from(const Proposal& proposal, const Evaluator& misfit, const PriorSpace& prior,
+                   const SobolSequence& sequence, std::size_t points, std::size_t first, std::size_t replicates) {
+    Sample sample;
+    sample.points.resize(static_cast<Eigen::Index>(prior.size()), static_cast<Eigen::Index>(points * replicates));
+    sample.from_prior.resize(points * replicates);
+    sample.evaluations = misfit.evaluate(
+        prior.parameters().size(), points * replicates, [&](std::size_t index, std::span<double> parameters) {
+            std::array<double, most_parameters> storage{};
+            const auto unit = std::span(storage).first(proposal.unit_dimension());
+            sequence.point(index % points, first + index / points, unit);
+            const std::span<double> normal(sample.points.col(static_cast<Eigen::Index>(index)).data(), prior.size());
+            sample.from_prior[index] = proposal.draw(unit, normal) ? 1 : 0;
+            prior.values(normal, parameters);
+        });
+    return sample;
+}
+
+// Pilot points of several proposals, each weighted against the mean of all of them, so that no single one that fitted
+// badly rules the weights.
+class Pilots {
+  public:
+    void add(const Proposal& proposal, const Sample& sample) {
+        proposals_.push_back(proposal);
+        for (std::size_t index = 0; index < sample.evaluations.size(); ++index) {
+            if (sample.evaluations[index].valid()) {
+                const std::span<const double> point = sample.point(index);
+                points_.emplace_back(point.begin(), point.end());
+                log_likelihoods_.push_back(-sample.evaluations[index].value / 2);
+            }
+        }
+    }
+
+    // Nothing where no point has an answer.
+    std::optional<Proposal> refitted(std::uint64_t seed) const {
+        if (points_.empty()) {
+            return std::nullopt;
+        }
+        std::vector<double> logs;
+        for (std::size_t index = 0; index < points_.size(); ++index) {
+            double density = 0;  // over that of the prior
+            for (const Proposal& proposal : proposals_) {
+                density += std::exp(proposal.log_ratio(points_[index]));
+            }
+            logs.push_back(log_likelihoods_[index] - std::log(density));
+        }
+        const double greatest = *std::max_element(logs.begin(), logs.end());
+        std::vector<std::size_t> kept;
+        for (std::size_t index = 0; index < logs.size(); ++index) {
+            if (logs[index] > greatest - negligible) {
+                kept.push_back(index);
+            }
+        }
+        Eigen::MatrixXd points(static_cast<Eigen::Index>(points_.front().size()),
+                               static_cast<Eigen::Index>(kept.size()));
+        Eigen::VectorXd weights(points.cols());
+        for (Eigen::Index column = 0; column < points.cols(); ++column) {
+            const std::size_t index = kept[static_cast<std::size_t>(column)];
+            points.col(column) = Eigen::Map<const Eigen::VectorXd>(points_[index].data(), points.rows());
+            weights(column) = std::exp(logs[index] - greatest);
+        }
+        return Proposal(points, weights, seed);
+    }
+
+  private:
+    static constexpr double negligible = 14;  // a millionth of the greatest
+
+    std::vector<Proposal> proposals_;
+    std::vector<std::vector<double>> points_;
+    std::vector<double> log_likelihoods_;
 };
 
 struct Weights {
@@ -79,23 +169,37 @@ struct Weights {
     EvaluationCount evaluations;
 };
 
-Weights weights_of(const std::vector<Evaluation>& evaluations, const std::vector<double>& log_weights,
-                   const std::vector<char>& from_prior) {
+Weights weights_of(const Proposal& proposal, const Sample& sample) {
+    constexpr double nothing = -std::numeric_limits<double>::infinity();
     Weights weights;
     double drawn = 0;
     double failed = 0;
-    for (std::size_t index = 0; index < evaluations.size(); ++index) {
-        const Evaluation& evaluation = evaluations[index];
+    for (std::size_t index = 0; index < sample.evaluations.size(); ++index) {
+        const Evaluation& evaluation = sample.evaluations[index];
         weights.evaluations.record(evaluation);
         const bool valid = evaluation.valid();
-        weights.logs.push_back(valid ? log_weights[index] - evaluation.value / 2
-                                     : -std::numeric_limits<double>::infinity());
+        weights.logs.push_back(valid ? -evaluation.value / 2 - proposal.log_ratio(sample.point(index)) : nothing);
         weights.least_misfit = valid ? std::min(weights.least_misfit, evaluation.value) : weights.least_misfit;
-        drawn += from_prior[index];
-        failed += from_prior[index] != 0 && !valid ? 1 : 0;
+        drawn += sample.from_prior[index];
+        failed += sample.from_prior[index] != 0 && !valid ? 1 : 0;
     }
     weights.failed_share = drawn > 0 ? failed / drawn : 0;
     return weights;
+}
+
+double effective_size(const std::vector<double>& log_weights) {
+    const double greatest = *std::max_element(log_weights.begin(), log_weights.end());
+    if (!std::isfinite(greatest)) {
+        return 0;
+    }
+    double sum = 0;
+    double squares = 0;
+    for (const double log_weight : log_weights) {
+        const double weight = std::exp(log_weight - greatest);
+        sum += weight;
+        squares += weight * weight;
+    }
+    return sum * sum / squares;
 }
 
 void average(const Weights& weights, const EvidenceSettings& settings, Evidence& evidence) {
@@ -108,7 +212,6 @@ void average(const Weights& weights, const EvidenceSettings& settings, Evidence&
     evidence.status = EvidenceStatus::estimated;
     const auto points = static_cast<std::size_t>(settings.points);
     double sum = 0;
-    double squares = 0;
     std::vector<double> means;
     for (std::size_t first = 0; first < weights.logs.size(); first += points) {
         double mean = 0;
@@ -116,7 +219,6 @@ void average(const Weights& weights, const EvidenceSettings& settings, Evidence&
             const double weight = std::exp(weights.logs[index] - greatest);
             mean += weight / settings.points;
             sum += weight;
-            squares += weight * weight;
         }
         means.push_back(mean);
     }
@@ -128,7 +230,7 @@ void average(const Weights& weights, const EvidenceSettings& settings, Evidence&
     const auto count = static_cast<double>(means.size());
     evidence.log_evidence = greatest + std::log(mean);
     evidence.standard_error = std::sqrt(spread / (count * (count - 1))) / mean;
-    evidence.effective_size = sum * sum / squares;
+    evidence.effective_size = effective_size(weights.logs);
 }
 
 Evidence of_one_point(const Evaluator& misfit, const PriorSpace& prior) {
@@ -149,6 +251,36 @@ Evidence of_one_point(const Evaluator& misfit, const PriorSpace& prior) {
     return evidence;
 }
 
+// Draws may be few, or of another distribution: the mixture is refitted to weighted pilot points until those of a new
+// pilot weigh about the same; the best one is taken.
+Proposal best_proposal(const Evaluator& misfit, const PriorSpace& prior, std::span<const Draw> draws,
+                       const EvidenceSettings& settings, const SobolSequence& sequence, EvaluationCount& account) {
+    constexpr double enough = 0.4;
+    constexpr int most_pilots = 4;
+    const auto points = static_cast<std::size_t>(settings.points);
+    std::optional<Proposal> next = proposal_from(prior, draws, settings.seed);
+    Proposal best = *next;
+    double best_size = -1;
+    Pilots pilots;
+    for (int pilot = 0; pilot < most_pilots && next && best_size < enough * settings.points; ++pilot) {
+        const auto replicate = static_cast<std::size_t>(settings.replicates + pilot);
+        const Sample sample = sample_from(*next, misfit, prior, sequence, points, replicate, 1);
+        if (sample.evaluations.size() < points) {
+            break;
+        }
+        const Weights weights = weights_of(*next, sample);
+        account.add(weights.evaluations);
+        const double size = effective_size(weights.logs);
+        if (size > best_size) {
+            best_size = size;
+            best = *next;
+        }
+        pilots.add(*next, sample);
+        next = pilots.refitted(settings.seed);
+    }
+    return best;
+}
+
 }  // namespace
 
 Evidence estimate_evidence(const Evaluator& misfit, const PriorSpace& prior, std::span<const Draw> draws,
@@ -159,29 +291,18 @@ Evidence estimate_evidence(const Evaluator& misfit, const PriorSpace& prior, std
     if (prior.size() == 0) {
         return of_one_point(misfit, prior);
     }
-    const Proposal proposal(prior, draws, settings.seed);
-    const SamplePlan plan(SamplingMethod::sobol_sequence, proposal.unit_dimension(),
-                          static_cast<std::size_t>(settings.points), static_cast<std::size_t>(settings.replicates),
-                          settings.seed);
-    std::vector<double> log_weights(plan.size());
-    std::vector<char> from_prior(plan.size());
-    const std::vector<Evaluation> evaluations =
-        misfit.evaluate(prior.parameters().size(), plan.size(), [&](std::size_t index, std::span<double> parameters) {
-            std::array<double, most_parameters> unit{};
-            std::array<double, most_parameters> normal{};
-            plan.point(index, std::span(unit).first(proposal.unit_dimension()));
-            const auto numbers = std::span(normal).first(prior.size());
-            from_prior[index] = proposal.draw(std::span(unit).first(proposal.unit_dimension()), numbers) ? 1 : 0;
-            log_weights[index] = proposal.log_weight(numbers);
-            prior.values(numbers, parameters);
-        });
+    const auto points = static_cast<std::size_t>(settings.points);
+    const auto replicates = static_cast<std::size_t>(settings.replicates);
+    const SobolSequence sequence(prior.size() + 2, points, settings.seed);
     Evidence evidence;
-    if (evaluations.size() < plan.size()) {
+    const Proposal proposal = best_proposal(misfit, prior, draws, settings, sequence, evidence.evaluations);
+    const Sample sample = sample_from(proposal, misfit, prior, sequence, points, 0, replicates);
+    if (sample.evaluations.size() < points * replicates) {
         evidence.status = EvidenceStatus::interrupted;
         return evidence;
     }
-    const Weights weights = weights_of(evaluations, log_weights, from_prior);
-    evidence.evaluations = weights.evaluations;
+    const Weights weights = weights_of(proposal, sample);
+    evidence.evaluations.add(weights.evaluations);
     evidence.failed_share = weights.failed_share;
     average(weights, settings, evidence);
     return evidence;

@@ -4,11 +4,14 @@
 //
 // Importance sampling, independent of the chains' own account: points are drawn from
 //     q = 0.2 prior + 0.8 mixture of Student distributions fitted to the posterior's draws,
-// and Z is the mean of exp(-misfit / 2) prior / q. The share of the prior keeps every weight below 5 times the greatest
-// likelihood, so the estimate is unbiased and its variance finite even where the draws have missed a mode. Points are
-// replicates of a randomly shifted Sobol sequence; the spread of the replicates gives the error.
+// and Z is the mean of exp(-misfit / 2) prior / q. Where the draws are few or of another distribution, so that the
+// weights are uneven, the mixture is first refitted to weighted pilot points, each set weighted against the mean of the
+// densities it was drawn with. The share of the prior keeps every weight below 5 times the greatest likelihood, so the
+// estimate is unbiased and its variance finite even where the draws have missed a mode. Points are replicates of a
+// randomly shifted Sobol sequence; the spread of the replicates gives the error. Below an effective size of a tenth of
+// the points the error is itself uncertain, and the estimate more often too low than too high.
 // Sources: T. Hesterberg, Technometrics 37 (1995) 185-194; A. B. Owen & Y. Zhou, J. American Statistical Association
-// 95 (2000) 135-143.
+// 95 (2000) 135-143; J.-M. Cornuet, J.-M. Marin, A. Mira & C. P. Robert, Scandinavian J. Statistics 39 (2012) 798-812.
 #pragma once
 
 #include "fitting/posterior.hpp"
@@ -40,7 +43,7 @@ struct Evidence {
     EvaluationCount evaluations;
 };
 
-// Draws of the posterior in any number, none included; their distribution decides the error, not the value. The
+// Draws in any number, none included, of the posterior or of one like it; they decide the error, not the value. The
 // parameters of the misfit's points are those of the prior, in SI. The result does not depend on the number of threads.
 // Throws std::invalid_argument for settings outside their range and for more than most_parameters - 2 free parameters.
 Evidence estimate_evidence(const Evaluator& misfit, const PriorSpace& prior, std::span<const Draw> draws,

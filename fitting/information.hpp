@@ -82,7 +82,7 @@ struct CandidateInformation {
 };
 
 struct InformationSettings {
-    int outcomes = 256;  // simulated for each candidate and mechanism; >= 2
+    int outcomes = 128;  // simulated for each candidate and mechanism; >= 2
     std::uint64_t seed = 1;
     int threads = 1;  // the result does not depend on it
 };

@@ -60,7 +60,7 @@ class Target {
               return surrogate_ != nullptr ? surrogate_->value(parameters, Priors::ignored)
                                            : misfit_.value(parameters, Priors::ignored);
           }),
-          evaluator_{quantity_, progress, stop, problem.settings.threads, problem.settings.ranks},
+          evaluator_{quantity_, progress, stop, problem.settings.threads},
           prior_(problem.mechanisms[mechanism].parameters) {}
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;
@@ -89,11 +89,14 @@ EvidenceSettings evidence_settings(const FitProblem& problem) {
     return settings;
 }
 
+constexpr int guiding_chains = 2;
+constexpr int guiding_draws = 1600;
+
 // Draws that only guide the evidence need not meet the diagnostics.
 PosteriorSettings guiding_settings(const FitProblem& problem) {
     PosteriorSettings settings = posterior_settings(problem);
-    settings.chains = 4;
-    settings.draws = 1200;
+    settings.chains = guiding_chains;
+    settings.draws = guiding_draws;
     settings.evaluations_per_chain = 1;
     return settings;
 }
@@ -114,7 +117,10 @@ Evidence evidence_of_variant(const FitProblem& problem, std::size_t mechanism, c
     const Target target(changed, mechanism, judged.surrogate ? &judged : costly, progress, stop);
     const Posterior guide = sample_posterior(target.evaluator(), target.prior(), guiding_settings(changed));
     account.add(guide.evaluations);
-    return estimate_evidence(target.evaluator(), target.prior(), guide.draws, evidence_settings(changed));
+    // What matters is how far it moves, not its third digit.
+    EvidenceSettings settings = evidence_settings(changed);
+    settings.points = std::max(settings.points / 2, 16);
+    return estimate_evidence(target.evaluator(), target.prior(), guide.draws, settings);
 }
 
 std::vector<Polyline> profiles_of(const Misfit& misfit, const std::vector<Draw>& draws, std::size_t most_profiles) {
@@ -304,10 +310,11 @@ MechanismPosterior study_posterior(const FitProblem& problem, std::size_t mechan
 long expected_posterior_evaluations(const FitProblem& problem, std::size_t mechanism) {
     const PosteriorStudy& study = *problem.posterior;
     const auto parameters = static_cast<long>(problem.mechanisms[mechanism].parameters.size());
-    const long begin = 41 * std::clamp(10 * parameters, 20L, 80L);
+    const long begin = 31 * std::clamp(10 * parameters, 20L, 80L);
     const long evidence = static_cast<long>(EvidenceSettings{}.replicates) * study.evidence_points;
     const auto variants = static_cast<long>(variants_of(problem).size()) - 1;
-    return study.chains * begin + 3L * study.draws + evidence + variants * (4 * begin + 1200 + evidence);
+    return study.chains * begin + 3L * study.draws + evidence +
+           variants * (guiding_chains * begin + guiding_draws + evidence / 2);
 }
 
 }  // namespace delabole

@@ -158,7 +158,7 @@ PosteriorArchive archive_of(const Chains& chains, std::uint64_t seed) {
         columns.col(static_cast<Eigen::Index>(index)) =
             Eigen::Map<const Eigen::VectorXd>(points[index].data(), columns.rows());
     }
-    return {std::move(points), StudentMixture(columns, most_components, seed)};
+    return {std::move(points), StudentMixture(columns, Eigen::VectorXd::Ones(columns.cols()), most_components, seed)};
 }
 
 // Rounds of walking, each twice as long, until the diagnostics are met. False where the work was stopped.

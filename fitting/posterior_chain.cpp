@@ -125,7 +125,7 @@ bool PosteriorChain::begin() {
     while (population.size() < members) {
         population.push_back(population[population.size() - found]);
     }
-    constexpr int generations = 40;
+    constexpr int generations = 30;
     constexpr int kept = 10;
     for (int generation = 0; generation < generations; ++generation) {
         for (std::size_t index = 0; index < members; ++index) {

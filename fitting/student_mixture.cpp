@@ -42,18 +42,25 @@ MatrixXd covariance_about(const MatrixXd& points, const VectorXd& mean, const Ve
 }
 
 // Starts far from each other.
-std::vector<VectorXd> spread_points(const MatrixXd& points, std::size_t count, std::uint64_t seed) {
+std::vector<VectorXd> spread_points(const MatrixXd& points, const VectorXd& shares, std::size_t count,
+                                    std::uint64_t seed) {
     RandomStream random(seed, RandomPurpose::fit, 0);
-    std::vector<VectorXd> chosen = {
-        points.col(static_cast<Index>(random.below(static_cast<std::size_t>(points.cols()))))};
-    VectorXd squares = (points.colwise() - chosen.front()).colwise().squaredNorm().transpose();
-    while (chosen.size() < count && squares.sum() > 0) {
-        double rest = random.unit() * squares.sum();
+    std::vector<VectorXd> chosen;
+    VectorXd squares = VectorXd::Ones(points.cols());  // of the distance to the nearest one chosen
+    while (chosen.size() < count) {
+        const VectorXd chances = shares.cwiseProduct(squares);
+        if (!(chances.sum() > 0)) {
+            break;
+        }
+        double rest = random.unit() * chances.sum();
         Index next = 0;
-        while (next + 1 < points.cols() && rest > squares(next)) {
-            rest -= squares(next++);
+        while (next + 1 < points.cols() && rest > chances(next)) {
+            rest -= chances(next++);
         }
         chosen.emplace_back(points.col(next));
+        if (chosen.size() == 1) {
+            squares.setConstant(std::numeric_limits<double>::infinity());
+        }
         squares = squares.cwiseMin(VectorXd((points.colwise() - chosen.back()).colwise().squaredNorm().transpose()));
     }
     return chosen;
@@ -78,13 +85,12 @@ MatrixXd responsibilities(const MatrixXd& points, const std::vector<NormalCompon
     return shares.array().colwise() / sums.array();
 }
 
-std::vector<NormalComponent> improved(const MatrixXd& points, const MatrixXd& shares) {
-    const auto count = static_cast<double>(points.cols());
+// `shares` adds up to `count` independent points.
+std::vector<NormalComponent> improved(const MatrixXd& points, const MatrixXd& shares, double count) {
     std::vector<NormalComponent> components;
     for (Index column = 0; column < shares.cols(); ++column) {
         const double members = shares.col(column).sum();
-        // Fewer points than that give no covariance.
-        if (members < static_cast<double>(points.rows() + 1)) {
+        if (members < StudentMixture::least_members) {
             continue;
         }
         const VectorXd share = shares.col(column) / members;
@@ -96,36 +102,42 @@ std::vector<NormalComponent> improved(const MatrixXd& points, const MatrixXd& sh
 
 }  // namespace
 
-StudentMixture::StudentMixture(const MatrixXd& points, std::size_t most_components, std::uint64_t seed)
+StudentMixture::StudentMixture(const MatrixXd& points, const VectorXd& weights, std::size_t most_components,
+                               std::uint64_t seed)
     : dimension_(static_cast<std::size_t>(points.rows())) {
-    if (points.rows() < 1 || points.cols() < 1 || most_components < 1) {
+    if (points.rows() < 1 || points.cols() < 1 || weights.size() != points.cols() || most_components < 1) {
         throw std::invalid_argument("StudentMixture: needs points and at least one component");
     }
     const auto d = static_cast<double>(dimension_);
     const double nu = degrees_of_freedom;
     // Of the density of Student's distribution whose covariance, not whose scale, is given.
     log_constant_ = std::lgamma((nu + d) / 2) - std::lgamma(nu / 2) - d / 2 * std::log((nu - 2) * std::numbers::pi);
-    fit(points, most_components, seed);
+    fit(points, weights, most_components, seed);
 }
 
-void StudentMixture::fit(const MatrixXd& points, std::size_t count, std::uint64_t seed) {
-    const VectorXd even = VectorXd::Constant(points.cols(), 1 / static_cast<double>(points.cols()));
-    const VectorXd middle = points * even;
-    const MatrixXd whole = covariance_about(points, middle, even);
+void StudentMixture::fit(const MatrixXd& points, const VectorXd& weights, std::size_t most, std::uint64_t seed) {
+    const VectorXd shares = weights / weights.sum();
+    const double independent = 1 / shares.squaredNorm();
+    const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(independent / least_members / 2), 1, most);
+    const VectorXd middle = points * shares;
+    const MatrixXd whole = covariance_about(points, middle, shares);
     std::vector<NormalComponent> components;
-    for (const VectorXd& start : spread_points(points, count, seed)) {
+    for (const VectorXd& start : spread_points(points, shares, count, seed)) {
         // Narrow enough that each start takes the points about it.
         components.push_back({1.0, start, factor_of(whole / static_cast<double>(count * count))});
     }
     constexpr int iterations = 30;
     for (int iteration = 0; iteration < iterations; ++iteration) {
-        std::vector<NormalComponent> next = improved(points, responsibilities(points, components));
+        const MatrixXd belongings =
+            responsibilities(points, components).array().colwise() * (shares * independent).array();
+        std::vector<NormalComponent> next = improved(points, belongings, independent);
         if (next.empty()) {
+            components.clear();
             break;
         }
         components = std::move(next);
     }
-    if (components.size() == 1) {
+    if (components.size() <= 1) {
         components = {{1.0, middle, factor_of(whole)}};
     }
     double sum = 0;

@@ -15,12 +15,17 @@ class StudentMixture {
   public:
     // Tails that fall like a power, yet with a variance.
     static constexpr double degrees_of_freedom = 5;
+    // Fewer make a component that fits the points and not what they were drawn from.
+    static constexpr double least_members = 60;
 
     // Weights, means and covariances of at most `most_components` normal distributions by expectation-maximisation from
     // starts among the points (k-means++; numbers counted from the seed), each then given a Student distribution's
-    // tails. Points: one per column, at least one. Source: A. P. Dempster, N. M. Laird & D. B. Rubin, J. Royal
-    // Statistical Society B 39 (1977) 1-38; D. Arthur & S. Vassilvitskii, Proc. 18th ACM-SIAM SODA (2007) 1027-1035.
-    StudentMixture(const Eigen::MatrixXd& points, std::size_t most_components, std::uint64_t seed);
+    // tails. Points: one per column, at least one, with weights > 0 that need not add up to anything; a component
+    // needs the weight of `least_members` independent points. Source: A. P. Dempster, N. M. Laird & D. B. Rubin, J.
+    // Royal Statistical Society B 39 (1977) 1-38; D. Arthur & S. Vassilvitskii, Proc. 18th ACM-SIAM SODA (2007)
+    // 1027-1035.
+    StudentMixture(const Eigen::MatrixXd& points, const Eigen::VectorXd& weights, std::size_t most_components,
+                   std::uint64_t seed);
 
     std::size_t size() const { return components_.size(); }
     std::size_t dimension() const { return dimension_; }
@@ -39,7 +44,7 @@ class StudentMixture {
         double log_scale;        // log of weight and of the density at the mean, but for Student's constant
     };
 
-    void fit(const Eigen::MatrixXd& points, std::size_t count, std::uint64_t seed);
+    void fit(const Eigen::MatrixXd& points, const Eigen::VectorXd& weights, std::size_t count, std::uint64_t seed);
 
     std::size_t dimension_;
     double log_constant_;

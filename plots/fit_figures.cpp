@@ -1,5 +1,6 @@
 #include "plots/fit_figures.hpp"
 
+#include "fitting/estimate.hpp"
 #include "plots/contour.hpp"
 #include "plots/figures.hpp"
 #include "plots/text.hpp"
@@ -94,6 +95,50 @@ void add_minima(const MechanismFit& fit, const MisfitMap& map, const Point& unit
     }
     figure.series.emplace_back(std::move(others));
     figure.series.emplace_back(std::move(best));
+}
+
+// Height of a profile above a place along the ground; not a number beyond its ends.
+double height_at(const Polyline& profile, double x) {
+    for (std::size_t index = 1; index < profile.size(); ++index) {
+        const Point& left = profile[index - 1];
+        const Point& right = profile[index];
+        if (x >= left.x() && x <= right.x()) {
+            return right.x() > left.x() ? std::lerp(left.y(), right.y(), (x - left.x()) / (right.x() - left.x()))
+                                        : right.y();
+        }
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+// Between the 2.5 and 97.5 % quantiles of the heights that the posterior's draws predict; empty where they agree.
+Polyline prediction_band(const MechanismPosterior& posterior, double end) {
+    constexpr int places = 120;
+    constexpr double seen = 0.05;  // m
+    Polyline lower;
+    Polyline upper;
+    double widest = 0;
+    for (int place = 0; place <= places; ++place) {
+        const double x = end * place / places;
+        std::vector<double> heights;
+        for (const Polyline& profile : posterior.profiles) {
+            const double height = height_at(profile, x);
+            if (std::isfinite(height)) {
+                heights.push_back(height);
+            }
+        }
+        if (heights.size() < posterior.profiles.size()) {
+            continue;
+        }
+        std::sort(heights.begin(), heights.end());
+        lower.emplace_back(x, sorted_quantile(heights, 0.025));
+        upper.emplace_back(x, sorted_quantile(heights, 0.975));
+        widest = std::max(widest, upper.back().y() - lower.back().y());
+    }
+    if (widest < seen) {
+        return {};
+    }
+    lower.insert(lower.end(), upper.rbegin(), upper.rend());
+    return lower;
 }
 
 }  // namespace
@@ -216,7 +261,7 @@ std::optional<Figure> profiles_figure(const FitProblem& problem, const FitResult
     constexpr std::array colours = {Colour::vermilion, Colour::blue, Colour::green, Colour::purple, Colour::orange};
     constexpr std::array dashes = {Dash::solid, Dash::dashed, Dash::dotted};
     std::size_t count = 0;
-    double end = problem.profile->profile.back().x();
+    const double end = problem.profile->profile.back().x();
     for (const MechanismFit& fit : result.mechanisms) {
         if (fit.prediction.profile.empty()) {
             continue;
@@ -230,6 +275,15 @@ std::optional<Figure> profiles_figure(const FitProblem& problem, const FitResult
             const Point& before = points[points.size() - 2];
             const double share = (2 * end - before.x()) / (points.back().x() - before.x());
             points.back() = before + share * (points.back() - before);
+        }
+        if (fit.posterior && fit.posterior->profiles.size() > 1) {
+            Polyline band = prediction_band(*fit.posterior, 2 * end);
+            if (!band.empty()) {
+                figure.series.emplace_back(Region{.outline = raised(band),
+                                                  .legend = fit.name + ", 95 % of the posterior",
+                                                  .colour = colours[count % colours.size()],
+                                                  .opacity = 0.2});
+            }
         }
         figure.series.emplace_back(Line{.points = std::move(points),
                                         .legend = fit.name,

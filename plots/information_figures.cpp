@@ -51,7 +51,7 @@ Line horizontal(double height, double from, double to, std::string legend, Colou
 
 Figure information_figure(const std::vector<CandidateInformation>& candidates) {
     Figure figure{.title = "What a next measurement would tell",
-                  .x = {.title = "expected reduction of the standard deviation", .unit = "%"}};
+                  .x = {.title = "standard deviation falls by", .unit = "%"}};
     std::vector<const CandidateInformation*> order;
     std::vector<std::string> parameters;
     for (const CandidateInformation& candidate : candidates) {

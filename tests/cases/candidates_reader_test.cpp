@@ -61,7 +61,7 @@ TEST(CandidatesReader, Complaints) {
          "fit.candidate[1].quantity = \"water.water_deth\": water.water_deth is neither an output nor an input of any "
          "mechanism (did you mean water.water_depth?)");
     said("[\"tilt\"]", "[\"tilt\", \"water.water_depth\"]", "water.water_depth and tilt are not of one dimension");
-    said("[\"tilt\"]", "[]", "fit.candidate[2].quantity = []: is empty");
+    said("[\"tilt\"]", "[]", "fit.candidate[2].quantity = [ ... ]: is empty");
     said("\"2 m\"", "\"0 m\"", "fit.candidate[1].standard_deviation = \"0 m\": must be more than 0");
     said("\"2 m\"", "\"2 deg\"", "fit.candidate[1].standard_deviation = \"2 deg\": ");
     said("cost = 3", "cost = -1", "fit.candidate[1].cost = -1: must be more than 0");

@@ -1,6 +1,7 @@
 // The back-analysis of the 1967 failure: what the README says of it.
 #include "cases/fit_problem_of_case.hpp"
 #include "fitting/back_analysis.hpp"
+#include "fitting/comparison.hpp"
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,52 @@ TEST(Delabole1967, TopplingRanksFirstAndNeedsNoHighWater) {
     EXPECT_LT(fit.identifiability.rank, 4);
     for (const std::string parameter : {"joints.friction_angle", "water.water_elevation", "columns.spacing"}) {
         EXPECT_NE(data_alone(fit, parameter).determination, Determination::determined) << parameter;
+    }
+}
+
+// What the README says of the probabilities, and that neither priors nor model error decide it.
+TEST(Delabole1967, TopplingIsFirstByEvidenceWhateverThePriorsAndTheModelError) {
+    const auto& mechanisms = result_of_1967().mechanisms;
+    for (const MechanismFit& fit : mechanisms) {
+        ASSERT_TRUE(fit.posterior) << fit.name;
+        EXPECT_EQ(fit.posterior->posterior.status, PosteriorStatus::converged) << fit.name;
+        EXPECT_TRUE(fit.posterior->warnings.empty()) << fit.name;
+        EXPECT_LT(fit.posterior->evidence().standard_error, 0.02) << fit.name;
+        EXPECT_EQ(fit.posterior->evidences.size(), 6U) << fit.name;
+    }
+    for (const bool field : {true, false}) {
+        std::vector<LogEvidence> evidences;
+        for (const MechanismFit& fit : mechanisms) {
+            evidences.push_back({fit.posterior->log_evidence(fit.posterior->evidence(), field),
+                                 fit.posterior->evidence().standard_error});
+        }
+        // Three standard errors of the computation.
+        EXPECT_NEAR(weigh(evidences)[0].probability, field ? 0.998 : 0.833, 0.003);
+    }
+    for (std::size_t variant = 0; variant < 6; ++variant) {
+        const auto log_evidence = [&](std::size_t index) {
+            const MechanismPosterior& posterior = *mechanisms[index].posterior;
+            return posterior.log_evidence(posterior.evidences[variant].evidence, true);
+        };
+        EXPECT_GT(log_evidence(0), std::max(log_evidence(1), log_evidence(2)) + 1) << variant;
+    }
+}
+
+// Two accounts of the same uncertainty: the interval of the profile likelihood and that of the draws.
+TEST(Delabole1967, PosteriorAgreesWithTheProfileLikelihood) {
+    for (const MechanismFit& fit : result_of_1967().mechanisms) {
+        for (std::size_t index = 0; index < fit.parameters.size(); ++index) {
+            const ParameterPosterior& posterior = fit.posterior->posterior.parameters[index];
+            const auto profile = std::find_if(fit.profiles.begin(), fit.profiles.end(), [&](const auto& one) {
+                return one.with_priors && one.parameter == posterior.name;
+            });
+            ASSERT_NE(profile, fit.profiles.end());
+            // Equal for a normal posterior; these are cut off and bent, by less than half a standard deviation.
+            EXPECT_NEAR(posterior.interval_95.lower, profile->interval_95.lower, 0.5 * posterior.standard_deviation)
+                << fit.name << ' ' << posterior.name;
+            EXPECT_NEAR(posterior.interval_95.upper, profile->interval_95.upper, 0.5 * posterior.standard_deviation)
+                << fit.name << ' ' << posterior.name;
+        }
     }
 }
 

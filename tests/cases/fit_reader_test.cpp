@@ -113,6 +113,32 @@ TEST(FitReader, Parameters) {
               "slope.toml:37:49: fit.parameter[1].prior.standard_deviation = \"0 deg\": must be more than 0 deg");
 }
 
+TEST(FitReader, Posterior) {
+    const std::string text = std::string(example_text) + std::string(fit_text);
+    EXPECT_FALSE(parse_case(text, "slope.toml").fit->posterior);
+    const CaseFile usual =
+        parse_case(changed(text, "[[fit.parameter]]", "[fit.posterior]\n[[fit.parameter]]"), "a.toml");
+    ASSERT_TRUE(usual.fit->posterior);
+    EXPECT_EQ(usual.fit->posterior->chains, PosteriorStudy{}.chains);
+    const CaseFile own = parse_case(
+        changed(text, "[[fit.parameter]]",
+                "[fit.posterior]\nchains = 4\ndraws = 800\nevaluations_per_chain = 9000\nevidence_points = 64\n"
+                "[[fit.parameter]]"),
+        "a.toml");
+    EXPECT_EQ(own.fit->posterior->chains, 4);
+    EXPECT_EQ(own.fit->posterior->draws, 800);
+    EXPECT_EQ(own.fit->posterior->evaluations_per_chain, 9000);
+    EXPECT_EQ(own.fit->posterior->evidence_points, 64);
+    EXPECT_EQ(fit_complaint("[[fit.parameter]]", "[fit.posterior]\nchians = 4\n[[fit.parameter]]"),
+              "slope.toml:34:1: fit.posterior.chians: unknown key (did you mean chains?)");
+    EXPECT_EQ(fit_complaint("[[fit.parameter]]", "[fit.posterior]\nchains = 1\n[[fit.parameter]]"),
+              "slope.toml:34:10: fit.posterior.chains = 1: must be a whole number from 2 to 1000");
+    EXPECT_EQ(fit_complaint("[[fit.parameter]]", "[fit.posterior]\nchains = 4\ndraws = 31\n[[fit.parameter]]"),
+              "slope.toml:35:9: fit.posterior.draws = 31: must be a whole number from 32 to 100000000");
+    EXPECT_EQ(fit_complaint("algorithm = \"bobyqa\"", "posterior = true"),
+              "slope.toml:31:13: fit.posterior = true: must be a table");
+}
+
 TEST(FitReader, ObservationsAndSettings) {
     EXPECT_EQ(fit_complaint("standard_deviation = 0.05", "standard_deviation = 0"),
               "slope.toml:42:22: fit.observation[1].standard_deviation = 0: must be more than 0");

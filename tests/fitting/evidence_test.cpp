@@ -71,10 +71,9 @@ TEST(Evidence, FindsAModeThatTheDrawsMissed) {
         }
     }
     const Evidence found = evidence(target, draws, {2048, 16, 1});
-    // A fourth of the evidence rests on the prior's share of the points; the error says so.
-    EXPECT_NEAR(found.log_evidence, test::two_modes_evidence, 4.1 * found.standard_error);
-    EXPECT_LT(found.standard_error, 0.15);
-    EXPECT_GT(found.standard_error, evidence(target, sample(target).draws, {2048, 16, 1}).standard_error);
+    EXPECT_NEAR(found.log_evidence, test::two_modes_evidence, 4.1 * found.standard_error + 1e-4);
+    // Pilot points of the prior have found it, else a fourth of the evidence would rest on the prior's share.
+    EXPECT_LT(found.standard_error, 0.01);
 }
 
 TEST(Evidence, NeedsNoDraws) {
@@ -110,12 +109,12 @@ TEST(Evidence, OfAModelWithoutFreeParametersIsItsLikelihood) {
 
 TEST(StudentMixture, IsADensityAndDrawsFromIt) {
     // Points on a bent line.
-    Eigen::MatrixXd points(2, 400);
+    Eigen::MatrixXd points(2, 1200);
     for (Eigen::Index index = 0; index < points.cols(); ++index) {
-        const double x = -2 + 4 * static_cast<double>(index) / 399;
+        const double x = -2 + 4 * static_cast<double>(index) / 1199;
         points.col(index) << x, x * x + 0.1 * std::sin(37 * static_cast<double>(index));
     }
-    const StudentMixture mixture(points, 8, 1);
+    const StudentMixture mixture(points, Eigen::VectorXd::Ones(points.cols()), 8, 1);
     EXPECT_GT(mixture.size(), 3U);
     const auto in_box = [](double x, double y) { return x > 0.5 && x < 1.5 && y > 0.5 && y < 1.5; };
     double whole = 0;
