@@ -82,6 +82,28 @@ value = "12 deg"
 standard_deviation = "1 deg"
 )";
 
+// The same with what the second says in its own terms.
+inline constexpr std::string_view own_terms = R"(
+[[fit.mechanism.observation]]
+label = "tilt"
+quantity = "tilt"
+relation = "at_least"
+value = "10 deg"
+standard_deviation = "2 deg"
+[[fit.mechanism.shows]]
+evidence = "leaning_columns"
+quantity = "tilt"
+relation = "at_least"
+value = "5 deg"
+[[fit.evidence]]
+name = "leaning_columns"
+statement = "columns lean"
+[fit.surrogate]
+runs = 50
+first_runs = 20
+tolerance = 0.05
+)";
+
 // The text with its first `from` replaced by `to`.
 inline std::string changed(std::string_view text, std::string_view from, std::string_view to) {
     std::string result(text);

@@ -43,6 +43,51 @@ TEST(FitReader, AMechanismMayBeOfAnotherModel) {
                   " (did you mean tilted_column?)");
 }
 
+// Behind the parameter of the second mechanism, where its own tables belong.
+std::string in_own_terms() {
+    std::string text = std::string(example_text) + std::string(two_models);
+    return text.insert(text.find("[[fit.observation]]"), std::string(testing::own_terms).substr(1));
+}
+
+TEST(FitReader, AMechanismSpeaksInItsOwnTerms) {
+    const CaseFile file = parse_case(in_own_terms(), "slope.toml");
+    const FitMechanism& mechanism = file.fit->mechanisms[1];
+    ASSERT_EQ(mechanism.observations.size(), 1U);
+    EXPECT_EQ(mechanism.observations.front().observation.relation, Relation::at_least);
+    EXPECT_EQ(mechanism.observations.front().observation.value, degrees(10));
+    ASSERT_EQ(mechanism.signs.size(), 1U);
+    EXPECT_EQ(mechanism.signs.front().sign.value, degrees(5));
+    EXPECT_TRUE(file.fit->mechanisms[0].observations.empty());
+    EXPECT_EQ(file.fit->settings.surrogate.runs, 50);
+    EXPECT_EQ(file.fit->settings.surrogate.first_runs, 20);
+    EXPECT_EQ(file.fit->settings.surrogate.tolerance, 0.05);
+}
+
+TEST(FitReader, TermsThatBelongToNothingAreErrors) {
+    const std::string text = in_own_terms();
+    EXPECT_NE(complaint(changed(text, "label = \"tilt\"", "label = \"tild\""))
+                  .find("fit.mechanism[2].observation[1].label = \"tild\": is not the label of a [[fit.observation]]"),
+              std::string::npos);
+    EXPECT_NE(complaint(changed(text, "evidence = \"leaning_columns\"", "evidence = \"leaning\""))
+                  .find("fit.mechanism[2].shows[1].evidence = \"leaning\": is not the name of a [[fit.evidence]]"),
+              std::string::npos);
+    EXPECT_NE(complaint(changed(text, "relation = \"at_least\"\nvalue = \"5 deg\"",
+                                "relation = \"equal\"\nvalue = \"5 deg\""))
+                  .find("fit.mechanism[2].shows[1].relation = \"equal\": must be at_least or at_most"),
+              std::string::npos);
+    EXPECT_NE(complaint(changed(text, "quantity = \"tilt\"\nrelation = \"at_least\"\nvalue = \"5 deg\"",
+                                "quantity = \"tipt\"\nrelation = \"at_least\"\nvalue = \"5 deg\""))
+                  .find("fit.mechanism[2].shows[1].quantity = \"tipt\": is not an output of the mechanism"),
+              std::string::npos);
+    EXPECT_NE(complaint(changed(text, "runs = 50", "runs = 5")).find("fit.surrogate.runs"), std::string::npos);
+    EXPECT_NE(complaint(changed(text, "upper = 1\n", "upper = 1\nalso = [\"joint_dip\"]\n"))
+                  .find("fit.mechanism[2].parameter[1].also: joint_dip has another dimension than filled_ratio"),
+              std::string::npos);
+    EXPECT_NE(complaint(changed(text, "upper = 1\n", "upper = 1\nalso = [\"joint_dib\"]\n"))
+                  .find("joint_dib is not an input of this case (did you mean joint_dip?)"),
+              std::string::npos);
+}
+
 TEST(FitReader, MechanismsReplaceSectionsWholly) {
     const std::string text = std::string(example_text) + R"(
 [fit]

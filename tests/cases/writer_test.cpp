@@ -150,6 +150,9 @@ TEST(Writer, HashIgnoresLayoutAndUnits) {
 
 TEST(Writer, RoundTripOfMechanismsOfTwoModels) {
     expect_round_trip(std::string(example_text) + std::string(two_models));
+    std::string own = std::string(example_text) + std::string(two_models);
+    own.insert(own.find("[[fit.observation]]"), std::string(testing::own_terms).substr(1));
+    expect_round_trip(own);
 }
 
 TEST(Template, IsACaseOfEachModel) {
