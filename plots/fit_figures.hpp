@@ -20,7 +20,8 @@ std::optional<Figure> misfit_map_figure(const MechanismFit& fit);
 std::optional<Figure> profile_likelihood_figure(const MechanismFit& fit, std::string_view parameter);
 
 // The profile left standing as observed and as each mechanism predicts it at its best point, with the band that 95 % of
-// the posterior's predictions keep to at each place, where it can be seen. Nothing when no profile was observed, or no mechanism predicts one. `toe_elevation` is added to heights.
+// the posterior's predictions keep to at each place, where it can be seen. Nothing when no profile was observed, or no
+// mechanism predicts one. `toe_elevation` is added to heights.
 std::optional<Figure> profiles_figure(const FitProblem& problem, const FitResult& result, double toe_elevation);
 
 }  // namespace delabole
