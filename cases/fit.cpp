@@ -24,6 +24,12 @@ bool any_status(const FitResult& result, FitStatus status) {
                        [&](const MechanismFit& fit) { return fit.status == status; });
 }
 
+bool any_posterior_open(const FitResult& result) {
+    return std::any_of(result.mechanisms.begin(), result.mechanisms.end(), [](const MechanismFit& fit) {
+        return fit.posterior && fit.posterior->posterior.status != PosteriorStatus::converged;
+    });
+}
+
 FitResult fit_with_progress(const FitProblem& problem, const Options& options) {
     Progress progress(options.quiet);
     return fit(
@@ -40,6 +46,7 @@ std::string status_of(const FitResult& result) {
     }
     return any_status(result, FitStatus::no_valid_point)     ? "no_valid_point"
            : any_status(result, FitStatus::evaluation_limit) ? "evaluation_limit"
+           : any_posterior_open(result)                      ? "posterior_not_converged"
                                                              : "converged";
 }
 
@@ -51,6 +58,10 @@ std::string reservation(const std::string& status) {
     if (status == "evaluation_limit") {
         return "not converged: the best search of a mechanism ended at its limit of evaluations before its tolerance; "
                "fit.evaluations_per_start sets the limit";
+    }
+    if (status == "posterior_not_converged") {
+        return "not converged: a mechanism's posterior was not sampled until its chains agreed; "
+               "fit.posterior.evaluations_per_chain sets the limit";
     }
     if (status == "no_valid_point") {
         return "not converged: a mechanism has no valid geometry anywhere between the bounds of its parameters";

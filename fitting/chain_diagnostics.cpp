@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace delabole {
 
@@ -29,24 +30,26 @@ std::vector<Chain> halves(std::span<const Chain> chains) {
 // Normal scores of the ranks over all chains, equal values sharing their mean rank.
 std::vector<Chain> normal_scores(const std::vector<Chain>& chains) {
     const std::size_t length = chains.front().size();
-    Chain all;
+    std::vector<std::pair<double, std::size_t>> order;  // value and place, chain by chain
+    order.reserve(length * chains.size());
     for (const Chain& chain : chains) {
-        all.insert(all.end(), chain.begin(), chain.end());
+        for (const double value : chain) {
+            order.emplace_back(value, order.size());
+        }
     }
-    std::vector<std::size_t> order(all.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&all](std::size_t a, std::size_t b) { return all[a] < all[b]; });
+    std::sort(order.begin(), order.end());
     std::vector<Chain> scores(chains.size(), Chain(length));
-    const auto count = static_cast<double>(all.size());
+    const auto count = static_cast<double>(order.size());
     for (std::size_t first = 0; first < order.size();) {
         std::size_t last = first;
-        while (last + 1 < order.size() && all[order[last + 1]] == all[order[first]]) {
+        while (last + 1 < order.size() && order[last + 1].first == order[first].first) {
             ++last;
         }
         const double rank = static_cast<double>(first + last) / 2 + 1;
         const double score = normal_quantile((rank - 0.375) / (count + 0.25));
-        for (std::size_t place = first; place <= last; ++place) {
-            scores[order[place] / length][order[place] % length] = score;
+        for (std::size_t index = first; index <= last; ++index) {
+            const std::size_t place = order[index].second;
+            scores[place / length][place % length] = score;
         }
         first = last + 1;
     }

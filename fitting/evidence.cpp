@@ -256,14 +256,14 @@ Evidence of_one_point(const Evaluator& misfit, const PriorSpace& prior) {
 Proposal best_proposal(const Evaluator& misfit, const PriorSpace& prior, std::span<const Draw> draws,
                        const EvidenceSettings& settings, const SobolSequence& sequence, EvaluationCount& account) {
     constexpr double enough = 0.4;
-    constexpr int most_pilots = 4;
+    constexpr std::size_t most_pilots = 4;
     const auto points = static_cast<std::size_t>(settings.points);
     std::optional<Proposal> next = proposal_from(prior, draws, settings.seed);
     Proposal best = *next;
     double best_size = -1;
     Pilots pilots;
-    for (int pilot = 0; pilot < most_pilots && next && best_size < enough * settings.points; ++pilot) {
-        const auto replicate = static_cast<std::size_t>(settings.replicates + pilot);
+    for (std::size_t pilot = 0; pilot < most_pilots && next && best_size < enough * settings.points; ++pilot) {
+        const std::size_t replicate = static_cast<std::size_t>(settings.replicates) + pilot;
         const Sample sample = sample_from(*next, misfit, prior, sequence, points, replicate, 1);
         if (sample.evaluations.size() < points) {
             break;

@@ -68,7 +68,7 @@ bool met(const ChainDiagnostics& diagnostics) {
 }
 
 std::vector<RunningQuantiles> running_quantiles(const Chains& chains, std::size_t parameter, std::size_t steps) {
-    constexpr std::size_t lengths = 20;
+    constexpr std::size_t lengths = 10;
     std::vector<RunningQuantiles> running;
     for (std::size_t part = 1; part <= lengths; ++part) {
         const std::size_t length = steps * part / lengths;

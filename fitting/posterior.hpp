@@ -75,7 +75,7 @@ struct Posterior {
     std::vector<ParameterPosterior> parameters;          // those with lower < upper
     Eigen::MatrixXd correlation;                         // of them
     std::vector<Draw> draws;                             // thinned to `draws` of the settings, chain by chain
-    std::vector<std::vector<RunningQuantiles>> running;  // of each parameter, 20 lengths up to the whole
+    std::vector<std::vector<RunningQuantiles>> running;  // of each parameter, 10 lengths up to the whole
     int steps = 0;                                       // of each chain, behind all of the above
     double acceptance = 0;                               // share of the steps that moved
     EvaluationCount evaluations;

@@ -115,10 +115,10 @@ StudentMixture::StudentMixture(const MatrixXd& points, const VectorXd& weights, 
     fit(points, weights, most_components, seed);
 }
 
-void StudentMixture::fit(const MatrixXd& points, const VectorXd& weights, std::size_t most, std::uint64_t seed) {
+void StudentMixture::fit(const MatrixXd& points, const VectorXd& weights, std::size_t count, std::uint64_t seed) {
     const VectorXd shares = weights / weights.sum();
     const double independent = 1 / shares.squaredNorm();
-    const auto count = std::clamp<std::size_t>(static_cast<std::size_t>(independent / least_members / 2), 1, most);
+    count = std::clamp<std::size_t>(static_cast<std::size_t>(independent / least_members / 2), 1, count);
     const VectorXd middle = points * shares;
     const MatrixXd whole = covariance_about(points, middle, shares);
     std::vector<NormalComponent> components;

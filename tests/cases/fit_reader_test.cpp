@@ -130,13 +130,13 @@ TEST(FitReader, Posterior) {
     EXPECT_EQ(own.fit->posterior->evaluations_per_chain, 9000);
     EXPECT_EQ(own.fit->posterior->evidence_points, 64);
     EXPECT_EQ(fit_complaint("[[fit.parameter]]", "[fit.posterior]\nchians = 4\n[[fit.parameter]]"),
-              "slope.toml:34:1: fit.posterior.chians: unknown key (did you mean chains?)");
+              "slope.toml:34:1: fit.posterior.chians: is not a key of fit.posterior (did you mean chains?)");
     EXPECT_EQ(fit_complaint("[[fit.parameter]]", "[fit.posterior]\nchains = 1\n[[fit.parameter]]"),
               "slope.toml:34:10: fit.posterior.chains = 1: must be a whole number from 2 to 1000");
     EXPECT_EQ(fit_complaint("[[fit.parameter]]", "[fit.posterior]\nchains = 4\ndraws = 31\n[[fit.parameter]]"),
               "slope.toml:35:9: fit.posterior.draws = 31: must be a whole number from 32 to 100000000");
     EXPECT_EQ(fit_complaint("algorithm = \"bobyqa\"", "posterior = true"),
-              "slope.toml:31:13: fit.posterior = true: must be a table");
+              "slope.toml:31:13: fit.posterior = true: must be a section: [fit.posterior] and its keys");
 }
 
 TEST(FitReader, ObservationsAndSettings) {

@@ -220,7 +220,7 @@ bad_fit "bounds reversed" '/^lower = "15/s/15/65/' \
 bad_fit "empty observations" '/^\[\[fit.observation/,/^standard_deviation/d' 'fit: has no observations'
 bad_fit "zero standard deviation" '/^standard_deviation/s/0\.05/0/' \
     'fit.observation[1].standard_deviation = 0: must be more than 0'
-bad_fit "unknown key of the posterior" '/^seed/a [fit.posterior]\nchians = 4' 'fit.posterior.chians: unknown key'
+bad_fit "unknown key of the posterior" '/^seed/a [fit.posterior]\nchians = 4' 'fit.posterior.chians: is not a key of fit.posterior (did you mean chains?)'
 bad_fit "one chain" '/^seed/a [fit.posterior]\nchains = 1' 'must be a whole number from 2 to 1000'
 bad_fit "unknown algorithm" '/^algorithm/s/sbplx/sbplex/' 'fit.algorithm = "sbplex": '
 bad_fit "no free parameter" '/^\[\[fit.parameter/,$d' 'has nothing free'
