@@ -79,7 +79,7 @@ struct Entry {
 
 class EvaluationStore::Database {
   public:
-    Database(std::filesystem::path path, std::string_view program);
+    Database(std::filesystem::path file, std::string_view program);
     ~Database() { close(); }
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;

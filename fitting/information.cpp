@@ -301,6 +301,7 @@ std::optional<ExpectedReduction> about_mechanism(const std::vector<Predictor>& p
         return std::nullopt;
     }
     std::vector<double> before;
+    before.reserve(predictors.size());
     for (const Predictor& predictor : predictors) {
         before.push_back(predictor.probability);
     }

@@ -117,7 +117,7 @@ class Repetition {
             result.inside_95.push_back(found.interval_95.contains(truth) ? 1 : 0);
             int rank = 0;
             for (std::size_t place = 0; place < ranked_draws; ++place) {
-                const std::size_t draw = (2 * place + 1) * posterior.draws.size() / (2 * ranked_draws);
+                const std::size_t draw = (2 * place + 1) * posterior.draws.size() / (2 * std::size_t{ranked_draws});
                 rank += posterior.draws[draw].parameters[parameter] < truth ? 1 : 0;
             }
             result.rank.push_back(rank);
