@@ -30,8 +30,13 @@ std::string surrogate_in_words(const MechanismFit& fit) {
                        number_in_words(surrogate.error) +
                        " standard deviations of the data, within its own 95 % band in " +
                        in_percent(surrogate.within_95) + " of the cases; runs that ought to be alike differ by " +
-                       number_in_words(surrogate.scatter) + ", which no parameter decides. By the surrogate the " +
-                       "evidence may be wrong by " + in_percent(surrogate.evidence_error) + " at most.";
+                       number_in_words(surrogate.scatter) + ", which no parameter decides.";
+    if (surrogate.evidence_error <= 0.5) {
+        text += " By the surrogate the evidence may be wrong by " + in_percent(surrogate.evidence_error) + " at most.";
+    } else {
+        text += " The evidence is not known from so few runs: by the surrogate it may be wrong by a factor of " +
+                number_in_words(std::ceil(1 + surrogate.evidence_error)) + ". fit.surrogate.runs allows for more.";
+    }
     if (std::isfinite(surrogate.misfit_of_run)) {
         text += " Data misfit at the best point: " + number_in_words(fit.data_misfit) + " by the surrogate, " +
                 number_in_words(surrogate.misfit_of_run) + " of the run made there.";
