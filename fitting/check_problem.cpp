@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace delabole {
 
@@ -86,13 +87,19 @@ void check_mechanism(const Mechanism& mechanism, Faults& faults) {
             check_parameter(where, parameter, *input, faults);
             for (const std::string& name : parameter.also) {
                 const Quantity* other = find(mechanism.model.inputs, name);
+                std::string fault = where;
+                fault += ", also ";
+                fault += name;
                 if (other == nullptr) {
-                    faults.push_back(where + ", also " + name + ": the model has no such input");
+                    fault += ": the model has no such input";
                 } else if (!seen.insert(name).second) {
-                    faults.push_back(where + ", also " + name + ": given twice");
+                    fault += ": given twice";
                 } else if (other->dimension != input->dimension) {
-                    faults.push_back(where + ", also " + name + ": has another dimension");
+                    fault += ": has another dimension";
+                } else {
+                    continue;
                 }
+                faults.push_back(std::move(fault));
             }
         }
     }

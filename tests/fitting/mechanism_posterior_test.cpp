@@ -34,7 +34,7 @@ FitProblem with_posterior(FitProblem problem) {
 
 MechanismPosterior studied(const FitProblem& problem, std::size_t mechanism = 0) {
     ProgressMeter progress({}, 1);
-    return study_posterior(problem, mechanism, progress);
+    return study_posterior(problem, mechanism, nullptr, progress);
 }
 
 bool mention(const std::vector<std::string>& sentences, const std::string& words) {
@@ -108,7 +108,8 @@ TEST(MechanismPosterior, CountsWhatTheMechanismSaysNothingAboutAsMissed) {
     problem.observations.push_back(observe("crack_depth", 10, 1));
     problem.evidence = {{"planar_surface", "planar", ""}, {"rotation", "blocks turn", ""}};
     problem.mechanisms[0].model.explains = {"rotation"};
-    const MechanismPosterior found = studied(problem);
+    const FitResult fitted = fit(problem);
+    const MechanismPosterior& found = *fitted.mechanisms.front().posterior;
     EXPECT_EQ(found.missing_data, 1);
     EXPECT_EQ(found.missing_field_evidence, 1);
     EXPECT_DOUBLE_EQ(found.log_evidence(found.evidence(), false), found.evidence().log_evidence - 2);

@@ -17,8 +17,8 @@ using relaxation_scenes::joint;
 // middle of the right one and a tenth of a millimetre deep.
 RelaxationScene corner_beside_tip(double level) {
     RelaxationScene scene;
-    const Point on_left(level * 0.3 + 1e-4, level);
-    scene.block.push_back({{on_left, on_left + Point(0.2, 1.98), on_left + Point(-0.6, 1.9)}, density});
+    const PlanePoint<> on_left(level * 0.3 + 1e-4, level);
+    scene.block.push_back({{on_left, on_left + PlanePoint<>(0.2, 1.98), on_left + PlanePoint<>(-0.6, 1.9)}, density});
     scene.block.push_back(fixed_block({{0, 0}, {-0.9, -3}, {0.2, -3}, {0.02, -0.23}}));
     scene.material = {joint(1e9, degrees(30))};
     return scene;
