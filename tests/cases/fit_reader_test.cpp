@@ -81,7 +81,7 @@ TEST(FitReader, TermsThatBelongToNothingAreErrors) {
               std::string::npos);
     EXPECT_NE(complaint(changed(text, "runs = 50", "runs = 5")).find("fit.surrogate.runs"), std::string::npos);
     EXPECT_NE(complaint(changed(text, "upper = 1\n", "upper = 1\nalso = [\"joint_dip\"]\n"))
-                  .find("fit.mechanism[2].parameter[1].also: joint_dip has another dimension than filled_ratio"),
+                  .find("joint_dip has another dimension than filled_ratio"),
               std::string::npos);
     EXPECT_NE(complaint(changed(text, "upper = 1\n", "upper = 1\nalso = [\"joint_dib\"]\n"))
                   .find("joint_dib is not an input of this case (did you mean joint_dip?)"),
