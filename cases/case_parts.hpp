@@ -14,7 +14,6 @@ struct ModelNames {
 
 ModelNames names_of(const CaseModel& model, const OutputsOf& outputs_of, bool inputs_known);
 
-const Quantity* find_quantity(const std::vector<Quantity>& quantities, std::string_view name);
 std::vector<std::string> names_in(const std::vector<Quantity>& quantities);
 
 // `with = { "water.filled_ratio" = 1.0 }`: inputs of any of the models. Empty when absent.

@@ -2,6 +2,7 @@
 
 #include "cases/case_parts.hpp"
 #include "cases/described_writer.hpp"
+#include "numerics/fnv_1a.hpp"
 
 #include <algorithm>
 #include <array>
@@ -351,12 +352,7 @@ std::string resolved_toml(const CaseFile& case_file) {
 }
 
 std::string case_hash(const CaseFile& case_file) {
-    constexpr std::uint64_t offset_basis = 0xCBF29CE484222325U;
-    constexpr std::uint64_t prime = 0x100000001B3U;
-    std::uint64_t hash = offset_basis;
-    for (const char byte : resolved_toml(case_file)) {
-        hash = (hash ^ static_cast<unsigned char>(byte)) * prime;
-    }
+    std::uint64_t hash = fnv_1a(resolved_toml(case_file));
     constexpr std::string_view digits = "0123456789abcdef";
     std::string text(16, '0');
     for (auto digit = text.rbegin(); digit != text.rend(); ++digit, hash >>= 4U) {

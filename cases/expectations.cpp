@@ -104,11 +104,6 @@ ModelNames names_of(const CaseModel& model, const OutputsOf& outputs_of, bool in
     return {.inputs = named_inputs(model), .outputs = outputs_of(model), .inputs_known = inputs_known};
 }
 
-const Quantity* find_quantity(const std::vector<Quantity>& quantities, std::string_view name) {
-    const auto found = std::ranges::find(quantities, name, &Quantity::name);
-    return found == quantities.end() ? nullptr : &*found;
-}
-
 std::vector<std::string> names_in(const std::vector<Quantity>& quantities) {
     std::vector<std::string> names;
     names.reserve(quantities.size());

@@ -3,7 +3,7 @@
 #include "cases/analysis.hpp"
 #include "fitting/check_problem.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace delabole {
 
@@ -43,17 +43,19 @@ FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::
 }
 
 std::vector<std::string> leave_out_costly(CaseFit& fit) {
-    const auto costly = [](const FitMechanism& mechanism) { return interface_of(mechanism.model).costly; };
+    std::vector<FitMechanism> others;
     std::vector<std::string> names;
-    if (std::ranges::all_of(fit.mechanisms, costly)) {
-        return names;
-    }
     for (const FitMechanism& mechanism : fit.mechanisms) {
-        if (costly(mechanism)) {
+        if (interface_of(mechanism.model).costly) {
             names.push_back(mechanism.name);
+        } else {
+            others.push_back(mechanism);
         }
     }
-    std::erase_if(fit.mechanisms, costly);
+    if (others.empty()) {
+        return {};
+    }
+    fit.mechanisms = std::move(others);
     return names;
 }
 

@@ -86,13 +86,4 @@ class ByteReader {
     bool overrun_ = false;
 };
 
-// FNV-1a over bytes: finds damage, does not protect against forgery.
-constexpr std::uint64_t checksum_of(std::string_view bytes) {
-    std::uint64_t sum = 0xCBF29CE484222325U;
-    for (const char byte : bytes) {
-        sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001B3U;
-    }
-    return sum;
-}
-
 }  // namespace delabole

@@ -1,6 +1,7 @@
 #include "fitting/candidate_draws.hpp"
 
 #include "fitting/comparison.hpp"
+#include "fitting/input_binding.hpp"
 #include "fitting/share.hpp"
 
 #include <algorithm>
@@ -11,26 +12,17 @@ namespace delabole {
 
 namespace {
 
-std::optional<std::size_t> place_of(const std::vector<Quantity>& quantities, const std::string& name) {
-    const auto found = std::find_if(quantities.begin(), quantities.end(),
-                                    [&](const Quantity& quantity) { return quantity.name == name; });
-    return found == quantities.end() ? std::nullopt
-                                     : std::optional(static_cast<std::size_t>(found - quantities.begin()));
-}
-
 // A quantity as a function of a mechanism's parameters.
 class Measured {
   public:
     // Nothing where the mechanism has none of the candidate's quantities, or lacks an input that its conditions fix.
     static std::optional<Measured> of(const FitCandidate& candidate, const Mechanism& mechanism) {
-        Measured measured(mechanism);
         for (const Condition& condition : candidate.conditions) {
-            const auto input = place_of(mechanism.model.inputs, condition.input);
-            if (!input) {
+            if (!place_of(mechanism.model.inputs, condition.input)) {
                 return std::nullopt;
             }
-            measured.fixed_.push_back({*input, condition.value});
         }
+        Measured measured(mechanism, candidate.conditions);
         for (const std::string& name : candidate.quantities) {
             measured.output_ = place_of(mechanism.model.outputs, name);
             measured.input_ = place_of(mechanism.model.inputs, name);
@@ -43,16 +35,7 @@ class Measured {
 
     // NaN where the model has no answer.
     double at(std::span<const double> parameters) const {
-        std::vector<Assignment> assignments;
-        for (std::size_t index = 0; index < parameters.size(); ++index) {
-            const FreeParameter& parameter = mechanism_.parameters[index];
-            assignments.push_back({*place_of(mechanism_.model.inputs, parameter.name), parameters[index]});
-            for (const std::string& name : parameter.also) {
-                assignments.push_back({*place_of(mechanism_.model.inputs, name), parameters[index]});
-            }
-        }
-        // Conditions override free parameters, as those of observations do.
-        assignments.insert(assignments.end(), fixed_.begin(), fixed_.end());
+        const std::vector<Assignment> assignments = binding_.at(parameters);
         if (!output_) {
             double value = mechanism_.model.inputs[*input_].value;
             for (const Assignment& assignment : assignments) {
@@ -65,12 +48,13 @@ class Measured {
     }
 
   private:
-    explicit Measured(const Mechanism& mechanism) : mechanism_(mechanism) {}
+    Measured(const Mechanism& mechanism, const std::vector<Condition>& conditions)
+        : mechanism_(mechanism), binding_(mechanism, conditions) {}
 
     const Mechanism& mechanism_;
+    InputBinding binding_;
     std::optional<std::size_t> output_;
     std::optional<std::size_t> input_;
-    std::vector<Assignment> fixed_;
 };
 
 // No more than are worth their time, as many of each chain.

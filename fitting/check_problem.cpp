@@ -15,12 +15,6 @@ namespace {
 
 using Faults = std::vector<std::string>;
 
-const Quantity* find(const std::vector<Quantity>& quantities, const std::string& name) {
-    const auto place = std::find_if(quantities.begin(), quantities.end(),
-                                    [&name](const Quantity& quantity) { return quantity.name == name; });
-    return place == quantities.end() ? nullptr : &*place;
-}
-
 void check_positive(const std::string& where, double standard_deviation, Faults& faults) {
     if (!(std::isfinite(standard_deviation) && standard_deviation > 0)) {
         faults.push_back(where + ": standard_deviation = " + number_in_words(standard_deviation) +
@@ -78,7 +72,7 @@ void check_mechanism(const Mechanism& mechanism, Faults& faults) {
     std::set<std::string> seen;
     for (const FreeParameter& parameter : mechanism.parameters) {
         const std::string where = mechanism.name + ", parameter " + parameter.name;
-        const Quantity* input = find(mechanism.model.inputs, parameter.name);
+        const Quantity* input = find_quantity(mechanism.model.inputs, parameter.name);
         if (!seen.insert(parameter.name).second) {
             faults.push_back(where + ": given twice");
         } else if (input == nullptr) {
@@ -86,7 +80,7 @@ void check_mechanism(const Mechanism& mechanism, Faults& faults) {
         } else {
             check_parameter(where, parameter, *input, faults);
             for (const std::string& name : parameter.also) {
-                const Quantity* other = find(mechanism.model.inputs, name);
+                const Quantity* other = find_quantity(mechanism.model.inputs, name);
                 std::string fault = where;
                 fault += ", also ";
                 fault += name;

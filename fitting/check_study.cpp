@@ -17,11 +17,6 @@ std::string numbered(const std::string& key, std::size_t index) {
     return key + "[" + std::to_string(index + 1) + "]";
 }
 
-bool has(const std::vector<Quantity>& quantities, const std::string& name) {
-    return std::any_of(quantities.begin(), quantities.end(),
-                       [&](const Quantity& quantity) { return quantity.name == name; });
-}
-
 void check_parameters(const SensitivityProblem& problem, Faults& faults) {
     const SensitivityStudy& study = problem.study;
     if (study.parameters.empty()) {
@@ -36,7 +31,7 @@ void check_parameters(const SensitivityProblem& problem, Faults& faults) {
     for (std::size_t index = 0; index < study.parameters.size(); ++index) {
         const UncertainParameter& parameter = study.parameters[index];
         const std::string key = numbered("parameter", index);
-        if (!has(problem.model.inputs, parameter.name)) {
+        if (find_quantity(problem.model.inputs, parameter.name) == nullptr) {
             faults.push_back({key + ".name", "the model has no such input"});
         }
         if (!seen.insert(parameter.name).second) {
@@ -186,7 +181,7 @@ std::vector<StudyFault> check_study(const SensitivityProblem& problem) {
     if (faults.empty()) {
         check_dependence(study, faults);
     }
-    if (!has(problem.model.outputs, study.quantity)) {
+    if (find_quantity(problem.model.outputs, study.quantity) == nullptr) {
         faults.push_back({"quantity", "the model does not answer this"});
     }
     if (study.failure && !std::isfinite(study.failure->limit)) {

@@ -1,6 +1,7 @@
 #include "fitting/evaluation_store.hpp"
 
 #include "fitting/bytes.hpp"
+#include "numerics/fnv_1a.hpp"
 
 #include <sqlite3.h>
 
@@ -71,7 +72,7 @@ struct Entry {
         writer.text(outputs);
         writer.text(profile);
         writer.real(seconds);
-        return static_cast<std::int64_t>(checksum_of(writer.bytes()));
+        return static_cast<std::int64_t>(fnv_1a(writer.bytes()));
     }
 };
 

@@ -18,6 +18,16 @@ constexpr double median_ratio = 0.1;
 constexpr Interval log_length{.lower = -3.5, .upper = 3.5};
 constexpr Interval log_ratio{.lower = -9.2, .upper = 1.4};
 
+// c as a function of r^2.
+double matern_correlation(double squared_distance) {
+    const double s = std::sqrt(5 * squared_distance);
+    return (1 + s + s * s / 3) * std::exp(-s);
+}
+
+Eigen::Map<const Eigen::VectorXd> vector_of(std::span<const double> point) {
+    return {point.data(), static_cast<Eigen::Index>(point.size())};
+}
+
 Eigen::MatrixXd correlation_matrix(const Eigen::MatrixXd& points, const ProcessShape& shape) {
     const Eigen::MatrixXd scaled = points * shape.length.cwiseInverse().asDiagonal();
     const Eigen::Index count = points.rows();
@@ -91,11 +101,6 @@ bool all_equal(const Eigen::VectorXd& values) {
 
 }  // namespace
 
-double matern_correlation(double squared_distance) {
-    const double s = std::sqrt(5 * squared_distance);
-    return (1 + s + s * s / 3) * std::exp(-s);
-}
-
 GaussianProcess::GaussianProcess(const Eigen::MatrixXd& points, const Eigen::VectorXd& values)
     : GaussianProcess(points, values,
                       all_equal(values)
@@ -116,8 +121,7 @@ GaussianProcess::GaussianProcess(const Eigen::MatrixXd& points, const Eigen::Vec
 }
 
 ProcessPrediction GaussianProcess::predict(std::span<const double> point) const {
-    const Eigen::Map<const Eigen::VectorXd> coordinates(point.data(), static_cast<Eigen::Index>(point.size()));
-    const Eigen::RowVectorXd scaled = coordinates.cwiseQuotient(shape_.length).transpose();
+    const Eigen::RowVectorXd scaled = vector_of(point).cwiseQuotient(shape_.length).transpose();
     Eigen::VectorXd near(points_.rows());
     for (Eigen::Index row = 0; row < points_.rows(); ++row) {
         near[row] = matern_correlation((points_.row(row) - scaled).squaredNorm());
@@ -125,6 +129,10 @@ ProcessPrediction GaussianProcess::predict(std::span<const double> point) const 
     const double unknown_level = 1 - row_sums_.dot(near);
     const double share = 1 - near.dot(inverse_ * near) + unknown_level * unknown_level / whole_sum_;
     return {level_ + weights_.dot(near), amplitude_squared_ * std::max(share, 0.0)};
+}
+
+double GaussianProcess::correlation(std::span<const double> left, std::span<const double> right) const {
+    return matern_correlation((vector_of(left) - vector_of(right)).cwiseQuotient(shape_.length).squaredNorm());
 }
 
 std::vector<ProcessPrediction> GaussianProcess::leave_one_out() const {

@@ -32,9 +32,6 @@ struct ProcessPrediction {
     double variance = 0;  // of the smooth function there, without the scatter
 };
 
-// c as a function of r^2.
-double matern_correlation(double squared_distance);
-
 class GaussianProcess {
   public:
     // points: one row each, coordinates in the unit box; at least two rows, as many as values; all finite. Values that
@@ -49,6 +46,9 @@ class GaussianProcess {
 
     // O(n^2). Safe to call from several threads.
     ProcessPrediction predict(std::span<const double> point) const;
+
+    // c between two points.
+    double correlation(std::span<const double> left, std::span<const double> right) const;
 
     // At each of the points as if it were not known, the scatter included in the variance. O(n^3).
     std::vector<ProcessPrediction> leave_one_out() const;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace delabole {
@@ -49,13 +50,25 @@ void scale_model_error(FitProblem& problem, double factor) {
     }
 }
 
+// A surrogate of the same runs where the data have other standard deviations than when they were made; priors are
+// nothing to a surrogate.
+std::unique_ptr<Surrogate> judged_anew(const Misfit& misfit, const CostlyRuns* costly) {
+    if (costly == nullptr || misfit.data() == costly->surrogate->misfit().data()) {
+        return nullptr;
+    }
+    return std::make_unique<Surrogate>(misfit, judged_by(misfit, costly->surrogate->misfit(), costly->runs));
+}
+
 // What the target of one mechanism under one variant consists of; the pieces refer to each other.
 class Target {
   public:
     Target(const FitProblem& problem, std::size_t mechanism, const CostlyRuns* costly, ProgressMeter& progress,
            StopFlag stop)
         : misfit_(problem.mechanisms[mechanism], problem),
-          surrogate_(costly != nullptr ? costly->surrogate.get() : nullptr),
+          judged_anew_(judged_anew(misfit_, costly)),
+          surrogate_(judged_anew_        ? judged_anew_.get()
+                     : costly != nullptr ? costly->surrogate.get()
+                                         : nullptr),
           quantity_([this](std::span<const double> parameters) {
               return surrogate_ != nullptr ? surrogate_->value(parameters, Priors::ignored)
                                            : misfit_.value(parameters, Priors::ignored);
@@ -71,6 +84,7 @@ class Target {
 
   private:
     Misfit misfit_;
+    std::unique_ptr<Surrogate> judged_anew_;  // refers to the misfit
     const Surrogate* surrogate_;
     Objective quantity_;
     Evaluator evaluator_;
@@ -105,16 +119,7 @@ Evidence evidence_of_variant(const FitProblem& problem, std::size_t mechanism, c
                              EvidenceVariant variant, ProgressMeter& progress, StopFlag stop,
                              EvaluationCount& account) {
     const FitProblem changed = varied(problem, variant);
-    // Priors are nothing to a surrogate, standard deviations of the data are.
-    const bool other_errors =
-        variant == EvidenceVariant::model_error_halved || variant == EvidenceVariant::model_error_doubled;
-    const Misfit judge(changed.mechanisms[mechanism], changed);
-    CostlyRuns judged;
-    if (costly != nullptr && other_errors) {
-        judged.runs = judged_by(judge, Misfit(problem.mechanisms[mechanism], problem), costly->runs);
-        judged.surrogate = std::make_unique<Surrogate>(judge, judged.runs);
-    }
-    const Target target(changed, mechanism, judged.surrogate ? &judged : costly, progress, stop);
+    const Target target(changed, mechanism, costly, progress, stop);
     const Posterior guide = sample_posterior(target.evaluator(), target.prior(), guiding_settings(changed));
     account.add(guide.evaluations);
     // What matters is how far it moves, not its third digit.

@@ -11,15 +11,6 @@ namespace delabole {
 
 namespace {
 
-std::optional<std::size_t> find(const std::vector<Quantity>& quantities, std::string_view name) {
-    const auto place = std::find_if(quantities.begin(), quantities.end(),
-                                    [name](const Quantity& quantity) { return quantity.name == name; });
-    if (place == quantities.end()) {
-        return std::nullopt;
-    }
-    return static_cast<std::size_t>(place - quantities.begin());
-}
-
 bool satisfied(Relation relation, double pull) {
     return (relation == Relation::at_least && pull >= 0) || (relation == Relation::at_most && pull <= 0);
 }
@@ -47,28 +38,14 @@ Misfit::Misfit(const Mechanism& mechanism, const FitProblem& problem)
             observation = *own;
         }
     }
-    bind_parameters();
-    sets_.push_back(make_condition_set({}));
+    for (const FreeParameter& parameter : mechanism.parameters) {
+        bounds_.push_back({.lower = parameter.lower, .upper = parameter.upper});
+    }
+    sets_.push_back({{}, InputBinding(mechanism_), {}});
     bind_observations();
     if (problem_.profile) {
         profile_samples_ = resample(problem_.profile->profile, profile_samples);
         find_out_about_profile();
-    }
-}
-
-void Misfit::bind_parameters() {
-    for (const FreeParameter& parameter : mechanism_.parameters) {
-        std::vector<std::string> names = {parameter.name};
-        names.insert(names.end(), parameter.also.begin(), parameter.also.end());
-        std::vector<std::size_t>& indices = inputs_.emplace_back();
-        for (const std::string& name : names) {
-            const auto index = input(name);
-            if (!index) {
-                throw std::invalid_argument(mechanism_.name + ": the model has no input " + name);
-            }
-            indices.push_back(*index);
-        }
-        bounds_.push_back({.lower = parameter.lower, .upper = parameter.upper});
     }
 }
 
@@ -97,40 +74,9 @@ std::size_t Misfit::condition_set(const std::vector<Condition>& conditions) {
             return index;
         }
     }
-    sets_.push_back(make_condition_set(std::move(sorted)));
+    InputBinding binding(mechanism_, sorted);
+    sets_.push_back({std::move(sorted), std::move(binding), {}});
     return sets_.size() - 1;
-}
-
-Misfit::ConditionSet Misfit::make_condition_set(std::vector<Condition> conditions) const {
-    ConditionSet set;
-    const auto is_set = [&set](std::size_t wanted) {
-        return std::ranges::find(set.assignments, wanted, &Assignment::input) != set.assignments.end();
-    };
-    for (const Condition& condition : conditions) {
-        set.assignments.push_back({*input(condition.input), condition.value});
-        set.source.emplace_back(std::nullopt);
-    }
-    // A condition on a parameter is one on all inputs that take its value.
-    for (const Condition& condition : conditions) {
-        for (const std::vector<std::size_t>& together : inputs_) {
-            for (const std::size_t index : together) {
-                if (together.front() == *input(condition.input) && !is_set(index)) {
-                    set.assignments.push_back({index, condition.value});
-                    set.source.emplace_back(std::nullopt);
-                }
-            }
-        }
-    }
-    for (std::size_t parameter = 0; parameter < inputs_.size(); ++parameter) {
-        for (const std::size_t index : inputs_[parameter]) {
-            if (!is_set(index)) {
-                set.assignments.push_back({index, 0});
-                set.source.emplace_back(parameter);
-            }
-        }
-    }
-    set.conditions = std::move(conditions);
-    return set;
 }
 
 // A mechanism that predicts a profile must not escape the comparison at points where it has none, so that has to be
@@ -150,17 +96,17 @@ void Misfit::find_out_about_profile() {
 }
 
 std::optional<std::size_t> Misfit::input(std::string_view name) const {
-    return find(mechanism_.model.inputs, name);
+    return place_of(mechanism_.model.inputs, name);
 }
 
 std::optional<std::size_t> Misfit::output(std::string_view name) const {
-    return find(mechanism_.model.outputs, name);
+    return place_of(mechanism_.model.outputs, name);
 }
 
 std::vector<Dimension> Misfit::dimensions() const {
     std::vector<Dimension> result;
-    for (const std::vector<std::size_t>& indices : inputs_) {
-        result.push_back(mechanism_.model.inputs[indices.front()].dimension);
+    for (const FreeParameter& parameter : mechanism_.parameters) {
+        result.push_back(find_quantity(mechanism_.model.inputs, parameter.name)->dimension);
     }
     return result;
 }
@@ -190,13 +136,7 @@ std::vector<double> Misfit::centre() const {
 }
 
 Prediction Misfit::predict(const ConditionSet& set, std::span<const double> parameters) const {
-    std::vector<Assignment> assignments = set.assignments;
-    for (std::size_t index = 0; index < assignments.size(); ++index) {
-        if (set.source[index]) {
-            assignments[index].value = parameters[*set.source[index]];
-        }
-    }
-    Prediction prediction = mechanism_.model.predict(assignments);
+    Prediction prediction = mechanism_.model.predict(set.binding.at(parameters));
     if (prediction.failure.empty() && prediction.outputs.size() != mechanism_.model.outputs.size()) {
         prediction.failure = "outputs_missing";
     }

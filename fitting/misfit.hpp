@@ -8,6 +8,7 @@
 #include "fitting/evaluation.hpp"
 #include "fitting/fit_problem.hpp"
 #include "fitting/fit_result.hpp"
+#include "fitting/input_binding.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -39,6 +40,8 @@ struct Datum {
     std::string label;
     Relation relation;
     double standard_deviation;
+
+    bool operator==(const Datum&) const = default;
 };
 
 // Sum of squares of those that are not idle; meaningful where there is no failure.
@@ -89,9 +92,7 @@ class Misfit {
   private:
     struct ConditionSet {
         std::vector<Condition> conditions;
-        std::vector<Assignment> assignments;
-        // Which parameter gives the assignment its value; none for a condition's.
-        std::vector<std::optional<std::size_t>> source;
+        InputBinding binding;
         std::vector<std::size_t> observations;  // indices into bound_
     };
     struct BoundObservation {
@@ -105,10 +106,8 @@ class Misfit {
     };
 
     std::optional<std::size_t> input(std::string_view name) const;
-    void bind_parameters();
     void bind_observations();
     std::size_t condition_set(const std::vector<Condition>& conditions);
-    ConditionSet make_condition_set(std::vector<Condition> conditions) const;
     void find_out_about_profile();
     Prediction predict(const ConditionSet& set, std::span<const double> parameters) const;
     template <class Visitor>
@@ -123,8 +122,7 @@ class Misfit {
     const FitProblem& problem_;
     std::vector<QuantityObservation> observations_;
     std::vector<Interval> bounds_;
-    std::vector<std::vector<std::size_t>> inputs_;  // of each parameter
-    std::vector<ConditionSet> sets_;                // the first has no conditions
+    std::vector<ConditionSet> sets_;  // the first has no conditions
     std::vector<BoundObservation> bound_;
     std::vector<Unbound> unbound_;
     Polyline profile_samples_;

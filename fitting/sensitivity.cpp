@@ -8,13 +8,12 @@ namespace delabole {
 
 namespace {
 
-std::size_t place_of(const std::vector<Quantity>& quantities, const std::string& name) {
-    const auto found = std::find_if(quantities.begin(), quantities.end(),
-                                    [&](const Quantity& quantity) { return quantity.name == name; });
-    if (found == quantities.end()) {
+std::size_t demanded_place(const std::vector<Quantity>& quantities, const std::string& name) {
+    const auto place = place_of(quantities, name);
+    if (!place) {
         throw std::invalid_argument("sensitivity: the model has no " + name);
     }
-    return static_cast<std::size_t>(found - quantities.begin());
+    return *place;
 }
 
 // Evaluations of each method, for progress only.
@@ -97,9 +96,9 @@ bool found_nothing(const SensitivityResult& result) {
 Objective quantity_of(const ModelInterface& model, const SensitivityStudy& study) {
     std::vector<std::size_t> inputs;
     for (const UncertainParameter& parameter : study.parameters) {
-        inputs.push_back(place_of(model.inputs, parameter.name));
+        inputs.push_back(demanded_place(model.inputs, parameter.name));
     }
-    const std::size_t output = place_of(model.outputs, study.quantity);
+    const std::size_t output = demanded_place(model.outputs, study.quantity);
     return [&model, inputs, output](std::span<const double> parameters) -> Evaluation {
         std::array<Assignment, most_parameters> assignments{};
         for (std::size_t index = 0; index < inputs.size(); ++index) {

@@ -1,12 +1,13 @@
 #include "fitting/surrogate.hpp"
 
+#include "fitting/distribution.hpp"
+
 #include <Eigen/SVD>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 namespace delabole {
@@ -15,10 +16,6 @@ namespace {
 
 constexpr double least_share_of_component = 1e-3;
 
-double normal_below(double value) {
-    return std::erfc(-value / std::numbers::sqrt2) / 2;
-}
-
 // E[exp(-min(0, r)^2 / 2)] for r normal: 1 where the inequality holds.
 double likelihood_of_inequality(double mean, double variance) {
     if (variance <= 0) {
@@ -26,9 +23,9 @@ double likelihood_of_inequality(double mean, double variance) {
     }
     const double deviation = std::sqrt(variance);
     const double wider = 1 + variance;
-    const double broken =
-        std::exp(-mean * mean / (2 * wider)) / std::sqrt(wider) * normal_below(-mean / (deviation * std::sqrt(wider)));
-    return normal_below(mean / deviation) + broken;
+    const double broken = std::exp(-mean * mean / (2 * wider)) / std::sqrt(wider) *
+                          normal_probability(-mean / (deviation * std::sqrt(wider))).below;
+    return normal_probability(mean / deviation).below + broken;
 }
 
 // Nodes and weights for the mean over a standard normal number; exact to degree 9.
@@ -163,18 +160,7 @@ Residuals Surrogate::residuals(std::span<const double> parameters) const {
 }
 
 double Surrogate::correlation(std::span<const double> left, std::span<const double> right) const {
-    const std::vector<double> from = unit_point(left);
-    const std::vector<double> to = unit_point(right);
-    if (process_.empty()) {
-        return 0;
-    }
-    const Eigen::VectorXd& length = process_.front().shape().length;
-    double squared = 0;
-    for (std::size_t index = 0; index < from.size(); ++index) {
-        const double share = (from[index] - to[index]) / length[static_cast<Eigen::Index>(index)];
-        squared += share * share;
-    }
-    return matern_correlation(squared);
+    return process_.empty() ? 0 : process_.front().correlation(unit_point(left), unit_point(right));
 }
 
 Surrogate::Check Surrogate::leave_one_out() const {

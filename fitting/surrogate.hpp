@@ -53,6 +53,8 @@ class Surrogate {
     // Fewer runs with an answer than it takes.
     static constexpr std::size_t least_runs(std::size_t free_parameters) { return 2 * free_parameters + 2; }
 
+    const Misfit& misfit() const { return misfit_; }
+
     // As of Misfit: one number per parameter of the mechanism, SI.
     Evaluation value(std::span<const double> parameters, Priors priors) const;
     Residuals residuals(std::span<const double> parameters) const;

@@ -14,14 +14,6 @@ constexpr std::size_t checksum_size = 8;
 
 }  // namespace
 
-std::uint64_t fnv_1a(std::string_view bytes) {
-    std::uint64_t hash = 0xcbf29ce484222325U;
-    for (const char byte : bytes) {
-        hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3U;
-    }
-    return hash;
-}
-
 std::string seal_checkpoint(std::uint64_t hash, std::string_view body) {
     CheckpointWriter header;
     header.put(checkpoint_version);

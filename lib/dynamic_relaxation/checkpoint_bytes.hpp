@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dynamic_relaxation/checkpoint_members.hpp"
+#include "numerics/fnv_1a.hpp"
 
 #include <array>
 #include <bit>
@@ -27,8 +28,6 @@ enum class CheckpointCheck {
 constexpr std::array<std::string_view, 5> enum_names(CheckpointCheck) {
     return {"ok", "not_a_checkpoint", "other_version", "other_scene", "damaged"};
 }
-
-std::uint64_t fnv_1a(std::string_view bytes);
 
 // `hash` tells what the body depends on: it must be the same at opening.
 std::string seal_checkpoint(std::uint64_t hash, std::string_view body);

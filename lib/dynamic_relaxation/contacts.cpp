@@ -131,18 +131,20 @@ class Search {
         const std::size_t before = bodies_.range[block].before(corner);
         const PlanePoint<> to_next = motion_[block].turned(bodies_.along[corner]);
         const PlanePoint<> to_previous = -motion_[block].turned(bodies_.along[before]);
-        const double dips = -std::min(to_next.dot(normal), to_previous.dot(normal));
-        if (!can_bear(corner, edge, dips)) {
+        if (!can_bear(corner, edge, to_next, to_previous)) {
             return;
         }
-        const double half = bodies_.length[edge] / 2;
-        const End near = end_of(corner, edge, position < half, to_next, to_previous);
-        const End far = end_of(corner, edge, position >= half, to_next, to_previous);
+        const End near = end_of(edge, position < bodies_.length[edge] / 2);
+        const End far = end_of(edge, !near.at_start);
+        const bool near_bears = can_bear(corner, near.beyond, to_next, to_previous);
         // Of a short edge the end farther off can be the one to which the corner is carried.
-        const bool far_counts = far.bears && far.depth < deepest * shortest && (!near.bears || far.depth < near.depth);
+        const double far_depth = depth_beyond(corner, far);
+        const bool far_counts = far_depth < deepest * shortest &&
+                                (!near_bears || far_depth < depth_beyond(corner, near)) &&
+                                can_bear(corner, far.beyond, to_next, to_previous);
         const bool at_start = (far_counts ? far : near).at_start;
         const std::size_t beyond = (far_counts ? far : near).beyond;
-        bool rival = far_counts || near.bears;
+        bool rival = far_counts || near_bears;
         const double from_end = at_start ? position : bodies_.length[edge] - position;
         if (rival && std::abs(from_end) < at_tip * shortest) {
             const double excess = dip_beyond_that_of(corner, edge, beyond, at_start, shortest);
@@ -167,24 +169,30 @@ class Search {
     struct End {
         bool at_start;
         std::size_t beyond;  // edge
-        bool bears;          // the corner could be on that one too
-        double depth;        // below it
     };
 
-    End end_of(std::size_t corner, std::size_t edge, bool at_start, const PlanePoint<>& to_next,
-               const PlanePoint<>& to_previous) const {
-        const std::size_t other = bodies_.block_of[edge];
-        const CornerRange& range = bodies_.range[other];
-        const std::size_t beyond = at_start ? range.before(edge) : range.after(edge);
-        const PlanePoint<> normal = motion_[other].turned(bodies_.normal(beyond));
-        const PlanePoint<> end = moved_corner(bodies_, motion_, at_start ? edge : beyond);
-        const double dips = -std::min(to_next.dot(normal), to_previous.dot(normal));
-        return {at_start, beyond, can_bear(corner, beyond, dips),
-                -normal.dot(moved_corner(bodies_, motion_, corner) - end)};
+    End end_of(std::size_t edge, bool at_start) const {
+        const CornerRange& range = bodies_.range[bodies_.block_of[edge]];
+        return {at_start, at_start ? range.before(edge) : range.after(edge)};
     }
 
-    // `dips`: of the corner's faces below the edge, sine.
-    bool can_bear(std::size_t corner, std::size_t edge, double dips) const {
+    // Of the corner below the edge beyond an end.
+    double depth_beyond(std::size_t corner, const End& end) const {
+        const CornerRange& range = bodies_.range[bodies_.block_of[end.beyond]];
+        const std::size_t shared = end.at_start ? range.after(end.beyond) : end.beyond;
+        return -moved_normal(end.beyond)
+                    .dot(moved_corner(bodies_, motion_, corner) - moved_corner(bodies_, motion_, shared));
+    }
+
+    PlanePoint<> moved_normal(std::size_t edge) const {
+        return motion_[bodies_.block_of[edge]].turned(bodies_.normal(edge));
+    }
+
+    bool can_bear(std::size_t corner, std::size_t edge, const PlanePoint<>& to_next,
+                  const PlanePoint<>& to_previous) const {
+        const PlanePoint<> normal = moved_normal(edge);
+        // Of the corner's faces below the edge, sine.
+        const double dips = -std::min(to_next.dot(normal), to_previous.dot(normal));
         if (dips <= lean || dips > lean_while_touching) {
             return dips <= lean;
         }

@@ -4,7 +4,10 @@
 #include "geometry/polyline.hpp"
 #include "parameters/fields.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +22,17 @@ struct Quantity {
     Interval range = {};  // allowed values of an input; unbounded for an output
     double value = 0;     // base value of an input; 0 for an output
 };
+
+// By name: where it stands, and what it is; nothing where there is none.
+inline std::optional<std::size_t> place_of(const std::vector<Quantity>& quantities, std::string_view name) {
+    const auto found = std::ranges::find(quantities, name, &Quantity::name);
+    return found == quantities.end() ? std::nullopt
+                                     : std::optional(static_cast<std::size_t>(found - quantities.begin()));
+}
+inline const Quantity* find_quantity(const std::vector<Quantity>& quantities, std::string_view name) {
+    const auto place = place_of(quantities, name);
+    return place ? &quantities[*place] : nullptr;
+}
 
 // One input set to a value other than its base value.
 struct Assignment {
