@@ -76,6 +76,7 @@ struct CaseFit {
     std::optional<ProfileObservation> profile;
     std::vector<FieldEvidence> evidence;
     std::vector<CaseCandidate> candidates;
+    std::vector<Conclusion> conclusions;
     FitSettings settings;
     std::optional<PosteriorStudy> posterior;
 };

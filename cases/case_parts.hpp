@@ -17,11 +17,15 @@ ModelNames names_of(const CaseModel& model, const OutputsOf& outputs_of, bool in
 std::vector<std::string> names_in(const std::vector<Quantity>& quantities);
 
 // `with = { "water.filled_ratio" = 1.0 }`: inputs of any of the models. Empty when absent.
-std::vector<Condition> read_conditions(Section& section, const std::vector<ModelNames>& models);
+std::vector<Condition> read_conditions(Section& section, const std::vector<ModelNames>& models,
+                                       std::string_view key = "with");
 
 std::vector<Expectation> read_expectations(Section& root, const ModelNames& names);
 // [[fit.candidate]] of the section [fit].
 std::vector<CaseCandidate> read_candidates(Section& fit, const std::vector<ModelNames>& models);
+// [[fit.conclusion]] of the same; `models` are those of the mechanisms, in their order.
+std::vector<Conclusion> read_conclusions(Section& fit, const std::vector<FitMechanism>& mechanisms,
+                                         const std::vector<ModelNames>& models);
 CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outputs_of);
 CaseSensitivity read_sensitivity(Section& root, const CaseModel& model, const OutputsOf& outputs_of);
 // The keys that need not exist are checked after everything else was read.

@@ -23,8 +23,16 @@ void write_text(std::string& text, std::string_view key, const std::string& valu
     }
 }
 
+void write_list(std::string& text, std::string_view key, const std::vector<std::string>& words) {
+    std::string list;
+    for (const std::string& word : words) {
+        list += (list.empty() ? "" : ", ") + in_quotes(word);
+    }
+    write_line(text, key, "[" + list + "]");
+}
+
 void write_conditions(std::string& text, const std::vector<Condition>& conditions,
-                      const std::vector<std::vector<Quantity>>& inputs) {
+                      const std::vector<std::vector<Quantity>>& inputs, std::string_view key = "with") {
     if (conditions.empty()) {
         return;
     }
@@ -38,7 +46,7 @@ void write_conditions(std::string& text, const std::vector<Condition>& condition
         table += (table.empty() ? "" : ", ") + in_quotes(condition.input) + " = " +
                  written_quantity(condition.value, dimension);
     }
-    write_line(text, "with", "{ " + table + " }");
+    write_line(text, key, "{ " + table + " }");
 }
 
 void write_expectation(std::string& text, const Expectation& expectation, const CaseModel& model) {
@@ -74,11 +82,7 @@ void write_parameter(std::string& text, const FreeParameter& parameter, const st
         write_line(text, "prior", prior);
     }
     if (!parameter.also.empty()) {
-        std::string list;
-        for (const std::string& name : parameter.also) {
-            list += (list.empty() ? "" : ", ") + in_quotes(name);
-        }
-        write_line(text, "also", "[" + list + "]");
+        write_list(text, "also", parameter.also);
     }
 }
 
@@ -147,6 +151,7 @@ void write_settings(std::string& text, const FitSettings& settings) {
         write_line(text, "first_runs", std::to_string(*settings.surrogate.first_runs));
     }
     write_line(text, "tolerance", written_quantity(settings.surrogate.tolerance, Dimension::ratio));
+    write_line(text, "give_up_below", written_quantity(settings.surrogate.give_up_below, Dimension::ratio));
 }
 
 void write_posterior(std::string& text, const PosteriorStudy& study) {
@@ -173,17 +178,45 @@ void write_candidate(std::string& text, const CaseCandidate& candidate,
     const FitCandidate& values = candidate.candidate;
     text += "\n[[fit.candidate]]\n";
     write_line(text, "label", in_quotes(values.label));
-    std::string names;
-    for (const std::string& name : values.quantities) {
-        names += (names.empty() ? "" : ", ") + in_quotes(name);
-    }
-    write_line(text, "quantity", "[" + names + "]");
+    write_list(text, "quantity", values.quantities);
     write_line(text, "standard_deviation", written_quantity(values.standard_deviation, candidate.dimension));
     write_conditions(text, values.conditions, inputs);
     if (values.cost) {
         write_line(text, "cost", written_quantity(*values.cost, Dimension::ratio));
     }
     write_text(text, "source", values.source);
+}
+
+void write_test(std::string& text, const ConclusionTest& test, const std::vector<std::vector<Quantity>>& inputs) {
+    text += "\n[[fit.conclusion.test]]\n";
+    write_line(text, "claim", in_quotes(test.claim));
+    if (const auto* claim = std::get_if<ClaimOfMechanisms>(&test.of)) {
+        write_list(text, "probability_of", claim->mechanisms);
+    } else {
+        const auto& of = std::get<ClaimOfQuantity>(test.of);
+        write_line(text, "mechanism", in_quotes(of.mechanism));
+        write_line(text, "quantity", in_quotes(of.quantity));
+        write_conditions(text, of.conditions, inputs);
+        if (of.against && of.against->empty()) {
+            write_line(text, "compared_with", "{}");
+        } else if (of.against) {
+            write_conditions(text, *of.against, inputs, "compared_with");
+        }
+    }
+    write_line(text, "relation", in_quotes(word_of(test.relation)));
+    write_line(text, "value", written_quantity(test.limit, test.dimension));
+}
+
+void write_conclusion(std::string& text, const Conclusion& conclusion,
+                      const std::vector<std::vector<Quantity>>& inputs) {
+    text += "\n[[fit.conclusion]]\n";
+    write_line(text, "label", in_quotes(conclusion.label));
+    write_line(text, "statement", in_quotes(conclusion.statement));
+    write_text(text, "source", conclusion.source);
+    write_text(text, "note", conclusion.note);
+    for (const ConclusionTest& test : conclusion.tests) {
+        write_test(text, test, inputs);
+    }
 }
 
 void write_fit(std::string& text, const CaseFit& fit, const CaseModel& base) {
@@ -210,6 +243,9 @@ void write_fit(std::string& text, const CaseFit& fit, const CaseModel& base) {
     }
     for (const CaseCandidate& candidate : fit.candidates) {
         write_candidate(text, candidate, inputs);
+    }
+    for (const Conclusion& conclusion : fit.conclusions) {
+        write_conclusion(text, conclusion, inputs);
     }
 }
 

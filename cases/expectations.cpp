@@ -113,14 +113,14 @@ std::vector<std::string> names_in(const std::vector<Quantity>& quantities) {
     return names;
 }
 
-std::vector<Condition> read_conditions(Section& section, const std::vector<ModelNames>& models) {
+std::vector<Condition> read_conditions(Section& section, const std::vector<ModelNames>& models, std::string_view key) {
     std::vector<Condition> conditions;
-    const Node* table = take_table(section, "with");
+    const Node* table = take_table(section, key);
     if (table == nullptr) {
         return conditions;
     }
     auto read = [&](const std::string& name, const Node& node) {
-        const std::string path = section.path_of("with") + "." + name;
+        const std::string path = section.path_of(key) + "." + name;
         const Quantity* input = nullptr;
         bool names_known = true;
         std::vector<std::string> candidates;

@@ -1,6 +1,7 @@
 // delabole fit
 #include "cases/case_error.hpp"
 #include "cases/commands.hpp"
+#include "cases/conclusions_report.hpp"
 #include "cases/fit_problem_of_case.hpp"
 #include "cases/fit_report.hpp"
 #include "cases/information_report.hpp"
@@ -32,14 +33,12 @@ bool any_posterior_open(const FitResult& result) {
     });
 }
 
-FitResult fit_with_progress(const FitProblem& problem, const Options& options) {
+template <class Work>
+auto with_progress(const Options& options, Work&& work) {
     Progress progress(options.quiet);
-    return fit(
-        problem,
-        [&](const FitProgress& state) {
-            progress.report(state.fraction, std::string(state.mechanism) + ": " + std::string(state.stage));
-        },
-        &interrupt_flag());
+    return work([&](const FitProgress& state) {
+        progress.report(state.fraction, std::string(state.mechanism) + ": " + std::string(state.stage));
+    });
 }
 
 std::string status_of(const FitResult& result) {
@@ -114,8 +113,12 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
         kept.keep(problem.mechanisms[index].model, file.fit->mechanisms[index].model);
     }
     problem.settings.ranks = options.ranks;
-    const FitResult result = fit_with_progress(problem, options);
+    const FitResult result = with_progress(
+        options, [&](const FitProgressCallback& progress) { return fit(problem, progress, &interrupt_flag()); });
     const std::vector<CandidateInformation> information = information_of(problem, result, {}, &interrupt_flag());
+    const std::vector<ConclusionFinding> findings = with_progress(options, [&](const FitProgressCallback& progress) {
+        return judge_conclusions(problem, result, progress, &interrupt_flag());
+    });
     kept.count_all();
     if (!leads(options)) {
         return ExitCode::ok;
@@ -136,6 +139,11 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
         const InformationDocuments next = document_information(problem.candidates, information, folder, report);
         documents.json["value_of_information"] = next.json;
         documents.screen += next.screen;
+    }
+    if (!findings.empty()) {
+        const ConclusionDocuments held = document_conclusions(problem.conclusions, findings, folder, report);
+        documents.json["conclusions"] = held.json;
+        documents.screen += held.screen;
     }
     Json source = provenance(file, "fit", options, watch.seconds());
     source["fit_seconds"] = result.wall_seconds;

@@ -18,6 +18,7 @@ FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::
     for (const CaseCandidate& candidate : fit.candidates) {
         problem.candidates.push_back(candidate.candidate);
     }
+    problem.conclusions = fit.conclusions;
     problem.settings = fit.settings;
     problem.posterior = fit.posterior;
     problem.settings.threads = threads;

@@ -55,6 +55,11 @@ void read_surrogate(Section& fit, SurrogateSettings& settings) {
             read_number(section.reading(), *tolerance, section.path_of("tolerance"), Dimension::ratio, between(0, 1))
                 .value_or(settings.tolerance);
     }
+    if (const Node* share = section.take("give_up_below")) {
+        settings.give_up_below =
+            read_number(section.reading(), *share, section.path_of("give_up_below"), Dimension::ratio, right_open(0, 1))
+                .value_or(settings.give_up_below);
+    }
     section.finish();
 }
 
@@ -410,6 +415,7 @@ CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outp
     fit.profile = read_profile(section);
     for_each_table(section, "evidence", [&](Section& element) { read_evidence(element, fit.evidence); });
     fit.candidates = read_candidates(section, names);
+    fit.conclusions = read_conclusions(section, fit.mechanisms, names);
     const bool empty_list =
         observations == nullptr || (observations->kind == Node::Kind::array && observations->elements.empty());
     if (empty_list && !section.contains("profile")) {

@@ -20,14 +20,6 @@ std::string in_millimetres(double length) {
     return human_number(length * 1e3, 2) + " mm";
 }
 
-PostFailure at_frame(const SlopeRun& run, const MotionFrame& frame) {
-    std::vector<char> removed(frame.outcome.size());
-    for (std::size_t block = 0; block < removed.size(); ++block) {
-        removed[block] = frame.outcome[block].movement == BlockMovement::removed ? 1 : 0;
-    }
-    return post_failure_of(run.study, run.run, frame.motion, removed).value_or(PostFailure{});
-}
-
 // 2.2.3: lower surface at 40 to 45 deg up to level 425 ft, a third of the way from 350 to 575 ft, upper one at 70
 // to 75. As surveyed roughly, 5 deg either way, and 0.1 of the height. In part: a lower surface that rises into the
 // slope and is gentler than the upper one by 15 deg. A failure of less than a hundredth of the height's square is none.
@@ -100,13 +92,11 @@ SlopeRun run_slope(RelaxationStudy study) {
     work.frames = KeepFrames::yes;
     made.run = run(made.study, work);
     made.end = made.run.post_failure.value_or(PostFailure{});
-    const double half = made.end.answer.failed_area / 2;
+    made.early = made.run.early_failure.value_or(made.end);
     const auto& frames = made.run.frames;
-    const auto after = std::partition_point(frames.begin(), frames.end(), [&](const MotionFrame& frame) {
-        return at_frame(made, frame).answer.failed_area <= half;
-    });
-    made.early_frame = after == frames.begin() ? 0 : static_cast<std::size_t>(after - frames.begin()) - 1;
-    made.early = frames.empty() ? made.end : at_frame(made, frames[made.early_frame]);
+    const auto later =
+        std::ranges::find_if(frames, [&](const MotionFrame& frame) { return frame.time > made.run.early_time; });
+    made.early_frame = later == frames.begin() ? 0 : static_cast<std::size_t>(later - frames.begin()) - 1;
     return made;
 }
 

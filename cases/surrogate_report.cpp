@@ -31,7 +31,10 @@ std::string surrogate_in_words(const MechanismFit& fit) {
                        " standard deviations of the data, within its own 95 % band in " +
                        in_percent(surrogate.within_95) + " of the cases; runs that ought to be alike differ by " +
                        number_in_words(surrogate.scatter) + ", which no parameter decides.";
-    if (surrogate.evidence_error <= 0.5) {
+    if (surrogate.given_up) {
+        text += " No more runs were made: even with twice its error its evidence is beyond reach of another "
+                "mechanism's. fit.surrogate.give_up_below = 0 would go on; until then the intervals are rough.";
+    } else if (surrogate.evidence_error <= 0.5) {
         text += " By the surrogate the evidence may be wrong by " + in_percent(surrogate.evidence_error) + " at most.";
     } else {
         text += " The evidence is not known from so few runs: by the surrogate it may be wrong by a factor of " +
@@ -55,6 +58,7 @@ Json json_of_surrogate(const SurrogateFit& surrogate) {
     json["within_95"] = json_number(surrogate.within_95);
     json["scatter"] = json_number(surrogate.scatter);
     json["evidence_error"] = json_number(surrogate.evidence_error);
+    json["given_up"] = surrogate.given_up;
     json["misfit_of_run"] = json_number(surrogate.misfit_of_run);
     return json;
 }

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -120,7 +122,8 @@ SurrogateFit account_of(const CostlyRuns& costly) {
                          check.error,
                          check.within_95,
                          costly.surrogate->scatter(),
-                         costly.evidence_error};
+                         costly.evidence_error,
+                         costly.given_up};
     for (const KnownRun& run : costly.runs) {
         account.runs.push_back({run.parameters, data_misfit(run.residuals), std::string(run.residuals.failure)});
     }
@@ -129,7 +132,7 @@ SurrogateFit account_of(const CostlyRuns& costly) {
 
 // `misfit` outlives what is kept of a costly mechanism.
 MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem, const Misfit& misfit,
-                           CostlyRuns& costly, ProgressMeter& progress, StopFlag stop) {
+                           double log_evidence_to_beat, CostlyRuns& costly, ProgressMeter& progress, StopFlag stop) {
     const Expected expected = expected_evaluations(mechanism, problem.settings);
     MechanismFit fit;
     fit.name = mechanism.name;
@@ -141,6 +144,7 @@ MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem
     if (by_surrogate) {
         progress.begin_stage(mechanism.name, "runs", expected.runs);
         costly = make_costly_runs(misfit, problem.settings.surrogate, problem.settings.seed,
+                                  log_evidence_to_beat + 2 * misfit.missing_count(),
                                   {problem.settings.threads, problem.settings.ranks}, progress, stop);
         if (!costly.surrogate) {
             fit.evaluations = costly.evaluations;
@@ -189,6 +193,16 @@ void add_posterior(const FitProblem& problem, std::size_t mechanism, const Costl
     }
 }
 
+// What a costly mechanism's evidence has to be for more runs to be worth their while; -infinity where no other kind has
+// been sampled.
+double log_evidence_to_beat(const FitProblem& problem, const FitResult& result) {
+    double best = -std::numeric_limits<double>::infinity();
+    for (const MechanismFit& fit : result.mechanisms) {
+        best = fit.posterior ? std::max(best, fit.posterior->log_evidence()) : best;
+    }
+    return best + std::log(problem.settings.surrogate.give_up_below);
+}
+
 bool have_evidence(const FitResult& result) {
     return std::all_of(result.mechanisms.begin(), result.mechanisms.end(),
                        [](const MechanismFit& fit) { return fit.posterior.has_value(); });
@@ -225,16 +239,23 @@ FitResult fit(const FitProblem& problem, const FitProgressCallback& progress, St
     }
     ProgressMeter meter(progress, expected);
     FitResult result;
-    std::vector<std::unique_ptr<Misfit>> misfits;
-    std::vector<CostlyRuns> costly(problem.mechanisms.size());
-    for (std::size_t index = 0; index < problem.mechanisms.size(); ++index) {
-        const Mechanism& mechanism = problem.mechanisms[index];
-        misfits.push_back(std::make_unique<Misfit>(mechanism, problem));
-        result.mechanisms.push_back(fit_mechanism(mechanism, problem, *misfits.back(), costly[index], meter, stop));
-    }
-    for (std::size_t index = 0; problem.posterior && index < problem.mechanisms.size(); ++index) {
-        if (!stop_requested(stop)) {
-            add_posterior(problem, index, costly[index], meter, stop, result.mechanisms[index]);
+    result.mechanisms.resize(problem.mechanisms.size());
+    std::vector<std::unique_ptr<Misfit>> misfits(problem.mechanisms.size());
+    std::vector<CostlyRuns> runs(problem.mechanisms.size());
+    for (const bool costly : {false, true}) {
+        const double to_beat = log_evidence_to_beat(problem, result);
+        for (std::size_t index = 0; index < problem.mechanisms.size(); ++index) {
+            const Mechanism& mechanism = problem.mechanisms[index];
+            if (mechanism.model.costly == costly) {
+                misfits[index] = std::make_unique<Misfit>(mechanism, problem);
+                result.mechanisms[index] =
+                    fit_mechanism(mechanism, problem, *misfits[index], to_beat, runs[index], meter, stop);
+            }
+        }
+        for (std::size_t index = 0; problem.posterior && index < problem.mechanisms.size(); ++index) {
+            if (problem.mechanisms[index].model.costly == costly && !stop_requested(stop)) {
+                add_posterior(problem, index, runs[index], meter, stop, result.mechanisms[index]);
+            }
         }
     }
     meter.finish();

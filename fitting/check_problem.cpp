@@ -133,6 +133,10 @@ void check_settings(const FitSettings& settings, Faults& faults) {
         faults.push_back("settings: surrogate.tolerance = " + number_in_words(settings.surrogate.tolerance) +
                          " must be > 0 and < 1");
     }
+    if (!(settings.surrogate.give_up_below >= 0 && settings.surrogate.give_up_below < 1)) {
+        faults.push_back("settings: surrogate.give_up_below = " + number_in_words(settings.surrogate.give_up_below) +
+                         " must be >= 0 and < 1");
+    }
     if (!(settings.relative_tolerance > 0 && settings.relative_tolerance < 1)) {
         faults.push_back("settings: relative_tolerance = " + number_in_words(settings.relative_tolerance) +
                          " must be > 0 and < 1");

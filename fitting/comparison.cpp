@@ -37,4 +37,14 @@ std::vector<MechanismWeight> weigh(std::span<const LogEvidence> mechanisms) {
     return weights;
 }
 
+std::vector<MechanismWeight> weigh(const FitResult& result) {
+    std::vector<LogEvidence> evidences;
+    for (const MechanismFit& fit : result.mechanisms) {
+        evidences.push_back(fit.posterior
+                                ? LogEvidence{fit.posterior->log_evidence(), fit.posterior->evidence().standard_error}
+                                : LogEvidence{-std::numeric_limits<double>::infinity(), 0});
+    }
+    return weigh(evidences);
+}
+
 }  // namespace delabole

@@ -1,7 +1,7 @@
 // Mechanisms weighed against each other by their evidence, all equally likely beforehand.
 #pragma once
 
-#include "fitting/mechanism_posterior.hpp"
+#include "fitting/fit_result.hpp"
 
 #include <span>
 #include <vector>
@@ -18,6 +18,9 @@ struct LogEvidence {
     double value;  // -infinity: no evidence at all
     double standard_error;
 };
+
+// Of every mechanism that was sampled, in the order of the result; probability 0 for the others.
+std::vector<MechanismWeight> weigh(const FitResult& result);
 
 // In the order given. Without any evidence all have probability 0.
 std::vector<MechanismWeight> weigh(std::span<const LogEvidence> mechanisms);

@@ -86,6 +86,8 @@ class Refinement {
     }
 
     double evidence_error() const { return evidence_error_; }
+    // Of the evidence and twice its error.
+    double log_evidence_bound() const { return log_evidence_bound_; }
 
   private:
     static bool worthier(const Candidate& left, const Candidate& right) { return left.log_worth > right.log_worth; }
@@ -114,6 +116,7 @@ class Refinement {
             deviation += std::exp(candidate.likelihood.log_deviation() - greatest);
         }
         evidence_error_ = deviation / evidence;
+        log_evidence_bound_ = greatest + std::log((evidence + 2 * deviation) / static_cast<double>(candidates.size()));
     }
 
     Points around(const std::vector<Candidate>& candidates) {
@@ -136,6 +139,7 @@ class Refinement {
     Points drawn_;
     std::uint64_t used_ = 0;
     double evidence_error_ = std::numeric_limits<double>::infinity();
+    double log_evidence_bound_ = std::numeric_limits<double>::infinity();
 };
 
 // A run as it travels between ranks.
@@ -189,7 +193,8 @@ std::size_t valid_runs(const CostlyRuns& made) {
 }  // namespace
 
 CostlyRuns make_costly_runs(const Misfit& misfit, const SurrogateSettings& settings, std::uint64_t seed,
-                            const Workers& workers, ProgressMeter& progress, StopFlag stop) {
+                            double log_evidence_to_beat, const Workers& workers, ProgressMeter& progress,
+                            StopFlag stop) {
     CostlyRuns made;
     const std::size_t free = misfit.free_parameters().size();
     const auto most = static_cast<std::size_t>(settings.runs);
@@ -206,7 +211,8 @@ CostlyRuns make_costly_runs(const Misfit& misfit, const SurrogateSettings& setti
         made.surrogate = std::make_unique<Surrogate>(misfit, made.runs, shape_anew ? nullptr : made.surrogate.get());
         const Points next = refinement.next(*made.surrogate, std::min(runs_at_a_time, most - made.runs.size()));
         made.evidence_error = refinement.evidence_error();
-        if (made.stopped || next.empty() || made.evidence_error < settings.tolerance) {
+        made.given_up = refinement.log_evidence_bound() < log_evidence_to_beat;
+        if (made.stopped || next.empty() || made.given_up || made.evidence_error < settings.tolerance) {
             break;
         }
         run_at(next, misfit, workers, progress, stop, made);

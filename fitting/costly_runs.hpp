@@ -7,7 +7,8 @@
 // is greatest: of 1024 points drawn from the priors and of 256 near the best of them; a point chosen lowers the worth
 // of its neighbours by their correlation. The work ends when the same quantity, averaged over the prior, is less than
 // `tolerance` of the evidence (a bound of the relative error of the evidence that the surrogate causes, as if it were
-// wrong in the same way everywhere), or with the number of runs allowed.
+// wrong in the same way everywhere), with the number of runs allowed, or once twice that error added to the evidence
+// leaves it below `log_evidence_to_beat`.
 //
 // The runs do not depend on the number of threads and ranks.
 #pragma once
@@ -28,6 +29,7 @@ struct CostlyRuns {
     std::vector<KnownRun> runs;            // in the order in which they were chosen
     std::unique_ptr<Surrogate> surrogate;  // none where too few runs had an answer
     double evidence_error = 0;             // relative, as above
+    bool given_up = false;                 // for want of evidence
     EvaluationCount evaluations;
     bool stopped = false;
 };
@@ -35,8 +37,10 @@ struct CostlyRuns {
 // What one run counts in a progress report, in looks at a surrogate.
 inline constexpr long weight_of_run = 20'000;
 
+// log_evidence_to_beat: natural logarithm of the mean of exp(-data misfit / 2) over the prior, -infinity: no rival.
 CostlyRuns make_costly_runs(const Misfit& misfit, const SurrogateSettings& settings, std::uint64_t seed,
-                            const Workers& workers, ProgressMeter& progress, StopFlag stop);
+                            double log_evidence_to_beat, const Workers& workers, ProgressMeter& progress,
+                            StopFlag stop);
 
 // The runs as they would be judged with other standard deviations of the data: `as_judged` is the misfit that they were
 // made with, `other` that of a problem that differs from its problem in nothing else that a run depends on.

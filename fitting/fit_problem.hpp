@@ -18,6 +18,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace delabole {
@@ -95,6 +96,37 @@ struct FitCandidate {
     std::string source;
 };
 
+// That these mechanisms explain the failure: their probabilities together.
+struct ClaimOfMechanisms {
+    std::vector<std::string> mechanisms;
+};
+
+// Of an output of one mechanism.
+struct ClaimOfQuantity {
+    std::string mechanism;
+    std::string quantity;
+    std::vector<Condition> conditions;  // that make it differ from what was fitted
+    std::optional<std::vector<Condition>>
+        against;  // what is claimed is then by how much it exceeds its value under these
+};
+
+struct ConclusionTest {
+    std::string claim;  // in words
+    std::variant<ClaimOfMechanisms, ClaimOfQuantity> of;
+    Relation relation;    // at_least or at_most
+    double limit;         // of the probability, the quantity or the difference
+    Dimension dimension;  // of that
+};
+
+// What others concluded of the failure, to be held against what the back-analysis finds.
+struct Conclusion {
+    std::string label;  // "(i)"
+    std::string statement;
+    std::vector<ConclusionTest> tests;  // empty: no mechanism has a say
+    std::string source;
+    std::string note;
+};
+
 struct Mechanism {
     std::string name;
     std::string title;
@@ -114,6 +146,9 @@ struct SurrogateSettings {
     int runs = 120;                 // at most, >= 12
     std::optional<int> first_runs;  // before the surrogate has a say in where to run, >= 12; absent: 10 per parameter
     double tolerance = 0.1;         // of the relative error of the evidence: fewer runs if it is met, in (0, 1)
+    // No more runs once its evidence, with twice its error, is less than this share of the best that a mechanism of
+    // another kind has: cheap mechanisms prune costly ones. In [0, 1); 0: never.
+    double give_up_below = 1e-3;
 };
 
 struct FitSettings {
@@ -136,6 +171,7 @@ struct FitProblem {
     std::optional<ProfileObservation> profile;
     std::vector<FieldEvidence> evidence;
     std::vector<FitCandidate> candidates;
+    std::vector<Conclusion> conclusions;
     FitSettings settings;
     std::optional<PosteriorStudy> posterior;  // absent: neither posteriors nor evidences
 };

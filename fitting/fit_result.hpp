@@ -150,6 +150,7 @@ struct SurrogateFit {
     double within_95 = 0;        // share of such predictions within 1.96 of their own standard deviations
     double scatter = 0;          // of runs that ought to be alike, in standard deviations of data
     double evidence_error = 0;   // bound, relative; see costly_runs.hpp
+    bool given_up = false;       // before its time, for want of evidence
     double misfit_of_run = 0;    // data misfit of the run at the best point; infinite where it has no answer
 };
 

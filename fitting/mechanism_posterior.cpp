@@ -2,7 +2,9 @@
 
 #include "fitting/costly_runs.hpp"
 #include "fitting/misfit.hpp"
+#include "fitting/quantity_of_mechanism.hpp"
 #include "fitting/sampling.hpp"
+#include "fitting/share.hpp"
 #include "fitting/words.hpp"
 
 #include <algorithm>
@@ -16,6 +18,8 @@ namespace delabole {
 namespace {
 
 constexpr std::string_view safety = "factor_of_safety";
+constexpr std::size_t most_profiles = 200;
+constexpr std::size_t most_costly_profiles = 16;
 
 void scale_priors(FitProblem& problem, double factor) {
     for (Mechanism& mechanism : problem.mechanisms) {
@@ -128,15 +132,16 @@ Evidence evidence_of_variant(const FitProblem& problem, std::size_t mechanism, c
     return estimate_evidence(target.evaluator(), target.prior(), guide.draws, settings);
 }
 
-std::vector<Polyline> profiles_of(const Misfit& misfit, const std::vector<Draw>& draws, std::size_t most_profiles) {
-    std::vector<Polyline> profiles;
-    const std::size_t count = std::min(draws.size(), most_profiles);
-    for (std::size_t index = 0; index < count; ++index) {
-        Prediction prediction = misfit.predict(draws[index * draws.size() / count].parameters);
-        if (prediction.failure.empty() && !prediction.profile.empty()) {
-            profiles.push_back(std::move(prediction.profile));
-        }
-    }
+std::vector<Polyline> profiles_of(const Misfit& misfit, const std::vector<Draw>& draws, bool costly,
+                                  ProgressMeter& progress, StopFlag stop) {
+    const FitSettings& settings = misfit.problem().settings;
+    std::vector<Polyline> profiles =
+        share_tasks<Polyline>(draws.size(), {settings.threads, settings.ranks}, [&](std::size_t index) {
+            Prediction prediction = stop_requested(stop) ? Prediction{} : misfit.predict(draws[index].parameters);
+            progress.count(1, costly ? weight_of_run : 1);
+            return prediction.failure.empty() ? std::move(prediction.profile) : Polyline();
+        });
+    std::erase_if(profiles, [](const Polyline& profile) { return profile.empty(); });
     return profiles;
 }
 
@@ -180,16 +185,32 @@ Reach reach_of_priors(const Target& target, std::uint64_t seed) {
     return reach;
 }
 
+// The samples of a profile, which share a label, together by their root mean square.
 Reach reach_of_runs(const Misfit& misfit, const std::vector<KnownRun>& runs) {
     Reach reach;
+    std::vector<std::size_t> place;  // of each datum's label
+    std::vector<double> data;        // of each label
     for (const Datum& datum : misfit.data()) {
-        reach.labels.push_back(datum.label);
+        const auto known = std::ranges::find(reach.labels, datum.label);
+        place.push_back(static_cast<std::size_t>(known - reach.labels.begin()));
+        if (known == reach.labels.end()) {
+            reach.labels.push_back(datum.label);
+            data.push_back(0);
+        }
+        data[place.back()] += datum.share;
     }
     reach.pulls.assign(reach.labels.size(), std::numeric_limits<double>::infinity());
     for (const KnownRun& run : runs) {
+        if (run.residuals.pulls.empty()) {
+            continue;
+        }
+        std::vector<double> squares(reach.labels.size(), 0.0);
         for (std::size_t row = 0; row < run.residuals.pulls.size(); ++row) {
-            const double pull = run.residuals.idle[row] ? 0 : std::abs(run.residuals.pulls[row]);
-            reach.pulls[row] = std::min(reach.pulls[row], pull);
+            const double pull = run.residuals.idle[row] ? 0 : run.residuals.pulls[row];
+            squares[place[row]] += pull * pull;
+        }
+        for (std::size_t label = 0; label < squares.size(); ++label) {
+            reach.pulls[label] = std::min(reach.pulls[label], std::sqrt(squares[label] / data[label]));
         }
     }
     return reach;
@@ -297,10 +318,9 @@ MechanismPosterior study_posterior(const FitProblem& problem, std::size_t mechan
     for (const Draw& draw : result.posterior.draws) {
         result.least_misfit = std::min(result.least_misfit, draw.misfit);
     }
-    constexpr std::size_t most_profiles = 200;
-    constexpr std::size_t most_costly_profiles = 16;
-    result.profiles =
-        profiles_of(target.misfit(), result.posterior.draws, costly != nullptr ? most_costly_profiles : most_profiles);
+    result.profiles = profiles_of(
+        target.misfit(), thinned(result.posterior.draws, costly != nullptr ? most_costly_profiles : most_profiles),
+        costly != nullptr, progress, stop);
     warn_of_counts(target, result.warnings);
     if (costly != nullptr) {
         warn_of_reach(reach_of_runs(target.misfit(), costly->runs), std::to_string(costly->runs.size()) + " runs",
@@ -318,7 +338,9 @@ long expected_posterior_evaluations(const FitProblem& problem, std::size_t mecha
     const long begin = 31 * std::clamp(10 * parameters, 20L, 80L);
     const long evidence = static_cast<long>(EvidenceSettings{}.replicates) * study.evidence_points;
     const auto variants = static_cast<long>(variants_of(problem).size()) - 1;
-    return study.chains * begin + 3L * study.draws + evidence +
+    const bool costly = problem.mechanisms[mechanism].model.costly;
+    const long profiles = costly ? static_cast<long>(most_costly_profiles) * weight_of_run : 0;
+    return study.chains * begin + 3L * study.draws + evidence + profiles +
            variants * (guiding_chains * begin + guiding_draws + evidence / 2);
 }
 

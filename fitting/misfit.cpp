@@ -241,11 +241,13 @@ std::vector<Datum> Misfit::data() const {
     for (const ConditionSet& set : sets_) {
         for (const std::size_t index : set.observations) {
             const QuantityObservation& observation = observations_[bound_[index].observation];
-            data.push_back({observation.label, observation.relation, observation.standard_deviation});
+            data.push_back({observation.label, observation.relation, observation.standard_deviation, 1});
         }
         if (compares_profile_ && &set == &sets_.front()) {
+            const double share =
+                static_cast<double>(problem_.profile->profile.size()) / static_cast<double>(profile_samples_.size());
             data.insert(data.end(), profile_samples_.size(),
-                        {"post-failure profile", Relation::equal, problem_.profile->standard_deviation});
+                        {"post-failure profile", Relation::equal, problem_.profile->standard_deviation, share});
         }
     }
     return data;

@@ -40,6 +40,7 @@ struct Datum {
     std::string label;
     Relation relation;
     double standard_deviation;
+    double share;  // of a datum: the samples of a profile together count as many as it has vertices
 
     bool operator==(const Datum&) const = default;
 };

@@ -72,7 +72,7 @@ DELABOLE_MEMBERS(CornerForce, block, other, at, force, normal, shear, overlap, s
 DELABOLE_MEMBERS(MotionFrame, time, tilt, motion, outcome, force)
 DELABOLE_MEMBERS(MotionRecord, frame, interval, next)
 DELABOLE_MEMBERS(CriticalProbe, outcome, steps, contacts_evaluated)
-DELABOLE_MEMBERS(StudyProgress, state, next_line, history, record, probe, probe_state)
+DELABOLE_MEMBERS(StudyProgress, state, next_line, history, record, slope, probe, probe_state)
 
 #undef DELABOLE_MEMBERS
 

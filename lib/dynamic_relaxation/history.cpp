@@ -30,24 +30,30 @@ std::vector<CornerForce> corner_forces(const Bodies& bodies, const RelaxationSta
 
 namespace {
 
-MotionFrame frame_of(const Simulation& simulation) {
+MotionFrame frame_of(const Simulation& simulation, FrameParts parts) {
     const RelaxationState& state = simulation.state();
     return {state.time, simulation.tilt(), state.motion,
             block_outcomes(simulation.bodies(), state, simulation.settings()),
-            corner_forces(simulation.bodies(), state)};
+            parts == FrameParts::all ? corner_forces(simulation.bodies(), state) : std::vector<CornerForce>{}};
+}
+
+// An even number. Motion alone is kept of any scene, whatever its size.
+std::size_t most_frames(std::size_t blocks, FrameParts parts) {
+    constexpr std::size_t most = 120;
+    constexpr std::size_t block_frames = 1'200'000;
+    return parts == FrameParts::all ? most : std::clamp<std::size_t>(block_frames / blocks / 2 * 2, 8, most);
 }
 
 }  // namespace
 
-void MotionRecord::look(const Simulation& simulation) {
-    constexpr std::size_t most_frames = 120;
+void MotionRecord::look(const Simulation& simulation, FrameParts parts) {
     const RelaxationState& state = simulation.state();
     if (state.time < next) {
         return;
     }
     constexpr double first_interval_in_steps = 20;
     interval = interval > 0 ? interval : first_interval_in_steps * state.step;
-    if (frame.size() == most_frames) {
+    if (frame.size() == most_frames(state.motion.size(), parts)) {
         std::vector<MotionFrame> kept;
         for (std::size_t index = 0; index < frame.size(); index += 2) {
             kept.push_back(std::move(frame[index]));
@@ -55,13 +61,13 @@ void MotionRecord::look(const Simulation& simulation) {
         frame = std::move(kept);
         interval *= 2;
     }
-    frame.push_back(frame_of(simulation));
+    frame.push_back(frame_of(simulation, parts));
     next = state.time + interval;
 }
 
 void MotionRecord::add_last(const Simulation& simulation) {
     if (frame.empty() || frame.back().time < simulation.state().time) {
-        frame.push_back(frame_of(simulation));
+        frame.push_back(frame_of(simulation, FrameParts::all));
     }
 }
 

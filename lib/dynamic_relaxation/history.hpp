@@ -91,8 +91,10 @@ struct MotionFrame {
     double tilt = 0;
     std::vector<Motion> motion = {};
     std::vector<BlockOutcome> outcome = {};
-    std::vector<CornerForce> force = {};
+    std::vector<CornerForce> force = {};  // empty where only the motion is kept
 };
+
+enum class FrameParts { motion, all };
 
 // Frames spread evenly over a run whose length nobody knows beforehand: every second one is dropped, and the interval
 // doubled, whenever there are too many.
@@ -101,7 +103,8 @@ struct MotionRecord {
     double interval = 0;  // s, between frames; 0 before the first
     double next = 0;      // s, when the next frame is due
 
-    void look(const Simulation& simulation);
+    // With as many frames as their parts leave room for: 8 to 120.
+    void look(const Simulation& simulation, FrameParts parts = FrameParts::all);
     void add_last(const Simulation& simulation);
 };
 

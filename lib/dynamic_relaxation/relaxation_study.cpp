@@ -138,6 +138,7 @@ RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
     if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
         shape.post_failure.emplace();
         shape.post_failure->joint.resize(slope->joint.size());
+        shape.early_failure = shape.post_failure;
     }
     return shape;
 }
@@ -148,6 +149,33 @@ std::vector<Quantity> outputs_of(const RelaxationAnswer& shape, const std::optio
         outputs.push_back(critical_quantity(critical->parameter));
     }
     return outputs;
+}
+
+}  // namespace
+
+namespace {
+
+std::vector<char> removed_in(const MotionFrame& frame) {
+    std::vector<char> removed(frame.outcome.size());
+    std::ranges::transform(frame.outcome, removed.begin(), [](const BlockOutcome& outcome) {
+        return outcome.movement == BlockMovement::removed ? 1 : 0;
+    });
+    return removed;
+}
+
+void find_early_failure(const RelaxationStudy& study, const std::vector<MotionFrame>& frames, RelaxationRun& made) {
+    if (!made.post_failure || frames.empty()) {
+        return;
+    }
+    const auto at = [&](const MotionFrame& frame) {
+        return post_failure_of(study, made, frame.motion, removed_in(frame));
+    };
+    const double half = made.post_failure->answer.failed_area / 2;
+    const auto after = std::partition_point(
+        frames.begin(), frames.end(), [&](const MotionFrame& frame) { return at(frame)->answer.failed_area <= half; });
+    const MotionFrame& early = after == frames.begin() ? *after : *(after - 1);
+    made.early_failure = at(early);
+    made.early_time = early.time;
 }
 
 }  // namespace
@@ -164,6 +192,7 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
     if (made.result.fault.check != SceneCheck::valid) {
         return made;
     }
+    const bool is_slope = std::holds_alternative<RelaxationSlope>(study.model.scene);
     Simulation simulation = begun_or_resumed(made.scene, made.settings, std::exchange(progress.state, {}));
     const bool ended = go_on(
         simulation, work, [&](double share) { return !work.watch || work.watch(share); },
@@ -181,6 +210,9 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
             if (work.frames == KeepFrames::yes) {
                 progress.record.look(simulation);
             }
+            if (is_slope) {
+                progress.slope.look(simulation, FrameParts::motion);
+            }
         });
     progress.state = simulation.state();
     made.end = simulation.state();
@@ -195,6 +227,7 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
     }
     made.result = simulation.result();
     made.post_failure = post_failure_of(study, made, made.end->motion, made.end->removed);
+    find_early_failure(study, progress.slope.frame, made);
     if (!ended) {
         made.result.outcome = RelaxationOutcome::interrupted;
     }
@@ -229,6 +262,7 @@ RelaxationAnswer answer_of(const RelaxationResult& result) {
                             result.cost.step,
                             static_cast<double>(result.cost.contacts_evaluated),
                             {},
+                            {},
                             {}};
     for (const BlockOutcome& block : result.block) {
         answer.block.push_back({block.movement, block.rotation, block.displacement, block.base_slip});
@@ -240,6 +274,7 @@ RelaxationAnswer answer_of(const RelaxationRun& run) {
     RelaxationAnswer answer = answer_of(run.result);
     if (run.post_failure) {
         answer.post_failure = run.post_failure->answer;
+        answer.early_failure = run.early_failure.value_or(*run.post_failure).answer;
     }
     return answer;
 }

@@ -215,7 +215,8 @@ struct RelaxationAnswer {
     double steps;
     double time_step;
     double contacts_evaluated;
-    std::optional<PostFailureAnswer> post_failure;  // of a jointed slope
+    std::optional<PostFailureAnswer> post_failure;   // of a jointed slope
+    std::optional<PostFailureAnswer> early_failure;  // likewise
     std::vector<BlockAnswer> block;
     static constexpr auto fields() {
         using R = RelaxationAnswer;
@@ -243,6 +244,9 @@ struct RelaxationAnswer {
             number("contacts_evaluated", &R::contacts_evaluated, Dimension::ratio, any_number(),
                    "contact forces computed in all"),
             section("post_failure", &R::post_failure, "what of the slope has failed and what is left standing"),
+            section("early_failure", &R::early_failure,
+                    "the same while no more than half of that area had failed: crest cracks and movements before the "
+                    "crest itself goes"),
             section("block", &R::block, "each block at the end")};
     }
 };
@@ -256,6 +260,7 @@ struct StudyProgress {
     double next_line = 0;                       // s of model time, of the history
     RelaxationHistory history = {};
     MotionRecord record = {};
+    MotionRecord slope = {};                          // motion of a jointed slope
     std::vector<CriticalProbe> probe = {};            // finished runs of the search, in their order
     std::optional<RelaxationState> probe_state = {};  // of the run after them, where one has begun
 };
@@ -280,7 +285,11 @@ struct RelaxationRun {
     std::vector<MotionFrame> frames = {};       // empty where none are kept
     std::optional<RelaxationState> end{};       // absent where the scene is not valid
     std::optional<PostFailure> post_failure{};  // of a jointed slope, at the end
-    bool ends_with_duration = false;            // what has not been decided by then was not to be
+    // The last of some dozens of moments spread evenly over the run at which no more than half of the area that has
+    // failed in the end had.
+    std::optional<PostFailure> early_failure{};
+    double early_time = 0;            // s
+    bool ends_with_duration = false;  // what has not been decided by then was not to be
 
     // Out of time or steps before the end that was asked for.
     bool unfinished() const {

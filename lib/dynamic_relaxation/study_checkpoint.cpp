@@ -34,10 +34,13 @@ bool fits(const MotionFrame& frame, std::size_t blocks) {
 bool fits(const StudyProgress& progress, const RelaxationStudy& study) {
     const RelaxationScene scene = relaxation_scene(study);
     const std::size_t blocks = scene.block.size();
+    const auto frames_fit = [&](const MotionRecord& record) {
+        return std::ranges::all_of(record.frame, [&](const MotionFrame& frame) { return fits(frame, blocks); });
+    };
     return (!progress.state || fits(*progress.state, scene)) &&
            (!progress.probe_state || fits(*progress.probe_state, scene)) &&
            std::ranges::all_of(progress.history, [&](const HistoryLine& line) { return fits(line, study, blocks); }) &&
-           std::ranges::all_of(progress.record.frame, [&](const MotionFrame& frame) { return fits(frame, blocks); });
+           frames_fit(progress.record) && frames_fit(progress.slope);
 }
 
 }  // namespace
