@@ -151,9 +151,25 @@ BondLoading loading_of(const Bond& bond, const FacePosition& at) {
 
 Bonds::Bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping, Team& team)
     : team_(team), bond_(make_bonds(scene, bodies, viscous_damping)), force_(bond_.size()), breaks_(bond_.size(), 0) {
-    if (!bond_.empty()) {
-        force_on_block_.resize(bodies.size());
+    if (bond_.empty()) {
+        return;
     }
+    force_on_block_.resize(bodies.size());
+    std::vector<std::vector<std::uint32_t>> of_block(bodies.size());
+    for (std::uint32_t index = 0; index < bond_.size(); ++index) {
+        of_block[bond_[index].face.block].push_back(index);
+        of_block[bond_[index].face.other].push_back(index);
+    }
+    for (const std::vector<std::uint32_t>& bonds : of_block) {
+        begin_.push_back(static_cast<std::uint32_t>(of_block_.size()));
+        of_block_.insert(of_block_.end(), bonds.begin(), bonds.end());
+    }
+    begin_.push_back(static_cast<std::uint32_t>(of_block_.size()));
+}
+
+std::span<const std::uint32_t> Bonds::of_block(std::size_t block) const {
+    return begin_.empty() ? std::span<const std::uint32_t>()
+                          : std::span(of_block_).subspan(begin_[block], begin_[block + 1] - begin_[block]);
 }
 
 std::vector<BlockPair> Bonds::joined(const std::vector<BondMemory>& memory) const {

@@ -28,7 +28,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -98,6 +100,8 @@ class Bonds {
 
     bool empty() const { return bond_.empty(); }
     const std::vector<Bond>& list() const { return bond_; }
+    // Numbers of a block's bonds, broken ones too, in increasing order.
+    std::span<const std::uint32_t> of_block(std::size_t block) const;
     // Pairs with a whole bond, in increasing order.
     std::vector<BlockPair> joined(const std::vector<BondMemory>& memory) const;
 
@@ -126,6 +130,9 @@ class Bonds {
     std::vector<ForceOnCorner> force_;
     std::vector<char> breaks_;  // in the last call of stretch
     std::vector<BlockForce> force_on_block_ = {};
+    // Bonds of each block: begin_[block] to begin_[block + 1] in of_block_.
+    std::vector<std::uint32_t> begin_ = {};
+    std::vector<std::uint32_t> of_block_ = {};
 };
 
 // Contacts of the bond's face that have come in its place take over what it carried, as far as they can. Returns the

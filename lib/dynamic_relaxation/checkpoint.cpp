@@ -39,6 +39,20 @@ bool fits(const RelaxationState& state, const RelaxationScene& scene) {
     };
     const ContactList& list = state.contacts;
     const std::size_t contacts = list.contact.size();
+    const WatchState& watch = state.watch;
+    for (const auto* const each : {&watch.way, &watch.due, &watch.neighbours_until, &watch.step_until,
+                                   &watch.stable_step}) {
+        if (each->size() != blocks) {
+            return false;
+        }
+    }
+    std::size_t begin = 0;
+    for (const WatchedPair& pair : watch.pair) {
+        if (pair.first >= blocks || pair.second >= blocks || pair.begin < begin || pair.begin > contacts) {
+            return false;
+        }
+        begin = pair.begin;
+    }
     return list.memory.size() == contacts && list.force.size() == contacts &&
            std::all_of(list.contact.begin(), list.contact.end(),
                        [&](const RelaxationContact& contact) {

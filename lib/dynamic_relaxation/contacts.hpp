@@ -56,6 +56,7 @@ struct RelaxationContact {
     double to_end;           // from the corner to the edge's end, likewise
 
     double edge_length() const { return from_start + to_end; }
+    BlockPair pair() const { return {block < other ? block : other, block < other ? other : block}; }
 };
 
 struct ContactMemory {
@@ -84,13 +85,12 @@ struct ForceOnCorner {
     double other_moment = 0;  // N, of the opposite force about the other's centroid
 };
 
+// In the order of their pairs.
 struct ContactList {
     std::vector<RelaxationContact> contact = {};
     std::vector<ContactLaw> law = {};
     std::vector<ContactMemory> memory = {};
     std::vector<ForceOnCorner> force = {};  // when last evaluated
-    double margin = 0;                      // the list holds until blocks have moved by half of this
-    double worst_overlap = 0;               // greatest found, in shortest edges of the two blocks
 
     const ContactLaw& law_of(const RelaxationContact& one) const { return law[one.law]; }
 };
@@ -109,8 +109,20 @@ struct SearchOptions {
 // of an overlap.
 double distance_between(const Bodies& bodies, std::size_t first, std::size_t second);
 
-// Contacts in an order that depends on positions alone. `previous` gives its memory to those that were contacts
-// already.
+struct ContactRange {
+    std::size_t begin;
+    std::size_t end;
+
+    std::size_t size() const { return end - begin; }
+};
+
+// The contacts of a pair in a list, of which those before `from` belong to lower pairs; where there are none, an empty
+// range before the first of a higher pair.
+ContactRange next_of_pair(const ContactList& list, std::size_t from, const BlockPair& pair);
+
+// All contacts nearer than the margin, by a search of the whole scene. In an order that depends on positions alone.
+// `previous` gives its memory to those that were contacts already. A run keeps its list up to date pair by pair
+// (contact_watch.hpp).
 ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, const std::vector<Motion>& motion,
                           const std::vector<char>& removed, const SearchOptions& options, const ContactList& previous);
 

@@ -28,7 +28,7 @@ struct Entry {
     auto operator<=>(const Entry&) const = default;
 };
 
-Box box_of(const Bodies& bodies, const std::vector<Motion>& motion, std::size_t block, double margin) {
+Box box_of(const Bodies& bodies, const std::vector<Motion>& motion, std::size_t block, double reach) {
     Box box;
     for (std::size_t corner = bodies.range[block].begin; corner < bodies.range[block].end; ++corner) {
         const PlanePoint<> at = moved_corner(bodies, motion, corner);
@@ -37,7 +37,7 @@ Box box_of(const Bodies& bodies, const std::vector<Motion>& motion, std::size_t 
         box.bottom = std::min(box.bottom, at.y());
         box.top = std::max(box.top, at.y());
     }
-    return {box.left - margin / 2, box.right + margin / 2, box.bottom - margin / 2, box.top + margin / 2};
+    return {box.left - reach, box.right + reach, box.bottom - reach, box.top + reach};
 }
 
 // Cells are as wide as a middling free block.
@@ -59,7 +59,7 @@ double cell_width(const Bodies& bodies, const std::vector<char>& removed) {
 }  // namespace
 
 std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vector<Motion>& motion,
-                                           const std::vector<char>& removed, double margin) {
+                                           const std::vector<char>& removed, const std::vector<double>& reach) {
     // A block that covers more cells than this is compared with all others instead.
     constexpr double most_cells = 4096;
     const double width = cell_width(bodies, removed);
@@ -75,7 +75,7 @@ std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vect
         if (removed[block] != 0) {
             continue;
         }
-        const Box& box = boxes[block] = box_of(bodies, motion, block, margin);
+        const Box& box = boxes[block] = box_of(bodies, motion, block, reach[block]);
         if ((box.right - box.left + width) / width * ((box.top - box.bottom + width) / width) > most_cells) {
             large.push_back(block);
             continue;

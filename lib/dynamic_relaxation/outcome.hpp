@@ -54,7 +54,7 @@ struct ContactName {
 
 struct RelaxationCost {
     std::uint64_t steps = 0;
-    std::uint64_t searches = 0;
+    std::uint64_t looks = 0;  // at pairs of blocks, for contacts
     std::uint64_t contacts_evaluated = 0;
     double step = 0;  // s, the last one
 };

@@ -48,8 +48,9 @@ std::vector<SharedFace> find_shared_faces(const Bodies& bodies) {
     std::vector<SharedFace> faces;
     const std::vector<Motion> unmoved(bodies.size());
     const std::vector<char> none_removed(bodies.size(), 0);
-    const double margin = near * *std::min_element(bodies.shortest_edge.begin(), bodies.shortest_edge.end());
-    for (const auto& [first, second] : neighbouring_blocks(bodies, unmoved, none_removed, margin)) {
+    const std::vector<double> reach(
+        bodies.size(), near / 2 * *std::min_element(bodies.shortest_edge.begin(), bodies.shortest_edge.end()));
+    for (const auto& [first, second] : neighbouring_blocks(bodies, unmoved, none_removed, reach)) {
         for (std::size_t edge = bodies.range[first].begin; edge < bodies.range[first].end; ++edge) {
             for (std::size_t other = bodies.range[second].begin; other < bodies.range[second].end; ++other) {
                 if (const std::optional<SharedFace> face = shared_face(bodies, edge, other)) {

@@ -15,8 +15,8 @@ namespace delabole {
 
 namespace {
 
-// The list of contacts holds until blocks have moved by half of this, in shortest edges of the scene.
-constexpr double margin_in_edges = 0.01;
+// Of the scene.
+constexpr double margin_in_shortest_edges = 0.01;
 
 // Ways that change the force of the stiffest spring by a trifle of a block's weight.
 std::vector<double> unnoticed_ways(const RelaxationScene& scene, const Bodies& bodies) {
@@ -58,13 +58,15 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
       bodies_(bodies_of(scene_, settings_)),
       team_(std::max<std::size_t>(settings_.threads, 1)),
       contact_forces_(bodies_, unnoticed_ways(scene_, bodies_), team_),
-      bonds_(scene_, bodies_, settings_.viscous_damping, team_) {
+      bonds_(scene_, bodies_, settings_.viscous_damping, team_),
+      contact_watch_(scene_, bodies_, settings_.viscous_damping) {
     state_.motion.resize(bodies_.size());
     state_.removed.resize(bodies_.size(), 0);
     state_.base_slip.resize(bodies_.size(), 0);
     state_.calm.resize(bodies_.size(), 0);
     state_.bond.resize(scene_.bond.size());
-    state_.travelled = std::numeric_limits<double>::infinity();
+    state_.seen.resize(bodies_.size(), never_seen());
+    ContactWatch::start(bodies_.size(), state_.watch);
     prepare();
     begin();
 }
@@ -76,13 +78,15 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, Relax
       state_(std::move(state)),
       team_(std::max<std::size_t>(settings_.threads, 1)),
       contact_forces_(bodies_, unnoticed_ways(scene_, bodies_), team_),
-      bonds_(scene_, bodies_, settings_.viscous_damping, team_) {
+      bonds_(scene_, bodies_, settings_.viscous_damping, team_),
+      contact_watch_(scene_, bodies_, settings_.viscous_damping) {
     prepare();
     contact_forces_.renew(state_.contacts);
+    contact_watch_.resume(state_.watch, state_.contacts);
 }
 
 void Simulation::prepare() {
-    margin_ = margin_in_edges * shortest_edge(bodies_);
+    margin_ = margin_in_shortest_edges * shortest_edge(bodies_);
     load_.resize(bodies_.size());
     double stiffest = 0;
     for (const JointMaterial& joint : scene_.material) {
@@ -114,7 +118,7 @@ void Simulation::preload_springs() {
         loads.emplace_back(load.x, load.y, load.moment);
     }
     for (bool first = true;; first = false) {
-        find_contacts_within(reach, first);
+        preload_within(reach, first);
         const double ratio =
             preload(bodies_, held_, loads, limits, bonds_, state_.bond, state_.motion, state_.contacts);
         const std::optional<std::size_t> worst = bonds_.worst_overloaded(state_.motion, state_.bond);
@@ -176,7 +180,7 @@ void Simulation::follow_schedules() {
             book_springs_of_removed(removal.block);
             state_.removed[removal.block] = 1;
             state_.motion[removal.block].vx = state_.motion[removal.block].vy = state_.motion[removal.block].spin = 0;
-            state_.travelled = std::numeric_limits<double>::infinity();
+            look_again_at(removal.block);
             changed = true;
         }
     }
@@ -187,9 +191,9 @@ void Simulation::follow_schedules() {
         Motion& moved = state_.motion[motion.block];
         const Motion before = moved;
         prescribe(motion, bodies_, state_.time, moved);
-        state_.travelled += (std::abs(moved.vx - before.vx) + std::abs(moved.vy - before.vy) +
-                             std::abs(moved.spin - before.spin) * bodies_.radius[motion.block]) *
-                            state_.step;
+        if (moved.vx != before.vx || moved.vy != before.vy || moved.spin != before.spin) {
+            state_.watch.due[motion.block] = -std::numeric_limits<double>::infinity();
+        }
     }
 }
 
@@ -220,7 +224,8 @@ void Simulation::break_bonds() {
     just_broken_ = bonds_.stretch(state_.motion, state_.last_step, state_.time, state_.bond);
     for (const std::size_t bond : just_broken_) {
         state_.ledger.bonds += bonds_.elastic_energy(bond, state_.motion);
-        state_.travelled = std::numeric_limits<double>::infinity();
+        look_again_at(bonds_.list()[bond].face.block);
+        look_again_at(bonds_.list()[bond].face.other);
     }
 }
 
@@ -245,39 +250,53 @@ double Simulation::fastest() const {
     return speed;
 }
 
-void Simulation::find_contacts_within(double margin, bool first) {
+// For neighbours, contacts and the stable step.
+void Simulation::look_again_at(std::size_t block) {
+    state_.watch.due[block] = state_.watch.neighbours_until[block] = state_.watch.step_until[block] =
+        -std::numeric_limits<double>::infinity();
+}
+
+void Simulation::preload_within(double margin, bool first) {
     const std::vector<BlockPair> bonded = bonds_.joined(state_.bond);
     state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
                                     {margin, settings_.viscous_damping, first, bonded}, state_.contacts);
     for (const std::size_t bond : std::exchange(just_broken_, {})) {
-        state_.ledger.bonds -= hand_over(bonds_.list()[bond], bodies_, state_.motion, state_.contacts);
+        hand_over(bonds_.list()[bond], bodies_, state_.motion, state_.contacts);
     }
 }
 
 void Simulation::find_contacts_where_due() {
-    if (state_.travelled <= state_.contacts.margin / 2) {
-        return;
-    }
-    for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
-        const RelaxationContact& contact = state_.contacts.contact[index];
-        const ContactMemory& memory = state_.contacts.memory[index];
-        state_.ledger.friction += memory.friction;
-        state_.ledger.dashpots += memory.damping;
-        add_base_slip(bodies_, state_.motion, contact, memory, state_.base_slip);
-    }
-    // Whatever moves fast is seen coming some steps before it touches.
-    constexpr double steps_ahead = 8;
-    const double speed = fastest();
     const double slowest = std::sqrt(shortest_edge(bodies_) / std::max(scene_.gravity.acceleration, 1e-3)) / 20;
     const double last = state_.contacts.contact.empty() ? slowest : std::min(state_.step, slowest);
-    const double margin = std::max(margin_, steps_ahead * speed * last);
-    find_contacts_within(margin, state_.searches == 0);
-    contact_forces_.renew(state_.contacts);
-    state_.seen.assign(bodies_.size(), never_seen());
-    ++state_.searches;
-    const double stable = stable_step(bodies_, state_.motion, state_.contacts, bonds_, state_.bond);
-    // Blocks in free flight still have to follow gravity and their neighbours-to-be.
-    const double seen_ahead = speed > 0 ? margin / (steps_ahead * speed) : slowest;
+    if (!contact_watch_.update({state_.motion, state_.removed, last}, bonds_, state_.bond, state_.watch,
+                               state_.contacts)) {
+        return;
+    }
+    for (const ContactWatch::Dropped& dropped : contact_watch_.dropped()) {
+        state_.ledger.friction += dropped.memory.friction;
+        state_.ledger.dashpots += dropped.memory.damping;
+        add_base_slip(bodies_, state_.motion, dropped.contact, dropped.memory, state_.base_slip);
+    }
+    for (const std::size_t bond : std::exchange(just_broken_, {})) {
+        state_.ledger.bonds -= hand_over(bonds_.list()[bond], bodies_, state_.motion, state_.contacts);
+    }
+    if (contact_watch_.list_changed()) {
+        contact_forces_.renew(state_.contacts);
+    }
+    for (const std::uint32_t block : contact_watch_.changed_blocks()) {
+        state_.seen[block] = never_seen();
+    }
+    if (contact_watch_.worst_overlap() > settings_.overlap_limit) {
+        state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::overlap_too_large);
+    }
+    choose_step(last, slowest);
+}
+
+void Simulation::choose_step(double last, double slowest) {
+    const double speed = fastest();
+    // While blocks are fast the step does not grow: they would not be seen coming.
+    const double seen_ahead = speed > 0 ? std::max(last, margin_ / (8 * speed)) : slowest;
+    const double stable = *std::min_element(state_.watch.stable_step.begin(), state_.watch.stable_step.end());
     double largest = std::min({settings_.step_fraction * stable, slowest, seen_ahead});
     if (scene_.belt) {
         largest = std::min(largest, longest_step(*scene_.belt, scene_.gravity));
@@ -285,10 +304,6 @@ void Simulation::find_contacts_where_due() {
     state_.step = largest;
     if (settings_.time_step) {
         state_.step = *settings_.time_step / std::max(1.0, std::ceil(*settings_.time_step / largest));
-    }
-    state_.travelled = speed * state_.step;
-    if (state_.contacts.worst_overlap > settings_.overlap_limit) {
-        state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::overlap_too_large);
     }
 }
 
@@ -323,15 +338,12 @@ void Simulation::integrate() {
             }
         });
     }
-    double fastest = 0;
     for (const StepSums& group : sums_) {
         state_.ledger.applied += group.applied;
         state_.ledger.prescribed += group.prescribed;
         state_.ledger.local_damping += group.damped;
         state_.unbalanced = std::max(state_.unbalanced, group.unbalanced);
-        fastest = std::max(fastest, group.fastest);
     }
-    state_.travelled += fastest * state_.step;
     state_.time += state_.step;
     state_.last_step = state_.step;
     ++state_.steps;
@@ -354,8 +366,8 @@ void Simulation::move_block(std::size_t block, StepSums& sums) {
     if (motion.spin != 0) {
         motion.set_angle(motion.angle + motion.spin * state_.step);
     }
-    sums.fastest = std::max(sums.fastest,
-                            std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * bodies_.radius[block]);
+    state_.watch.way[block] +=
+        (std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * bodies_.radius[block]) * state_.step;
 }
 
 // A base that turns carries its blocks along: what is damped is their motion on it.

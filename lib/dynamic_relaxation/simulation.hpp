@@ -52,7 +52,6 @@ class Simulation {
     };
 
     struct StepSums {
-        double fastest = 0;     // m/s
         double unbalanced = 0;  // share of the weight
         double applied = 0;     // J/m
         double prescribed = 0;  // J/m
@@ -70,7 +69,9 @@ class Simulation {
     void book_springs_of_removed(std::size_t block);
     double fastest() const;  // m/s, no point of any block is faster
     void find_contacts_where_due();
-    void find_contacts_within(double margin, bool first);
+    void preload_within(double margin, bool first);
+    void look_again_at(std::size_t block);
+    void choose_step(double last, double slowest);
     BlockForce force_of_joints(std::size_t block) const;
     void apply_contact_forces();
     void apply_loads();
@@ -89,10 +90,11 @@ class Simulation {
     RelaxationSettings settings_;
     Bodies bodies_;
     RelaxationState state_ = {};
-    double margin_ = 0;
+    double margin_ = 0;  // m, of the smallest blocks
     Team team_;
     ContactForces contact_forces_;
     Bonds bonds_;
+    ContactWatch contact_watch_;
     std::vector<std::size_t> just_broken_ = {};  // bonds whose contacts have yet to be found
     std::vector<SharedFace> watched_ = {};       // for the first tension crack
     std::vector<BlockForce> load_ = {};          // of the step

@@ -57,7 +57,7 @@ RelaxationResult Simulation::result() const {
         std::ranges::count_if(state_.bond, [](const BondMemory& memory) { return is_broken(memory.state); }));
     result.ledger = ledger();
     result.deepest = deepest_contact(bodies_, state_);
-    result.cost = {state_.steps, state_.searches, state_.contacts_evaluated, state_.step};
+    result.cost = {state_.steps, state_.watch.looks, state_.contacts_evaluated, state_.step};
     result.block = block_outcomes(bodies_, state_, settings_);
     return result;
 }

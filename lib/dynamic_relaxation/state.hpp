@@ -4,6 +4,7 @@
 #include "dynamic_relaxation/bodies.hpp"
 #include "dynamic_relaxation/bonds.hpp"
 #include "dynamic_relaxation/contact_forces.hpp"
+#include "dynamic_relaxation/contact_watch.hpp"
 #include "dynamic_relaxation/contacts.hpp"
 
 #include <cstdint>
@@ -42,12 +43,10 @@ struct FirstCrack {
 
 struct RelaxationState {
     double time = 0;       // s
-    double step = 0;       // s, chosen at the last search
+    double step = 0;       // s, chosen when contacts were last looked at
     double last_step = 0;  // s, that led here; 0 at the start and after velocities were taken away
     std::uint64_t steps = 0;
-    std::uint64_t searches = 0;
     std::uint64_t contacts_evaluated = 0;
-    double travelled = 0;  // m, bound on any point's way since the last search, the next step's included
     std::vector<Motion> motion = {};
     std::vector<Motion> origin = {};       // at the start, after preloading
     std::vector<SeenPose> seen = {};       // where contacts were last evaluated for
@@ -55,6 +54,7 @@ struct RelaxationState {
     std::vector<char> removed = {};
     std::vector<double> base_slip = {};  // m, of each block over fixed ones; negative towards -x
     ContactList contacts = {};
+    WatchState watch = {};
     std::vector<BondMemory> bond = {};  // as the scene lists them
     EnergyLedger ledger = {};           // sums; what is of the moment is filled in when asked for
     double elastic_at_start = 0;

@@ -1,0 +1,367 @@
+#include "dynamic_relaxation/contact_watch.hpp"
+
+#include "dynamic_relaxation/neighbours.hpp"
+#include "dynamic_relaxation/time_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Contacts are found within this, in shortest edges of the two blocks, or farther where they move fast: whatever does is
+// seen coming some steps before it touches.
+constexpr double margin_in_edges = 0.01;
+constexpr double steps_ahead = 8;
+// Neighbours are found within this of the block's radius, or of the middling one's if that is less, likewise.
+constexpr double reach_in_radii = 0.25;
+constexpr double steps_between_searches = 64;
+// A block that has come by this share of its radius rests on other places of its neighbours, and has another stable
+// step.
+constexpr double way_of_same_step = 0.01;
+
+double middling_radius(const Bodies& bodies) {
+    std::vector<double> radius;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (bodies.fixed[block] == 0) {
+            radius.push_back(bodies.radius[block]);
+        }
+    }
+    if (radius.empty()) {
+        return infinity;
+    }
+    const auto middle = radius.begin() + static_cast<std::ptrdiff_t>(radius.size() / 2);
+    std::nth_element(radius.begin(), middle, radius.end());
+    return *middle;
+}
+
+double speed_of(const Motion& motion, double radius) {
+    return std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * radius;
+}
+
+template <class T>
+std::span<const T> part_of(const std::vector<T>& items, const ContactRange& range) {
+    return std::span<const T>(items).subspan(range.begin, range.size());
+}
+
+void append(const ContactList& from, const ContactRange& range, ContactList& to) {
+    const auto copy = [&](const auto& source, auto& target) {
+        const std::span part = part_of(source, range);
+        target.insert(target.end(), part.begin(), part.end());
+    };
+    const auto begin = static_cast<std::uint32_t>(to.contact.size());
+    const auto shift = begin - static_cast<std::uint32_t>(range.begin);  // modulo 2^32
+    copy(from.contact, to.contact);
+    copy(from.memory, to.memory);
+    copy(from.force, to.force);
+    for (RelaxationContact& contact : std::span(to.contact).subspan(begin)) {
+        contact.twin += contact.twin == no_twin ? 0 : shift;
+    }
+}
+
+ContactList list_like(const ContactList& list) {
+    ContactList like;
+    like.contact.reserve(list.contact.size() + 64);
+    like.memory.reserve(list.contact.size() + 64);
+    like.force.reserve(list.contact.size() + 64);
+    return like;
+}
+
+}  // namespace
+
+ContactWatch::ContactWatch(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping)
+    : bodies_(bodies), pair_search_(scene, bodies, viscous_damping) {
+    const double middling = middling_radius(bodies);
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        reach_at_rest_.push_back(
+            bodies.fixed[block] != 0 ? 0 : reach_in_radii * std::min(bodies.radius[block], middling));
+    }
+}
+
+void ContactWatch::start(std::size_t blocks, WatchState& state) {
+    state.way.assign(blocks, 0);
+    state.due.assign(blocks, -infinity);
+    state.neighbours_until.assign(blocks, -infinity);
+    state.step_until.assign(blocks, -infinity);
+    state.stable_step.assign(blocks, infinity);
+}
+
+void ContactWatch::resume(const WatchState& state, const ContactList& list) {
+    laws_.resume(list.law);
+    index_pairs(state);
+}
+
+bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
+                          WatchState& state, ContactList& list) {
+    dropped_.clear();
+    changed_blocks_.clear();
+    due_blocks_.clear();
+    list_changed_ = false;
+    worst_overlap_ = 0;
+    bool new_neighbours = false;
+    for (std::uint32_t block = 0; block < bodies_.size(); ++block) {
+        if (state.way[block] > state.due[block]) {
+            due_blocks_.push_back(block);
+            new_neighbours |= state.way[block] > state.neighbours_until[block];
+        }
+    }
+    if (due_blocks_.empty()) {
+        return false;
+    }
+    first_ = list_changed_ = state.searches == 0;
+    if (new_neighbours) {
+        search(scene, bonds.joined(bond_memory), state, list);
+        for (std::size_t number = 0; number < state.pair.size(); ++number) {
+            visit(number, scene, state, list);
+        }
+    } else {
+        for (const std::uint32_t block : due_blocks_) {
+            state.due[block] = infinity;
+        }
+        for (const std::uint32_t block : due_blocks_) {
+            for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
+                visit(of_block_[entry], scene, state, list);
+            }
+        }
+    }
+    if (!replacement_.empty()) {
+        assemble(state, list);
+    }
+    std::sort(changed_blocks_.begin(), changed_blocks_.end());
+    changed_blocks_.erase(std::unique(changed_blocks_.begin(), changed_blocks_.end()), changed_blocks_.end());
+    renew_stable_steps(scene, bonds, bond_memory, state, list);
+    return true;
+}
+
+double ContactWatch::margin_of(const WatchedPair& pair, const MovingScene& scene) const {
+    const Motion& first = scene.motion[pair.first];
+    const Motion& second = scene.motion[pair.second];
+    const double closing = std::abs(first.vx - second.vx) + std::abs(first.vy - second.vy) +
+                           std::abs(first.spin) * bodies_.radius[pair.first] +
+                           std::abs(second.spin) * bodies_.radius[pair.second];
+    const double shortest = std::min(bodies_.shortest_edge[pair.first], bodies_.shortest_edge[pair.second]);
+    return std::max(margin_in_edges * shortest, steps_ahead * closing * scene.step);
+}
+
+double ContactWatch::used_up(const WatchedPair& pair, const std::vector<Motion>& motion) const {
+    const Motion& first = motion[pair.first];
+    const Motion& second = motion[pair.second];
+    return std::abs(first.x - second.x - pair.x) + std::abs(first.y - second.y - pair.y) +
+           std::abs(first.angle - pair.first_angle) * bodies_.radius[pair.first] +
+           std::abs(second.angle - pair.second_angle) * bodies_.radius[pair.second];
+}
+
+ContactRange ContactWatch::contacts_of(std::size_t number, const WatchState& state, const ContactList& list) {
+    return {state.pair[number].begin,
+            number + 1 < state.pair.size() ? state.pair[number + 1].begin : list.contact.size()};
+}
+
+void ContactWatch::visit(std::size_t number, const MovingScene& scene, WatchState& state, const ContactList& list) {
+    WatchedPair& pair = state.pair[number];
+    const double margin = margin_of(pair, scene);
+    double left = pair.holds - used_up(pair, scene.motion);
+    // Not a number counts as used up.
+    if (!(left >= std::max(pair.holds, margin) / 2)) {
+        look(number, margin, scene, state, list);
+        left = pair.holds;
+    }
+    // What does not move needs none of it.
+    const bool both = bodies_.fixed[pair.first] == 0 && bodies_.fixed[pair.second] == 0;
+    const auto give = [&](std::uint32_t block) {
+        const double share = both ? left / 2 : bodies_.fixed[block] == 0 ? left : 0;
+        state.due[block] = std::min(state.due[block], state.way[block] + share);
+    };
+    give(pair.first);
+    give(pair.second);
+}
+
+void ContactWatch::look(std::size_t number, double margin, const MovingScene& scene, WatchState& state,
+                        const ContactList& list) {
+    WatchedPair& pair = state.pair[number];
+    const ContactRange before = contacts_of(number, state, list);
+    pair_search_.find({pair.first, pair.second}, scene.motion, margin, first_, part_of(list.contact, before),
+                      part_of(list.memory, before), now_);
+    ++state.looks;
+    const Motion& first = scene.motion[pair.first];
+    const Motion& second = scene.motion[pair.second];
+    pair.x = first.x - second.x;
+    pair.y = first.y - second.y;
+    pair.first_angle = first.angle;
+    pair.second_angle = second.angle;
+    pair.holds = std::max(margin, now_.distance);
+    worst_overlap_ = std::max(worst_overlap_, now_.worst_overlap);
+    if (is_as_before(before, list)) {
+        return;
+    }
+    const std::size_t begin = found_.contact.size();
+    found_.contact.insert(found_.contact.end(), now_.contact.begin(), now_.contact.end());
+    found_.law.insert(found_.law.end(), now_.law.begin(), now_.law.end());
+    found_.memory.insert(found_.memory.end(), now_.memory.begin(), now_.memory.end());
+    replacement_.push_back({number, begin, found_.contact.size()});
+    changed_blocks_.push_back(pair.first);
+    changed_blocks_.push_back(pair.second);
+}
+
+bool ContactWatch::is_as_before(const ContactRange& before, const ContactList& list) const {
+    if (now_.contact.size() != before.size()) {
+        return false;
+    }
+    for (std::size_t index = 0; index < before.size(); ++index) {
+        const RelaxationContact& then = list.contact[before.begin + index];
+        const RelaxationContact& now = now_.contact[index];
+        const bool same_twin = now.twin == no_twin ? then.twin == no_twin : then.twin == before.begin + now.twin;
+        if (now.corner != then.corner || now.edge != then.edge || !same_twin ||
+            !(now_.law[index] == list.law_of(then))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Pairs that have come apart lose their contacts, new ones have yet to be looked at.
+void ContactWatch::search(const MovingScene& scene, const std::vector<BlockPair>& bonded, WatchState& state,
+                          ContactList& list) {
+    std::vector<double> reach = reach_at_rest_;
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        const double speed = speed_of(scene.motion[block], bodies_.radius[block]);
+        reach[block] = std::max(reach[block], steps_between_searches * speed * scene.step);
+        // The other half is left for margins.
+        state.neighbours_until[block] = state.way[block] + reach[block] / 2;
+        state.due[block] = infinity;
+    }
+    const auto drop = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t index = begin; index < end; ++index) {
+            const RelaxationContact& contact = list.contact[index];
+            dropped_.push_back({contact, list.memory[index]});
+            changed_blocks_.push_back(contact.block);
+            changed_blocks_.push_back(contact.other);
+        }
+    };
+    const std::vector<WatchedPair> pairs_then = std::exchange(state.pair, {});
+    ContactList kept = list_like(list);
+    auto then = pairs_then.begin();
+    ContactRange range{0, 0};
+    for (const BlockPair& pair : neighbouring_blocks(bodies_, scene.motion, scene.removed, reach)) {
+        if (std::binary_search(bonded.begin(), bonded.end(), pair)) {
+            continue;
+        }
+        const std::size_t done = range.end;
+        range = next_of_pair(list, done, pair);
+        drop(done, range.begin);
+        then = std::find_if(then, pairs_then.end(),
+                            [&](const WatchedPair& one) { return BlockPair(one.first, one.second) >= pair; });
+        const bool known = then != pairs_then.end() && BlockPair(then->first, then->second) == pair;
+        state.pair.push_back(known ? *then : WatchedPair{pair.first, pair.second, 0, 0, 0, 0, 0, -infinity});
+        state.pair.back().begin = static_cast<std::uint32_t>(kept.contact.size());
+        append(list, range, kept);
+    }
+    drop(range.end, list.contact.size());
+    list_changed_ = list_changed_ || !dropped_.empty();
+    // Laws that no contact has any more go.
+    laws_.clear();
+    for (RelaxationContact& contact : kept.contact) {
+        contact.law = laws_.number_of(list.law_of(contact), kept.law);
+    }
+    list = std::move(kept);
+    index_pairs(state);
+    ++state.searches;
+}
+
+void ContactWatch::assemble(WatchState& state, ContactList& list) {
+    std::sort(replacement_.begin(), replacement_.end(),
+              [](const Replacement& one, const Replacement& two) { return one.pair < two.pair; });
+    ContactList renewed = list_like(list);
+    renewed.law = std::move(list.law);
+    auto next = replacement_.begin();
+    ContactRange range{0, 0};
+    for (std::size_t number = 0; number < state.pair.size(); ++number) {
+        range = contacts_of(number, state, list);
+        const auto begin = static_cast<std::uint32_t>(renewed.contact.size());
+        if (next != replacement_.end() && next->pair == number) {
+            replace(*next++, range, list, renewed);
+        } else {
+            append(list, range, renewed);
+        }
+        state.pair[number].begin = begin;
+    }
+    list = std::move(renewed);
+    list_changed_ = true;
+    replacement_.clear();
+    found_.clear();
+}
+
+void ContactWatch::replace(const Replacement& by, const ContactRange& range, const ContactList& list,
+                           ContactList& renewed) {
+    const std::span<const RelaxationContact> now = part_of(found_.contact, {by.begin, by.end});
+    for (std::size_t index = range.begin; index < range.end; ++index) {
+        const RelaxationContact& then = list.contact[index];
+        if (std::none_of(now.begin(), now.end(), [&](const RelaxationContact& one) {
+                return one.corner == then.corner && one.edge == then.edge;
+            })) {
+            dropped_.push_back({then, list.memory[index]});
+        }
+    }
+    const auto begin = static_cast<std::uint32_t>(renewed.contact.size());
+    for (std::size_t index = by.begin; index < by.end; ++index) {
+        RelaxationContact& contact = renewed.contact.emplace_back(found_.contact[index]);
+        contact.law = laws_.number_of(found_.law[index], renewed.law);
+        contact.twin += contact.twin == no_twin ? 0 : begin;
+        renewed.memory.push_back(found_.memory[index]);
+        renewed.force.emplace_back();
+    }
+}
+
+void ContactWatch::renew_stable_steps(const MovingScene& scene, const Bonds& bonds,
+                                      const std::vector<BondMemory>& bond_memory, WatchState& state,
+                                      const ContactList& list) const {
+    const auto renew = [&](std::uint32_t block) {
+        SpringsOnBlock springs(bodies_, block);
+        for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
+            const ContactRange range = contacts_of(of_block_[entry], state, list);
+            for (const RelaxationContact& contact : part_of(list.contact, range)) {
+                springs.add(contact, list.law_of(contact), scene.motion);
+            }
+        }
+        for (const std::uint32_t bond : bonds.of_block(block)) {
+            if (bond_memory[bond].state == BondState::whole) {
+                springs.add(bonds.list()[bond], scene.motion);
+            }
+        }
+        state.stable_step[block] = springs.stable_step();
+        state.step_until[block] = state.way[block] + way_of_same_step * bodies_.radius[block];
+    };
+    std::for_each(changed_blocks_.begin(), changed_blocks_.end(), renew);
+    for (const std::uint32_t block : due_blocks_) {
+        if (state.way[block] > state.step_until[block]) {
+            renew(block);
+        }
+    }
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        state.due[block] = std::min({state.due[block], state.neighbours_until[block], state.step_until[block]});
+    }
+}
+
+void ContactWatch::index_pairs(const WatchState& state) {
+    begin_.assign(bodies_.size() + 1, 0);
+    for (const WatchedPair& pair : state.pair) {
+        ++begin_[pair.first + 1];
+        ++begin_[pair.second + 1];
+    }
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        begin_[block + 1] += begin_[block];
+    }
+    of_block_.resize(2 * state.pair.size());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t number = 0; number < state.pair.size(); ++number) {
+        of_block_[next[state.pair[number].first]++] = number;
+        of_block_[next[state.pair[number].second]++] = number;
+    }
+}
+
+}  // namespace delabole

@@ -1,0 +1,93 @@
+// The contacts of one pair of blocks.
+#pragma once
+
+#include "dynamic_relaxation/contacts.hpp"
+#include "dynamic_relaxation/neighbours.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace delabole {
+
+// What a pair has had so far, or has now. Twins are counted from the pair's first contact.
+struct PairContacts {
+    std::vector<RelaxationContact> contact = {};
+    std::vector<ContactLaw> law = {};  // of each contact, whatever its number says
+    std::vector<ContactMemory> memory = {};
+    double distance = 0;       // m, less than the blocks are apart; 0 where they may touch
+    double worst_overlap = 0;  // in shortest edges of the two blocks
+
+    void clear();
+};
+
+class PairSearch {
+  public:
+    PairSearch(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping);
+
+    // Contacts of corners of the first block on edges of the second, then the other way round. `first` as in
+    // SearchOptions. Those that were contacts already keep their memory.
+    void find(const BlockPair& pair, const std::vector<Motion>& motion, double margin, bool first,
+              std::span<const RelaxationContact> before, std::span<const ContactMemory> memory, PairContacts& found);
+
+  private:
+    // A block where it is now; its corners and edges counted from its first.
+    struct Side {
+        std::uint32_t block = 0;
+        std::size_t begin = 0;
+        std::vector<PlanePoint<>> corner = {};
+        std::vector<PlanePoint<>> along = {};  // of the edge that begins at the corner
+
+        PlanePoint<> normal(std::size_t edge) const { return {along[edge].y(), -along[edge].x()}; }
+        std::size_t before(std::size_t corner_number) const;
+        std::size_t after(std::size_t corner_number) const;
+    };
+
+    struct End {
+        bool at_start;
+        std::size_t beyond;  // edge
+        bool bears;          // the corner could be on that one too
+        double depth;        // below it
+    };
+
+    struct Directions {
+        PlanePoint<> to_next;  // of the corner's faces
+        PlanePoint<> to_previous;
+    };
+
+    void place(std::uint32_t block, const std::vector<Motion>& motion, Side& side) const;
+    double gaps_of(const Side& block, const Side& other, std::vector<double>& gaps) const;
+    void add_corner(const Side& block, std::size_t corner, const Side& other, std::size_t edge, double gap,
+                    PairContacts& found) const;
+    bool can_bear(std::size_t corner, std::size_t edge, double dips) const;
+    End end_of(const Side& block, std::size_t corner, const Side& other, std::size_t edge, bool at_start,
+               const Directions& faces) const;
+    double dip_beyond_that_of(std::size_t corner, std::size_t edge, std::size_t beyond, bool at_start) const;
+    RelaxationContact contact_of(std::size_t corner, std::size_t edge) const;
+    ContactLaw law_between(const Side& block, const Side& other, std::size_t edge, std::size_t face, double next,
+                           double previous) const;
+    static double shared_length(const Side& block, std::size_t face, const Side& other, std::size_t edge,
+                                double length);
+    void pair_twins(PairContacts& found) const;
+    void remember(PairContacts& found, const std::vector<Motion>& motion) const;
+    std::size_t known(std::size_t corner, std::size_t edge) const;
+    const Side& side_of(std::uint32_t block) const { return block == side_[0].block ? side_[0] : side_[1]; }
+
+    const RelaxationScene& scene_;
+    const Bodies& bodies_;
+    double viscous_damping_;
+    std::vector<double> friction_ = {};  // tangents, of each material
+    std::vector<double> residual_friction_ = {};
+    // Of the pair:
+    std::array<Side, 2> side_ = {};
+    std::array<std::vector<double>, 2> gaps_ = {};
+    double margin_ = 0;
+    double shortest_ = 0;
+    bool first_ = false;
+    std::span<const RelaxationContact> before_ = {};
+    std::span<const ContactMemory> memory_ = {};
+};
+
+}  // namespace delabole
