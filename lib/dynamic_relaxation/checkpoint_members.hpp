@@ -33,7 +33,8 @@ DELABOLE_MEMBERS(ContactMemory, shear, place, overlap, slip, friction, damping, 
 DELABOLE_MEMBERS(ForceOnCorner, x, y, moment, other_moment)
 DELABOLE_MEMBERS(ContactList, contact, law, memory, force)
 DELABOLE_MEMBERS(WatchedPair, first, second, begin, x, y, first_angle, second_angle, holds)
-DELABOLE_MEMBERS(WatchState, pair, way, due, neighbours_until, step_until, stable_step, searches, looks)
+DELABOLE_MEMBERS(WatchState, pair, way, due, neighbours_until, step_until, stable_step, step, searches,
+                 looks)
 DELABOLE_MEMBERS(SeenPose, x, y, angle)
 DELABOLE_MEMBERS(BondMemory, state, time, damping, normal_drag, shear_drag, bending_drag)
 DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, bonds, dashpots, local_damping,

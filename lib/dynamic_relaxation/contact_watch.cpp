@@ -15,9 +15,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Contacts are found within this, in shortest edges of the two blocks, or farther where they move fast: whatever does is
-// seen coming some steps before it touches.
-constexpr double margin_in_edges = 0.01;
+// Contacts are found within this, in shortest edges of the scene or, if that is more, of the two blocks.
+constexpr double margin_in_edges_of_scene = 0.01;
+constexpr double margin_in_edges = 0.002;
+// Or farther where blocks move fast: whatever does is seen coming some steps before it touches.
 constexpr double steps_ahead = 8;
 // Neighbours are found within this of the block's radius, or of the middling one's if that is less, likewise.
 constexpr double reach_in_radii = 0.25;
@@ -76,7 +77,11 @@ ContactList list_like(const ContactList& list) {
 }  // namespace
 
 ContactWatch::ContactWatch(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping)
-    : bodies_(bodies), pair_search_(scene, bodies, viscous_damping) {
+    : bodies_(bodies),
+      pair_search_(scene, bodies, viscous_damping),
+      least_margin_(margin_in_edges_of_scene *
+                    *std::min_element(bodies.shortest_edge.begin(), bodies.shortest_edge.end())),
+      gravity_(scene.gravity.acceleration) {
     const double middling = middling_radius(bodies);
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         reach_at_rest_.push_back(
@@ -90,6 +95,11 @@ void ContactWatch::start(std::size_t blocks, WatchState& state) {
     state.neighbours_until.assign(blocks, -infinity);
     state.step_until.assign(blocks, -infinity);
     state.stable_step.assign(blocks, infinity);
+}
+
+void ContactWatch::prepare_for(double step, WatchState& state) {
+    state.step = step;
+    std::fill(state.due.begin(), state.due.end(), -infinity);
 }
 
 void ContactWatch::resume(const WatchState& state, const ContactList& list) {
@@ -139,14 +149,15 @@ bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const st
     return true;
 }
 
-double ContactWatch::margin_of(const WatchedPair& pair, const MovingScene& scene) const {
+double ContactWatch::margin_of(const WatchedPair& pair, const MovingScene& scene, double step) const {
     const Motion& first = scene.motion[pair.first];
     const Motion& second = scene.motion[pair.second];
     const double closing = std::abs(first.vx - second.vx) + std::abs(first.vy - second.vy) +
                            std::abs(first.spin) * bodies_.radius[pair.first] +
                            std::abs(second.spin) * bodies_.radius[pair.second];
     const double shortest = std::min(bodies_.shortest_edge[pair.first], bodies_.shortest_edge[pair.second]);
-    return std::max(margin_in_edges * shortest, steps_ahead * closing * scene.step);
+    const double time = steps_ahead * step;
+    return std::max({least_margin_, margin_in_edges * shortest, (closing + gravity_ * time / 2) * time});
 }
 
 double ContactWatch::used_up(const WatchedPair& pair, const std::vector<Motion>& motion) const {
@@ -164,17 +175,18 @@ ContactRange ContactWatch::contacts_of(std::size_t number, const WatchState& sta
 
 void ContactWatch::visit(std::size_t number, const MovingScene& scene, WatchState& state, const ContactList& list) {
     WatchedPair& pair = state.pair[number];
-    const double margin = margin_of(pair, scene);
+    const double margin = margin_of(pair, scene, state.step);
     double left = pair.holds - used_up(pair, scene.motion);
     // Not a number counts as used up.
     if (!(left >= std::max(pair.holds, margin) / 2)) {
         look(number, margin, scene, state, list);
         left = pair.holds;
     }
-    // What does not move needs none of it.
+    // The pair is to be visited again well before nothing is left. What does not move needs none of it.
+    const double spare = left - std::max(pair.holds, margin) / 4;
     const bool both = bodies_.fixed[pair.first] == 0 && bodies_.fixed[pair.second] == 0;
     const auto give = [&](std::uint32_t block) {
-        const double share = both ? left / 2 : bodies_.fixed[block] == 0 ? left : 0;
+        const double share = both ? spare / 2 : bodies_.fixed[block] == 0 ? spare : 0;
         state.due[block] = std::min(state.due[block], state.way[block] + share);
     };
     give(pair.first);
@@ -230,7 +242,7 @@ void ContactWatch::search(const MovingScene& scene, const std::vector<BlockPair>
     std::vector<double> reach = reach_at_rest_;
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
         const double speed = speed_of(scene.motion[block], bodies_.radius[block]);
-        reach[block] = std::max(reach[block], steps_between_searches * speed * scene.step);
+        reach[block] = std::max(reach[block], steps_between_searches * speed * state.step);
         // The other half is left for margins.
         state.neighbours_until[block] = state.way[block] + reach[block] / 2;
         state.due[block] = infinity;

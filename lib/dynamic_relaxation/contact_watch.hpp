@@ -41,6 +41,7 @@ struct WatchState {
     std::vector<double> neighbours_until = {};  // up to this way, all that it can touch are pairs
     std::vector<double> step_until = {};        // the stable step of the block is good enough up to this way
     std::vector<double> stable_step = {};       // s, of the block's springs alone
+    double step = 0;                            // s, pairs are looked at in time for steps up to this
     std::uint64_t searches = 0;                 // for pairs
     std::uint64_t looks = 0;                    // at pairs, for contacts
 };
@@ -48,7 +49,6 @@ struct WatchState {
 struct MovingScene {
     const std::vector<Motion>& motion;
     const std::vector<char>& removed;
-    double step;  // s, a look is this far ahead for some steps
 };
 
 class ContactWatch {
@@ -57,6 +57,8 @@ class ContactWatch {
 
     // Everything is to be looked at, as before the first step.
     static void start(std::size_t blocks, WatchState& state);
+    // For a longer step, all pairs have to be asked.
+    static void prepare_for(double step, WatchState& state);
     // What is not in the state.
     void resume(const WatchState& state, const ContactList& list);
 
@@ -83,7 +85,7 @@ class ContactWatch {
         std::size_t end;
     };
 
-    double margin_of(const WatchedPair& pair, const MovingScene& scene) const;
+    double margin_of(const WatchedPair& pair, const MovingScene& scene, double step) const;
     double used_up(const WatchedPair& pair, const std::vector<Motion>& motion) const;
     void search(const MovingScene& scene, const std::vector<BlockPair>& bonded, WatchState& state, ContactList& list);
     void visit(std::size_t number, const MovingScene& scene, WatchState& state, const ContactList& list);
@@ -98,6 +100,8 @@ class ContactWatch {
 
     const Bodies& bodies_;
     PairSearch pair_search_;
+    double least_margin_;
+    double gravity_;
     std::vector<double> reach_at_rest_ = {};  // of each block
     ContactLaws laws_ = {};
     // Pairs of each block: begin_[block] to begin_[block + 1] in of_block_.

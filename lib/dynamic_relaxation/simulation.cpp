@@ -268,9 +268,25 @@ void Simulation::preload_within(double margin, bool first) {
 void Simulation::find_contacts_where_due() {
     const double slowest = std::sqrt(shortest_edge(bodies_) / std::max(scene_.gravity.acceleration, 1e-3)) / 20;
     const double last = state_.contacts.contact.empty() ? slowest : std::min(state_.step, slowest);
-    if (!contact_watch_.update({state_.motion, state_.removed, last}, bonds_, state_.bond, state_.watch,
-                               state_.contacts)) {
+    if (!look_at_contacts()) {
         return;
+    }
+    choose_step(last, slowest);
+    constexpr double room_to_grow = 1.25;
+    while (state_.step > state_.watch.step) {
+        ContactWatch::prepare_for(room_to_grow * state_.step, state_.watch);
+        look_at_contacts();
+        choose_step(last, slowest);
+    }
+    if (state_.step < state_.watch.step / 2) {
+        state_.watch.step = room_to_grow * state_.step;
+    }
+}
+
+// Returns whether any were due.
+bool Simulation::look_at_contacts() {
+    if (!contact_watch_.update({state_.motion, state_.removed}, bonds_, state_.bond, state_.watch, state_.contacts)) {
+        return false;
     }
     for (const ContactWatch::Dropped& dropped : contact_watch_.dropped()) {
         state_.ledger.friction += dropped.memory.friction;
@@ -289,7 +305,7 @@ void Simulation::find_contacts_where_due() {
     if (contact_watch_.worst_overlap() > settings_.overlap_limit) {
         state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::overlap_too_large);
     }
-    choose_step(last, slowest);
+    return true;
 }
 
 void Simulation::choose_step(double last, double slowest) {

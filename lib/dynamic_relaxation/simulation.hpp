@@ -70,6 +70,7 @@ class Simulation {
     double fastest() const;  // m/s, no point of any block is faster
     void find_contacts_where_due();
     void preload_within(double margin, bool first);
+    bool look_at_contacts();
     void look_again_at(std::size_t block);
     void choose_step(double last, double slowest);
     BlockForce force_of_joints(std::size_t block) const;
