@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Contacts are found within this, in shortest edges of the scene or, if that is more, of the two blocks.
 constexpr double margin_in_edges_of_scene = 0.01;
-constexpr double margin_in_edges = 0.002;
+constexpr double margin_in_edges = 0.0002;
 // Or farther where blocks move fast: whatever does is seen coming some steps before it touches.
 constexpr double steps_ahead = 8;
 // Neighbours are found within this of the block's radius, or of the middling one's if that is less, likewise.
