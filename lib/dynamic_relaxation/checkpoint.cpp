@@ -40,8 +40,8 @@ bool fits(const RelaxationState& state, const RelaxationScene& scene) {
     const ContactList& list = state.contacts;
     const std::size_t contacts = list.contact.size();
     const WatchState& watch = state.watch;
-    for (const auto* const each : {&watch.way, &watch.due, &watch.neighbours_until, &watch.step_until,
-                                   &watch.stable_step}) {
+    for (const auto* const each :
+         {&watch.way, &watch.due, &watch.neighbours_until, &watch.step_until, &watch.stable_step}) {
         if (each->size() != blocks) {
             return false;
         }

@@ -84,8 +84,8 @@ ContactWatch::ContactWatch(const RelaxationScene& scene, const Bodies& bodies, d
       gravity_(scene.gravity.acceleration) {
     const double middling = middling_radius(bodies);
     for (std::size_t block = 0; block < bodies.size(); ++block) {
-        reach_at_rest_.push_back(
-            bodies.fixed[block] != 0 ? 0 : reach_in_radii * std::min(bodies.radius[block], middling));
+        reach_at_rest_.push_back(bodies.fixed[block] != 0 ? 0
+                                                          : reach_in_radii * std::min(bodies.radius[block], middling));
     }
 }
 
@@ -109,10 +109,17 @@ void ContactWatch::resume(const WatchState& state, const ContactList& list) {
 
 bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
                           WatchState& state, ContactList& list) {
+    // Most steps end here.
+    unsigned any = 0;
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        any |= state.way[block] > state.due[block] ? 1U : 0U;
+    }
+    if (any == 0) {
+        return false;
+    }
     dropped_.clear();
     changed_blocks_.clear();
     due_blocks_.clear();
-    list_changed_ = false;
     worst_overlap_ = 0;
     bool new_neighbours = false;
     for (std::uint32_t block = 0; block < bodies_.size(); ++block) {
@@ -120,9 +127,6 @@ bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const st
             due_blocks_.push_back(block);
             new_neighbours |= state.way[block] > state.neighbours_until[block];
         }
-    }
-    if (due_blocks_.empty()) {
-        return false;
     }
     first_ = list_changed_ = state.searches == 0;
     if (new_neighbours) {

@@ -6,8 +6,8 @@
 // slope that a splinter flies off, are not looked at again. So that not even pairs need be asked at every step, each
 // block has a way of its own up to which none of its pairs can be due.
 //
-// The list has the contacts of find_contacts (contacts.hpp), but those that a pair has on top depend on when it was last
-// looked at. Looks depend on motion alone: neither on threads nor on when a run was interrupted.
+// The list has the contacts of find_contacts (contacts.hpp), but those that a pair has on top depend on when it was
+// last looked at. Looks depend on motion alone: neither on threads nor on when a run was interrupted.
 #pragma once
 
 #include "dynamic_relaxation/bonds.hpp"

@@ -120,8 +120,7 @@ void PairSearch::find(const BlockPair& pair, const std::vector<Motion>& motion, 
     memory_ = memory;
     place(pair.first, motion, side_[0]);
     place(pair.second, motion, side_[1]);
-    const double distance =
-        std::max(gaps_of(side_[0], side_[1], gaps_[0]), gaps_of(side_[1], side_[0], gaps_[1]));
+    const double distance = std::max(gaps_of(side_[0], side_[1], gaps_[0]), gaps_of(side_[1], side_[0], gaps_[1]));
     found.distance = std::max(0.0, distance);
     if (distance > margin + 3 * blend_way * shortest_) {
         return;
@@ -177,8 +176,8 @@ void PairSearch::add_corner(const Side& block, std::size_t corner, const Side& o
         rival = excess >= -clearly_less;
     }
     // The face of the corner's block that lies on the edge is the one nearer to its direction.
-    const std::size_t face = std::abs(faces.to_next.dot(normal)) < std::abs(faces.to_previous.dot(normal)) ? corner
-                                                                                                         : before;
+    const std::size_t face =
+        std::abs(faces.to_next.dot(normal)) < std::abs(faces.to_previous.dot(normal)) ? corner : before;
     ContactLaw law = law_between(block, other, edge, face, faces.to_next.dot(along), faces.to_previous.dot(along));
     if (rival) {
         const PlanePoint<>& one = bodies_.along[edge_number];
@@ -271,8 +270,7 @@ ContactLaw PairSearch::law_between(const Side& block, const Side& other, std::si
     law.friction = friction_[weaker];
     law.residual_friction = residual_friction_[weaker];
     if (joint.cohesion != 0 || joint.tensile_strength != 0) {
-        const double half_shared =
-            shared_length(block, face, other, edge, bodies_.length[other.begin + edge]) / 2;
+        const double half_shared = shared_length(block, face, other, edge, bodies_.length[other.begin + edge]) / 2;
         law.cohesion = joint.cohesion * half_shared;
         law.tension = joint.tensile_strength * half_shared;
     }
@@ -300,8 +298,7 @@ void PairSearch::pair_twins(PairContacts& found) const {
         const Side& block = side_of(contact.block);
         const Side& other = side_of(contact.other);
         const std::size_t edge = contact.edge - other.begin;
-        const double position =
-            other.along[edge].dot(block.corner[contact.corner - block.begin] - other.corner[edge]);
+        const double position = other.along[edge].dot(block.corner[contact.corner - block.begin] - other.corner[edge]);
         contact.twin = position < contact.edge_length() / 2
                            ? number_of(contact.edge, bodies_.range[contact.block].before(contact.corner))
                            : number_of(bodies_.range[contact.other].after(contact.edge), contact.corner);
@@ -321,10 +318,10 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
             contact.gap += memory.shortened;
         } else {
             memory.broken = !(first_ && contact.gap <= closed * shortest_);
-            memory.beneath =
-                first_ ? beside(bodies_, contact, shortest_)
-                       : law.rival == 0 && locate(contact, motion[contact.block], motion[contact.other]).gap <
-                                               -came_over * margin_;
+            memory.beneath = first_
+                                 ? beside(bodies_, contact, shortest_)
+                                 : law.rival == 0 && locate(contact, motion[contact.block], motion[contact.other]).gap <
+                                                         -came_over * margin_;
             memory.touching = !memory.broken && !memory.beneath && (law.tension > 0 || contact.gap < 0);
         }
         if (memory.beneath) {

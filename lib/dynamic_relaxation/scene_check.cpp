@@ -345,8 +345,8 @@ SceneFault check_start(const RelaxationScene& scene) {
         }
     }
     // Blocks that cross, or lie deep in each other, have no contacts.
-    for (const auto& [first, second] : neighbouring_blocks(bodies, unmoved, none_removed,
-                                                            std::vector<double>(bodies.size(), margin / 2))) {
+    for (const auto& [first, second] :
+         neighbouring_blocks(bodies, unmoved, none_removed, std::vector<double>(bodies.size(), margin / 2))) {
         const double stiffness = std::min(softest_joint(scene, bodies, first), softest_joint(scene, bodies, second));
         if (-distance_between(bodies, first, second) > allowed(first, second, stiffness)) {
             return {SceneCheck::overlap_at_start, first, second};

@@ -21,8 +21,7 @@ Eigen::Vector3d row(double x, double y, double arm_x, double arm_y) {
 
 }  // namespace
 
-void SpringsOnBlock::add(const Eigen::Vector3d& normal, const Eigen::Vector3d& along, const auto& joint,
-                         double share) {
+void SpringsOnBlock::add(const Eigen::Vector3d& normal, const Eigen::Vector3d& along, const auto& joint, double share) {
     const Eigen::Matrix3d across = share * normal * normal.transpose();
     const Eigen::Matrix3d in_shear = share * along * along.transpose();
     stiffness_ += joint.normal_stiffness * across + joint.shear_stiffness * in_shear;

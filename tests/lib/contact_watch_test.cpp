@@ -1,0 +1,141 @@
+// Contacts are looked for where something has moved, and only there.
+#include "dynamic_relaxation/contact_watch.hpp"
+
+#include "dynamic_relaxation/contact_law.hpp"
+#include "relaxation_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace delabole {
+namespace {
+
+using relaxation_scenes::density;
+using relaxation_scenes::fixed_block;
+using relaxation_scenes::gravity;
+using relaxation_scenes::joint;
+using relaxation_scenes::rectangle;
+using relaxation_scenes::unlimited;
+
+RelaxationScene on_floor(std::vector<RelaxationBlock> blocks) {
+    RelaxationScene scene;
+    scene.block = std::move(blocks);
+    scene.block.push_back(fixed_block(rectangle(-40, -2, 120, 2)));
+    scene.material = {joint(1e5 * density * gravity, degrees(35))};
+    return scene;
+}
+
+// A wall of square blocks that stands, and a splinter of 5 mm by 20 mm that falls beside it from 3 m.
+RelaxationScene wall_and_splinter(int rows, int columns) {
+    std::vector<RelaxationBlock> blocks;
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            blocks.push_back({rectangle(column, row, 1, 1), density});
+        }
+    }
+    const PlanePoint<> tip(-2, 3);
+    blocks.push_back({{tip, tip + PlanePoint<>(0.005, 0.001), tip + PlanePoint<>(0.002, 0.02)}, density});
+    return on_floor(std::move(blocks));
+}
+
+std::uint64_t looks_after_the_first(int rows, int columns) {
+    RelaxationSettings settings = unlimited(1);
+    // The same for both walls.
+    settings.time_step = 5e-5;
+    Simulation simulation(wall_and_splinter(rows, columns), settings);
+    const std::uint64_t first = simulation.state().watch.looks;
+    while (simulation.running()) {
+        simulation.step();
+    }
+    // It has fallen, and lies or bounces on the floor.
+    EXPECT_LT(simulation.state().motion[static_cast<std::size_t>(rows * columns)].y, -2);
+    return simulation.state().watch.looks - first;
+}
+
+TEST(ContactWatch, SplinterDoesNotMakeAWallBeSearchedAgain) {
+    const std::uint64_t of_few = looks_after_the_first(1, 3);
+    EXPECT_GT(of_few, 10U);
+    EXPECT_EQ(looks_after_the_first(6, 40), of_few);
+}
+
+TEST(ContactWatch, BlocksThatFallSideBySideAreNotLookedAtAgain) {
+    std::vector<RelaxationBlock> blocks;
+    for (int column = 0; column < 10; ++column) {
+        // Gaps of 0.1 mm, far less than they fall in a step.
+        blocks.push_back({rectangle(1.0001 * column, 30, 1, 1), density});
+    }
+    RelaxationSettings settings = unlimited(1.5);
+    settings.start = RelaxationStart::dropped;
+    Simulation simulation(on_floor(std::move(blocks)), settings);
+    simulation.step();
+    // Air parts them from the floor only: 9 pairs.
+    const std::uint64_t first = simulation.state().watch.looks;
+    EXPECT_EQ(first, 9U);
+    while (simulation.running()) {
+        simulation.step();
+    }
+    EXPECT_LT(simulation.state().motion[0].y, -8);
+    EXPECT_EQ(simulation.state().watch.looks, first);
+}
+
+// Rubble of very different sizes: corners on an ellipse at random angles.
+RelaxationScene rubble(unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> any(0, 1);
+    std::vector<RelaxationBlock> blocks;
+    for (int index = 0; index < 24; ++index) {
+        const PlanePoint<> centre(index % 4 + 0.1 * any(random), 0.6 + index / 4 + 0.1 * any(random));
+        const double size = 0.45 * std::pow(10, -1.5 * any(random));
+        const int count = 3 + static_cast<int>(4 * any(random));
+        Polygon<> outline;
+        for (int corner = 0; corner < count; ++corner) {
+            const double at = 2 * std::acos(-1.0) * (corner + 0.7 * any(random)) / count;
+            outline.emplace_back(centre + size * PlanePoint<>(std::cos(at), 0.6 * std::sin(at)));
+        }
+        blocks.push_back({outline, density});
+    }
+    return on_floor(std::move(blocks));
+}
+
+// A search of the whole scene finds no corner on its way into a block that the kept list does not know.
+TEST(ContactWatch, KeepsEveryContactThatTouches) {
+    std::size_t touching = 0;
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        RelaxationSettings settings = unlimited(1.2);
+        settings.start = RelaxationStart::dropped;
+        Simulation simulation(rubble(seed), settings);
+        while (simulation.running()) {
+            simulation.step();
+            if (simulation.state().steps % 20 != 0) {
+                continue;
+            }
+            const RelaxationState& state = simulation.state();
+            const ContactList& kept = state.contacts;
+            const ContactList fresh = find_contacts(simulation.scene(), simulation.bodies(), state.motion,
+                                                    state.removed, {1e-6, 0.2, false, {}}, kept);
+            for (const RelaxationContact& contact : fresh.contact) {
+                const ContactPosition at = locate(contact, state.motion[contact.block], state.motion[contact.other]);
+                const double shortest = std::min(simulation.bodies().shortest_edge[contact.block],
+                                                 simulation.bodies().shortest_edge[contact.other]);
+                // The last step has been taken since the list was brought up to date: a tenth of a margin at most.
+                if (at.gap > -1e-3 * shortest || contact_weight(fresh.law_of(contact), contact, at) == 0) {
+                    continue;
+                }
+                ++touching;
+                EXPECT_TRUE(std::ranges::any_of(kept.contact,
+                                                [&](const RelaxationContact& one) {
+                                                    return one.corner == contact.corner && one.edge == contact.edge;
+                                                }))
+                    << "seed " << seed << " step " << state.steps << " corner " << contact.corner << " edge "
+                    << contact.edge << " gap " << at.gap / shortest;
+            }
+        }
+    }
+    EXPECT_GT(touching, 100U);
+}
+
+}  // namespace
+}  // namespace delabole
