@@ -2,6 +2,7 @@
 #include "cases/fit_problem_of_case.hpp"
 #include "fitting/back_analysis.hpp"
 #include "fitting/comparison.hpp"
+#include "fitting/conclusions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,12 +14,17 @@ namespace {
 
 constexpr double foot = 0.3048;
 
-const FitResult& result_of_1967() {
-    static const FitResult result = [] {
+const FitProblem& problem_of_1967() {
+    static const FitProblem problem = [] {
         CaseFile file = read_case(std::string(DELABOLE_CASES) + "/delabole_1967.toml");
         leave_out_costly(*file.fit);
-        return fit(fit_problem_of(file, 1, std::nullopt));
+        return fit_problem_of(file, 1, std::nullopt);
     }();
+    return problem;
+}
+
+const FitResult& result_of_1967() {
+    static const FitResult result = fit(problem_of_1967());
     return result;
 }
 
@@ -129,6 +135,27 @@ TEST(Delabole1967, TopplingIsFirstByEvidenceWhateverThePriorsAndTheModelError) {
 }
 
 // Two accounts of the same uncertainty: the interval of the profile likelihood and that of the draws.
+// Of 2.4.2. Half of it is for the slope in motion to say.
+TEST(Delabole1967, TheConclusionsOfTheThesisAsFarAsLimitEquilibriumHasASay) {
+    const std::vector<ConclusionFinding> findings = judge_conclusions(problem_of_1967(), result_of_1967());
+    const auto finding = [&](const std::string& label) {
+        const auto& conclusions = problem_of_1967().conclusions;
+        const auto found = std::ranges::find(conclusions, label, &Conclusion::label);
+        EXPECT_NE(found, conclusions.end()) << label;
+        return findings[static_cast<std::size_t>(found - conclusions.begin())];
+    };
+    EXPECT_EQ(finding("(i)").verdict, ConclusionVerdict::confirmed);
+    EXPECT_EQ(finding("(ii)").verdict, ConclusionVerdict::not_tested);
+    EXPECT_EQ(finding("(vi)").verdict, ConclusionVerdict::not_tested);
+    const std::vector<TestFinding> water = finding("(iv)").tests;
+    ASSERT_EQ(water.size(), 3U);
+    // 2.4.1 finds toppling independent of water: here it takes off less than half of what it takes off sliding.
+    EXPECT_EQ(water[0].verdict, ConclusionVerdict::confirmed);
+    EXPECT_EQ(water[1].verdict, ConclusionVerdict::confirmed);
+    EXPECT_GT(water[1].value, water[0].value / 2);
+    EXPECT_EQ(water[2].verdict, ConclusionVerdict::not_tested);
+}
+
 TEST(Delabole1967, PosteriorAgreesWithTheProfileLikelihood) {
     for (const MechanismFit& fit : result_of_1967().mechanisms) {
         for (std::size_t index = 0; index < fit.parameters.size(); ++index) {

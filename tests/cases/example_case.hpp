@@ -121,6 +121,11 @@ inline std::string complaint(std::string_view text, const std::vector<Setting>& 
     return "no complaint";
 }
 
+inline void expect_complaint(std::string_view text, std::string_view words) {
+    const std::string said = complaint(text);
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+}
+
 inline std::string complaint_after(std::string_view from, std::string_view to) {
     return complaint(changed(example_text, from, to));
 }
