@@ -62,6 +62,7 @@ struct FitMechanism {
     std::vector<FreeParameter> parameters;
     std::vector<CaseObservation> observations = {};  // by the labels of those of all
     std::vector<CaseSign> signs = {};
+    std::optional<CaseModel> coarse = {};  // the mechanism's own, with the sections that its coarse model replaces
 };
 
 struct CaseCandidate {

@@ -107,6 +107,21 @@ void write_sign(std::string& text, const CaseSign& sign) {
     write_line(text, "value", written_quantity(sign.sign.value, sign.dimension));
 }
 
+void write_coarse(std::string& text, const FitMechanism& mechanism) {
+    if (!mechanism.coarse) {
+        return;
+    }
+    text += "\n[fit.mechanism.coarse]\n";
+    std::string sections;
+    std::visit(
+        [&](const auto& model) {
+            const auto& base = std::get<std::remove_cvref_t<decltype(model)>>(mechanism.model);
+            write_differences(text, sections, base, model, "fit.mechanism.coarse");
+        },
+        *mechanism.coarse);
+    text += sections;
+}
+
 void write_mechanism(std::string& text, const FitMechanism& mechanism, const CaseModel& base) {
     text += "\n[[fit.mechanism]]\n";
     write_line(text, "name", in_quotes(mechanism.name));
@@ -124,6 +139,7 @@ void write_mechanism(std::string& text, const FitMechanism& mechanism, const Cas
         },
         mechanism.model);
     text += sections;
+    write_coarse(text, mechanism);
     const std::vector<Quantity> inputs = named_inputs(mechanism.model);
     for (const FreeParameter& parameter : mechanism.parameters) {
         write_parameter(text, parameter, inputs);

@@ -110,7 +110,11 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
     KeptEvaluations kept(options, folder);
     for (std::size_t index = 0; index < problem.mechanisms.size(); ++index) {
-        kept.keep(problem.mechanisms[index].model, file.fit->mechanisms[index].model);
+        const FitMechanism& mechanism = file.fit->mechanisms[index];
+        kept.keep(problem.mechanisms[index].model, mechanism.model);
+        if (mechanism.coarse) {
+            kept.keep(*problem.mechanisms[index].coarse, *mechanism.coarse);
+        }
     }
     problem.settings.ranks = options.ranks;
     const FitResult result = with_progress(

@@ -26,6 +26,9 @@ FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::
     for (const FitMechanism& mechanism : fit.mechanisms) {
         Mechanism& made = problem.mechanisms.emplace_back(
             Mechanism{mechanism.name, mechanism.title, interface_of(mechanism.model), mechanism.parameters});
+        if (mechanism.coarse) {
+            made.coarse = interface_of(*mechanism.coarse);
+        }
         for (const CaseObservation& observation : mechanism.observations) {
             made.own_observations.push_back(observation.observation);
         }

@@ -278,6 +278,21 @@ void read_sign(Section& section, const SharedNames& shared, const ModelNames& na
     signs.push_back({.sign = std::move(sign), .dimension = output->dimension});
 }
 
+void read_coarse(Section& mechanism, FitMechanism& read) {
+    const Node* node = mechanism.take("coarse");
+    const Node* table = node == nullptr ? nullptr : as_table(mechanism.reading(), *node, mechanism.path_of("coarse"));
+    if (table == nullptr) {
+        return;
+    }
+    Section section(mechanism.reading(), *table, mechanism.path_of("coarse"));
+    read.coarse = read.model;
+    replace_in_model(section, *read.coarse);
+    section.finish();
+    if (section.reading().clean()) {
+        check_model(section.reading(), *read.coarse, section.path() + ".");
+    }
+}
+
 FitMechanism read_mechanism(Section& section, const CaseFile& case_file, const OutputsOf& outputs_of,
                             const SharedNames& shared, const std::vector<FitMechanism>& others,
                             std::vector<ModelNames>& names) {
@@ -304,6 +319,7 @@ FitMechanism read_mechanism(Section& section, const CaseFile& case_file, const O
     if (section.reading().clean()) {
         check_model(section.reading(), mechanism.model, section.path() + ".");
     }
+    read_coarse(section, mechanism);
     names.push_back(names_of(mechanism.model, outputs_of, section.reading().inputs_known()));
     mechanism.parameters = read_parameters(section, names.back());
     read_own_observations(section, shared, names.back(), mechanism.observations);

@@ -23,6 +23,7 @@ std::size_t runs_without_answer(const SurrogateFit& surrogate) {
 
 std::string surrogate_in_words(const MechanismFit& fit) {
     const SurrogateFit& surrogate = *fit.surrogate;
+    const auto hopeless = std::ranges::count_if(surrogate.runs, &SurrogateFit::Run::coarse);
     std::string text = "Fitted through a surrogate of " + std::to_string(surrogate.runs.size()) + " runs, " +
                        std::to_string(runs_without_answer(surrogate)) +
                        " of them without an answer: " + std::to_string(surrogate.components) +
@@ -31,9 +32,14 @@ std::string surrogate_in_words(const MechanismFit& fit) {
                        " standard deviations of the data, within its own 95 % band in " +
                        in_percent(surrogate.within_95) + " of the cases; runs that ought to be alike differ by " +
                        number_in_words(surrogate.scatter) + ", which no parameter decides.";
+    if (surrogate.coarse_runs > 0) {
+        text += " Of " + std::to_string(surrogate.coarse_runs) + " coarse runs made beforehand " +
+                std::to_string(hopeless) + " were so far from the data that they stand for runs.";
+    }
     if (surrogate.given_up) {
-        text += " No more runs were made: even with twice its error its evidence is beyond reach of another "
-                "mechanism's. fit.surrogate.give_up_below = 0 would go on; until then the intervals are rough.";
+        text +=
+            " No more runs were made: even with twice its error its evidence is beyond reach of another "
+            "mechanism's. fit.surrogate.give_up_below = 0 would go on; until then the intervals are rough.";
     } else if (surrogate.evidence_error <= 0.5) {
         text += " By the surrogate the evidence may be wrong by " + in_percent(surrogate.evidence_error) + " at most.";
     } else {
@@ -52,6 +58,8 @@ std::string surrogate_in_words(const MechanismFit& fit) {
 Json json_of_surrogate(const SurrogateFit& surrogate) {
     Json json;
     json["runs"] = surrogate.runs.size();
+    json["coarse_runs"] = surrogate.coarse_runs;
+    json["hopeless_points"] = std::ranges::count_if(surrogate.runs, &SurrogateFit::Run::coarse);
     json["runs_without_answer"] = runs_without_answer(surrogate);
     json["components"] = surrogate.components;
     json["error"] = json_number(surrogate.error);
@@ -68,7 +76,7 @@ void write_runs(const MechanismFit& fit, const ResultFolder& folder) {
     for (std::size_t index = 0; index < fit.parameters.size(); ++index) {
         columns.push_back(column_name(fit.parameters[index].name, fit.dimensions[index]));
     }
-    columns.insert(columns.end(), {"data_misfit", "failure"});
+    columns.insert(columns.end(), {"data_misfit", "failure", "model"});
     CsvTable table(columns);
     for (std::size_t number = 0; number < fit.surrogate->runs.size(); ++number) {
         const SurrogateFit::Run& run = fit.surrogate->runs[number];
@@ -82,6 +90,7 @@ void write_runs(const MechanismFit& fit, const ResultFolder& folder) {
             row.emplace_back(std::string());
         }
         row.emplace_back(run.failure);
+        row.emplace_back(std::string(run.coarse ? "coarse" : "full"));
         table.add_row(row);
     }
     folder.write(fit.name + "_runs.csv", table.text());

@@ -118,6 +118,7 @@ void analyse_best(const Search& search, const Expected& expected, MultiStartResu
 SurrogateFit account_of(const CostlyRuns& costly) {
     const Surrogate::Check check = costly.surrogate->leave_one_out();
     SurrogateFit account{{},
+                         costly.coarse_evaluations.total,
                          costly.surrogate->components(),
                          check.error,
                          check.within_95,
@@ -125,9 +126,15 @@ SurrogateFit account_of(const CostlyRuns& costly) {
                          costly.evidence_error,
                          costly.given_up};
     for (const KnownRun& run : costly.runs) {
-        account.runs.push_back({run.parameters, data_misfit(run.residuals), std::string(run.residuals.failure)});
+        account.runs.push_back(
+            {run.parameters, data_misfit(run.residuals), std::string(run.residuals.failure), run.coarse});
     }
     return account;
+}
+
+Mechanism coarse_of(Mechanism mechanism) {
+    mechanism.model = mechanism.coarse.value_or(mechanism.model);
+    return mechanism;
 }
 
 // `misfit` outlives what is kept of a costly mechanism.
@@ -143,7 +150,9 @@ MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem
     const bool by_surrogate = mechanism.model.costly && !misfit.free_parameters().empty();
     if (by_surrogate) {
         progress.begin_stage(mechanism.name, "runs", expected.runs);
-        costly = make_costly_runs(misfit, problem.settings.surrogate, problem.settings.seed,
+        const Mechanism cheaper = coarse_of(mechanism);
+        const auto coarse = mechanism.coarse ? std::make_unique<Misfit>(cheaper, problem) : nullptr;
+        costly = make_costly_runs(misfit, coarse.get(), problem.settings.surrogate, problem.settings.seed,
                                   log_evidence_to_beat + 2 * misfit.missing_count(),
                                   {problem.settings.threads, problem.settings.ranks}, progress, stop);
         if (!costly.surrogate) {

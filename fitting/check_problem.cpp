@@ -61,6 +61,22 @@ void check_observation(const QuantityObservation& observation, Faults& faults) {
     }
 }
 
+void check_coarse(const Mechanism& mechanism, Faults& faults) {
+    if (!mechanism.coarse) {
+        return;
+    }
+    if (!mechanism.model.costly) {
+        faults.push_back(mechanism.name + ": a coarse model is for costly ones only");
+    }
+    const auto names_differ = [](const std::vector<Quantity>& left, const std::vector<Quantity>& right) {
+        return !std::ranges::equal(left, right, {}, &Quantity::name, &Quantity::name);
+    };
+    if (names_differ(mechanism.coarse->inputs, mechanism.model.inputs) ||
+        names_differ(mechanism.coarse->outputs, mechanism.model.outputs)) {
+        faults.push_back(mechanism.name + ": the coarse model has other inputs or outputs");
+    }
+}
+
 void check_mechanism(const Mechanism& mechanism, Faults& faults) {
     if (!mechanism.model.predict) {
         faults.push_back(mechanism.name + ": the model cannot predict");
@@ -97,6 +113,7 @@ void check_mechanism(const Mechanism& mechanism, Faults& faults) {
             }
         }
     }
+    check_coarse(mechanism, faults);
     for (const QuantityObservation& observation : mechanism.own_observations) {
         check_observation(observation, faults);
     }

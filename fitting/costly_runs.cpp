@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace delabole {
 
@@ -157,10 +159,10 @@ auto members(Type& run) {
 }
 
 // Runs them all; those that were stopped are left out.
-void run_at(const Points& points, const Misfit& misfit, const Workers& workers, ProgressMeter& progress, StopFlag stop,
-            CostlyRuns& made) {
+std::vector<KnownRun> runs_at(const Points& points, const Misfit& misfit, const Workers& workers,
+                              ProgressMeter& progress, StopFlag stop, EvaluationCount& evaluations) {
     std::vector<Residuals> own(points.size());
-    const std::vector<RunMessage> runs = share_tasks<RunMessage>(points.size(), workers, [&](std::size_t index) {
+    const std::vector<RunMessage> messages = share_tasks<RunMessage>(points.size(), workers, [&](std::size_t index) {
         RunMessage run;
         if (!stop_requested(stop)) {
             const Residuals& found = own[index] = misfit.residuals(points[index]);
@@ -169,8 +171,9 @@ void run_at(const Points& points, const Misfit& misfit, const Workers& workers, 
         }
         return run;
     });
-    for (std::size_t index = 0; index < runs.size(); ++index) {
-        const RunMessage& run = runs[index];
+    std::vector<KnownRun> runs;
+    for (std::size_t index = 0; index < messages.size(); ++index) {
+        const RunMessage& run = messages[index];
         if (!run.made) {
             continue;
         }
@@ -179,10 +182,36 @@ void run_at(const Points& points, const Misfit& misfit, const Workers& workers, 
         if (failure != run.failure) {
             failure = workers.ranks->word(run.failure);
         }
-        made.evaluations.record({0, failure});
-        made.runs.push_back({points[index], {run.pulls, {run.idle.begin(), run.idle.end()}, failure}});
+        evaluations.record({0, failure});
+        runs.push_back({points[index], {run.pulls, {run.idle.begin(), run.idle.end()}, failure}});
+    }
+    return runs;
+}
+
+void run_at(const Points& points, const Misfit& misfit, const Workers& workers, ProgressMeter& progress, StopFlag stop,
+            CostlyRuns& made) {
+    std::ranges::move(runs_at(points, misfit, workers, progress, stop, made.evaluations),
+                      std::back_inserter(made.runs));
+    made.stopped = stop_requested(stop);
+}
+
+// Takes the hopeless ones among the points, as known from the coarse model. Returns the others.
+Points sift(Points points, const Misfit& coarse, const Workers& workers, ProgressMeter& progress, StopFlag stop,
+            CostlyRuns& made) {
+    std::vector<KnownRun> runs = runs_at(points, coarse, workers, progress, stop, made.coarse_evaluations);
+    double least = std::numeric_limits<double>::infinity();
+    for (const KnownRun& run : runs) {
+        least = run.residuals.failure.empty() ? std::min(least, data_misfit(run.residuals)) : least;
+    }
+    for (KnownRun& run : runs) {
+        if (run.residuals.failure.empty() && data_misfit(run.residuals) > least + hopeless_misfit) {
+            std::erase(points, run.parameters);
+            run.coarse = true;
+            made.runs.push_back(std::move(run));
+        }
     }
     made.stopped = stop_requested(stop);
+    return points;
 }
 
 std::size_t valid_runs(const CostlyRuns& made) {
@@ -192,16 +221,19 @@ std::size_t valid_runs(const CostlyRuns& made) {
 
 }  // namespace
 
-CostlyRuns make_costly_runs(const Misfit& misfit, const SurrogateSettings& settings, std::uint64_t seed,
-                            double log_evidence_to_beat, const Workers& workers, ProgressMeter& progress,
-                            StopFlag stop) {
+CostlyRuns make_costly_runs(const Misfit& misfit, const Misfit* coarse, const SurrogateSettings& settings,
+                            std::uint64_t seed, double log_evidence_to_beat, const Workers& workers,
+                            ProgressMeter& progress, StopFlag stop) {
     CostlyRuns made;
     const std::size_t free = misfit.free_parameters().size();
     const auto most = static_cast<std::size_t>(settings.runs);
     const std::size_t first =
         std::min(settings.first_runs ? static_cast<std::size_t>(*settings.first_runs) : 10 * free, most);
-    run_at(draw(PriorSpace(with_wider_priors(misfit.mechanism().parameters)), first), misfit, workers, progress, stop,
-           made);
+    Points points = draw(PriorSpace(with_wider_priors(misfit.mechanism().parameters)), first);
+    if (coarse != nullptr) {
+        points = sift(std::move(points), *coarse, workers, progress, stop, made);
+    }
+    run_at(points, misfit, workers, progress, stop, made);
     Refinement refinement(misfit, seed, workers);
     std::size_t shaped_with = 0;
     while (valid_runs(made) >= Surrogate::least_runs(free)) {

@@ -136,6 +136,8 @@ struct Mechanism {
     // factor of safety of one and a failed area of half the slope.
     std::vector<QuantityObservation> own_observations = {};
     std::vector<EvidenceSign> signs = {};  // beside what the model always explains; every sign of a name has to hold
+    // Of a costly one: cheaper and less exact, with the same inputs and outputs. It says where runs would be wasted.
+    std::optional<ModelInterface> coarse = {};
 };
 
 // Points along an observed profile at which its distance from the predicted one is taken.

@@ -143,8 +143,10 @@ struct SurrogateFit {
         std::vector<double> parameters;
         double data_misfit;   // meaningful where the run had an answer
         std::string failure;  // why it had none
+        bool coarse;          // of the coarse model, which found the point hopeless
     };
     std::vector<Run> runs;       // that the surrogate was made of, in the order in which they were chosen
+    long coarse_runs = 0;        // made to find hopeless points
     std::size_t components = 0;  // of the data, inequalities included
     double error = 0;            // root mean square, each run predicted from the others; standard deviations of data
     double within_95 = 0;        // share of such predictions within 1.96 of their own standard deviations

@@ -32,6 +32,7 @@ namespace delabole {
 struct KnownRun {
     std::vector<double> parameters;  // of the mechanism, SI
     Residuals residuals;             // its failure text belongs to the model or the misfit
+    bool coarse = false;             // of the coarse model
 };
 
 // Likelihood of the data at one point: mean and mean square over what the smooth functions may be, the scatter of the

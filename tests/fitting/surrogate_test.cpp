@@ -2,6 +2,8 @@
 #include "fitting/surrogate.hpp"
 
 #include "fitting/back_analysis.hpp"
+#include "fitting/check_problem.hpp"
+#include "fitting/costly_runs.hpp"
 #include "fitting/counted_random.hpp"
 #include "fitting/distribution.hpp"
 #include "test_models.hpp"
@@ -114,6 +116,70 @@ TEST(Surrogate, RunsWithoutAnAnswerAreCountedAndNeighboursSpeakForThem) {
     const FitResult none = fit(problem);
     EXPECT_EQ(only(none).status, FitStatus::no_valid_point);
     EXPECT_FALSE(only(none).surrogate);
+}
+
+TEST(Surrogate, HopelessPointsAreLeftToTheCoarseModel) {
+    FitProblem problem = curved_problem(true);
+    const MechanismFit alone = only(fit(problem));
+    const auto model = problem.mechanisms[0].model.predict;
+    problem.mechanisms[0].coarse = problem.mechanisms[0].model;
+    // Wrong by a standard deviation of the datum.
+    problem.mechanisms[0].coarse->predict = [model](std::span<const Assignment> assignments) {
+        Prediction prediction = model(assignments);
+        prediction.outputs[0] += 0.5;
+        return prediction;
+    };
+    const MechanismFit sifted = only(fit(problem));
+    ASSERT_TRUE(sifted.surrogate);
+    const auto hopeless = std::ranges::count_if(sifted.surrogate->runs, &SurrogateFit::Run::coarse);
+    // 10 exp(x1) (1 + 0.3 x2) is 19 within 4 on less than two thirds of the priors' space, doubled.
+    EXPECT_GT(hopeless, 5);
+    EXPECT_EQ(sifted.surrogate->coarse_runs, 20);
+    EXPECT_EQ(sifted.evaluations.total, static_cast<long>(sifted.surrogate->runs.size()) - hopeless);
+    for (const SurrogateFit::Run& run : sifted.surrogate->runs) {
+        EXPECT_TRUE(!run.coarse || run.data_misfit > hopeless_misfit);
+    }
+    EXPECT_NEAR(sifted.best[0], alone.best[0], 0.01);
+    EXPECT_NEAR(sifted.best[1], alone.best[1], 0.015);
+    EXPECT_NEAR(sifted.posterior->evidence().log_evidence, alone.posterior->evidence().log_evidence, 0.05);
+}
+
+TEST(Surrogate, CoarseModelsHaveToFitTheirMechanism) {
+    FitProblem problem = curved_problem(true);
+    problem.mechanisms[0].coarse = formula_model(2, {"depth"}, [](std::span<const double>) { return answer({0}); });
+    EXPECT_EQ(check_problem(problem),
+              std::vector<std::string>{"mechanism: the coarse model has other inputs or outputs"});
+    problem.mechanisms[0].coarse = problem.mechanisms[0].model;
+    problem.mechanisms[0].model.costly = false;
+    EXPECT_EQ(check_problem(problem), std::vector<std::string>{"mechanism: a coarse model is for costly ones only"});
+}
+
+// Beside a cheap mechanism that has all the evidence, runs of a costly one that misses the data are few.
+TEST(Surrogate, GivesUpWhereAnotherMechanismIsOutOfReach) {
+    FitProblem problem = curved_problem(true);
+    problem.settings.surrogate.runs = 40;
+    problem.settings.surrogate.tolerance = 1e-6;
+    // 10 exp(x1) (1 + 0.3 x2) is at most 35.3: missed by nine standard deviations.
+    problem.observations[0].value = 40;
+    const MechanismFit alone = only(fit(problem));
+    EXPECT_FALSE(alone.surrogate->given_up);
+    EXPECT_EQ(alone.surrogate->runs.size(), 40U);
+
+    problem.mechanisms.push_back({"cheap",
+                                  "",
+                                  formula_model(1, {"depth", "width"},
+                                                [](std::span<const double> x) {
+                                                    return answer({x[0], 5});
+                                                }),
+                                  {test::with_prior("x1", 30, 50, 40, 2)}});
+    const FitResult both = fit(problem);
+    EXPECT_EQ(both.mechanisms[0].name, "cheap");
+    const MechanismFit& beaten = both.mechanisms[1];
+    EXPECT_TRUE(beaten.surrogate->given_up);
+    EXPECT_LT(beaten.surrogate->runs.size(), 40U);
+
+    problem.settings.surrogate.give_up_below = 0;
+    EXPECT_EQ(fit(problem).mechanisms[1].surrogate->runs.size(), 40U);
 }
 
 TEST(Surrogate, InterruptedRunsLeaveWhatWasFinished) {
