@@ -53,7 +53,7 @@ bool fits(const RelaxationState& state, const RelaxationScene& scene) {
         }
         begin = pair.begin;
     }
-    return list.memory.size() == contacts && list.force.size() == contacts &&
+    return list.memory.size() == contacts && list.force.size() == contacts && list.open_until.size() == contacts &&
            std::all_of(list.contact.begin(), list.contact.end(),
                        [&](const RelaxationContact& contact) {
                            return is_of(contact.corner, contact.block) && is_of(contact.edge, contact.other) &&

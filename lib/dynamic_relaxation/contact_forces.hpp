@@ -1,8 +1,9 @@
 // The sum of all contact forces on each block, with no more work than what has moved since the last step.
 //
-// A contact is evaluated again once one of its blocks has moved, since it was last looked at, by as much as changes a
-// spring's force by 1e-12 of the block's weight. Nothing is put to sleep: the way is measured from where the block was
-// last seen, so that the slowest motion is noticed as soon as it matters, and forces are never older than that.
+// A touching contact is evaluated again once one of its blocks has moved, since it was last looked at, by as much as
+// changes a spring's force by 1e-12 of the block's weight. Nothing is put to sleep: the way is measured from where the
+// block was last seen, so that the slowest motion is noticed as soon as it matters, and forces are never older than
+// that. An open contact is evaluated again once its blocks have come far enough to close it.
 #pragma once
 
 #include "dynamic_relaxation/bodies.hpp"
@@ -34,20 +35,32 @@ class ContactForces {
     // To be called whenever the list of contacts is new.
     void renew(const ContactList& list);
 
-    // Evaluates contacts of blocks that have moved since `seen` and sums up. Returns how many were evaluated.
+    // Evaluates contacts of blocks that have moved since `seen` and sums up. `way`: of each block, since the start; no
+    // point of it has come farther. Returns how many were evaluated.
     // The same bits come out however the work is divided: the forces on a block are added in the order of the list.
-    std::size_t apply(const std::vector<Motion>& motion, double step, std::vector<SeenPose>& seen, ContactList& list);
+    std::size_t apply(const std::vector<Motion>& motion, const std::vector<double>& way, double step,
+                      std::vector<SeenPose>& seen, ContactList& list);
 
     const std::vector<BlockForce>& on_blocks() const { return force_; }
 
   private:
     void notice(const std::vector<Motion>& motion, std::vector<SeenPose>& seen);
-    static ForceOnCorner evaluate(std::size_t index, const std::vector<Motion>& motion, double step, ContactList& list);
-    bool concerned(const RelaxationContact& contact) const {
-        return moved_[contact.block] != 0 || moved_[contact.other] != 0;
+    // What a round works on.
+    struct Round {
+        const std::vector<Motion>& motion;
+        const std::vector<double>& way;
+        double step;
+    };
+
+    static ForceOnCorner evaluate(std::size_t index, const Round& round, ContactList& list);
+    bool concerned(std::size_t index, const Round& round, const ContactList& list) const {
+        const RelaxationContact& contact = list.contact[index];
+        return (moved_[contact.block] != 0 || moved_[contact.other] != 0) &&
+               round.way[contact.block] + round.way[contact.other] > list.open_until[index];
     }
-    std::size_t evaluate_all(const std::vector<Motion>& motion, double step, ContactList& list);
-    std::size_t evaluate_and_sum(const std::vector<Motion>& motion, double step, ContactList& list);
+    std::size_t evaluate_part(std::size_t begin, std::size_t end, const Round& round, ContactList& list) const;
+    std::size_t evaluate_all(const Round& round, ContactList& list);
+    std::size_t evaluate_and_sum(const Round& round, ContactList& list);
     void add(const RelaxationContact& contact, const ForceOnCorner& force);
     void sum_all(const ContactList& list);
     void sum_block(std::size_t block, const ContactList& list);

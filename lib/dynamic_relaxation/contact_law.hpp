@@ -82,15 +82,18 @@ inline double contact_weight(const ContactLaw& law, const RelaxationContact& con
 }
 
 // Advances the memory by one step and gives the force at its end. Velocities are those that led here, half a step ago.
+// `open_by`, m: how far the corner is from touching, where it has not touched before; else it is left alone.
 // Called once in the innermost loop: a result that goes through memory there costs a third more.
 [[gnu::always_inline]] inline ForceOnCorner advance_contact(const ContactLaw& law, const RelaxationContact& contact,
                                                             ContactMemory& memory, const ContactMemory* twin,
-                                                            const Motion& block, const Motion& other, double step) {
+                                                            const Motion& block, const Motion& other, double step,
+                                                            double& open_by) {
     const ContactPosition at = locate(contact, block, other);
     const double overlap = -at.gap;
     if (!memory.touching) {
         if (overlap <= 0) {
             memory.beneath = false;
+            open_by = at.gap;
             return {};
         }
         // A twin hands over where both are about as deep.

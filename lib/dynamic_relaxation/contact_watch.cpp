@@ -61,6 +61,7 @@ void append(const ContactList& from, const ContactRange& range, ContactList& to)
     copy(from.contact, to.contact);
     copy(from.memory, to.memory);
     copy(from.force, to.force);
+    copy(from.open_until, to.open_until);
     for (RelaxationContact& contact : std::span(to.contact).subspan(begin)) {
         contact.twin += contact.twin == no_twin ? 0 : shift;
     }
@@ -71,6 +72,7 @@ ContactList list_like(const ContactList& list) {
     like.contact.reserve(list.contact.size() + 64);
     like.memory.reserve(list.contact.size() + 64);
     like.force.reserve(list.contact.size() + 64);
+    like.open_until.reserve(list.contact.size() + 64);
     return like;
 }
 
@@ -330,6 +332,7 @@ void ContactWatch::replace(const Replacement& by, const ContactRange& range, con
         contact.twin += contact.twin == no_twin ? 0 : begin;
         renewed.memory.push_back(found_.memory[index]);
         renewed.force.emplace_back();
+        renewed.open_until.push_back(not_open);
     }
 }
 

@@ -62,6 +62,7 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
         }
     }
     list.force.resize(list.contact.size());
+    list.open_until.resize(list.contact.size(), not_open);
     return list;
 }
 

@@ -16,6 +16,7 @@
 
 namespace delabole {
 
+constexpr double not_open = -1;
 constexpr std::uint32_t no_twin = static_cast<std::uint32_t>(-1);
 
 // What many contacts have in common, so that a step has less to read: a pack of bricks has a handful of laws.
@@ -91,6 +92,8 @@ struct ContactList {
     std::vector<ContactLaw> law = {};
     std::vector<ContactMemory> memory = {};
     std::vector<ForceOnCorner> force = {};  // when last evaluated
+    // m; an open contact stays open while its blocks' ways since the start do not sum up to more. Negative: not open.
+    std::vector<double> open_until = {};
 
     const ContactLaw& law_of(const RelaxationContact& one) const { return law[one.law]; }
 };

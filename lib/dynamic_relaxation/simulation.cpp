@@ -94,6 +94,10 @@ void Simulation::prepare() {
     }
     // Of a spring that swings with the force that counts as balance.
     const double gravity = scene_.gravity.acceleration > 0 ? scene_.gravity.acceleration : 1;
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        inverse_radius_.push_back(1 / bodies_.radius[block]);
+        inverse_weight_.push_back(1 / (bodies_.mass[block] * gravity));
+    }
     for (const double mass : bodies_.inertial_mass) {
         calm_speed_.push_back(rest_ratio() * gravity * std::sqrt(mass / stiffest));
     }
@@ -324,11 +328,17 @@ void Simulation::choose_step(double last, double slowest) {
 }
 
 void Simulation::apply_contact_forces() {
-    state_.contacts_evaluated += contact_forces_.apply(state_.motion, state_.last_step, state_.seen, state_.contacts);
+    state_.contacts_evaluated +=
+        contact_forces_.apply(state_.motion, state_.watch.way, state_.last_step, state_.seen, state_.contacts);
 }
 
 void Simulation::apply_loads() {
+    if (loads_are_final_) {
+        return;
+    }
     sum_loads(scene_, settings_, bodies_, state_.time, held_, state_.motion, load_);
+    loads_are_final_ = !scene_.belt && scene_.force.empty() && scene_.pressure.empty() &&
+                       state_.time > last_scheduled_time(scene_, settings_);
 }
 
 void Simulation::integrate() {
@@ -368,26 +378,8 @@ void Simulation::integrate() {
     }
 }
 
-void Simulation::move_block(std::size_t block, StepSums& sums) {
-    Motion& motion = state_.motion[block];
-    if (held_[block] != 0) {
-        const BlockForce force = force_of_joints(block);
-        // What the others do to a moved block, it does to them.
-        sums.prescribed -= (force.x * motion.vx + force.y * motion.vy + force.moment * motion.spin) * state_.step;
-    } else if (!kick_block(block, sums)) {
-        return;
-    }
-    motion.x += motion.vx * state_.step;
-    motion.y += motion.vy * state_.step;
-    if (motion.spin != 0) {
-        motion.set_angle(motion.angle + motion.spin * state_.step);
-    }
-    state_.watch.way[block] +=
-        (std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * bodies_.radius[block]) * state_.step;
-}
-
 // A base that turns carries its blocks along: what is damped is their motion on it.
-Simulation::BlockVelocity Simulation::velocity_on_base(std::size_t block) const {
+inline Simulation::BlockVelocity Simulation::velocity_on_base(std::size_t block) const {
     const Motion& motion = state_.motion[block];
     if (!bodies_.turned_base) {
         return {motion.vx, motion.vy, motion.spin};
@@ -400,9 +392,8 @@ Simulation::BlockVelocity Simulation::velocity_on_base(std::size_t block) const 
             motion.spin - base.spin};
 }
 
-bool Simulation::kick_block(std::size_t block, StepSums& sums) {
+inline bool Simulation::kick_block(std::size_t block, StepSums& sums) {
     const double kick = (state_.last_step + state_.step) / 2;
-    const double gravity = scene_.gravity.acceleration > 0 ? scene_.gravity.acceleration : 1;
     Motion& motion = state_.motion[block];
     const BlockForce& load = load_[block];
     BlockForce net = force_of_joints(block);
@@ -410,8 +401,7 @@ bool Simulation::kick_block(std::size_t block, StepSums& sums) {
     net.y += load.y;
     net.moment += load.moment;
     const double force = std::sqrt(net.x * net.x + net.y * net.y);
-    const double out_of_balance =
-        (force + std::abs(net.moment) / bodies_.radius[block]) / (bodies_.mass[block] * gravity);
+    const double out_of_balance = (force + std::abs(net.moment) * inverse_radius_[block]) * inverse_weight_[block];
     sums.unbalanced = std::max(sums.unbalanced, out_of_balance);
     if (rests(state_.calm[block])) {
         if (out_of_balance <= 4 * rest_ratio()) {
@@ -444,6 +434,24 @@ bool Simulation::kick_block(std::size_t block, StepSums& sums) {
         state_.calm[block] = 0;
     }
     return true;
+}
+
+void Simulation::move_block(std::size_t block, StepSums& sums) {
+    Motion& motion = state_.motion[block];
+    if (held_[block] != 0) {
+        const BlockForce force = force_of_joints(block);
+        // What the others do to a moved block, it does to them.
+        sums.prescribed -= (force.x * motion.vx + force.y * motion.vy + force.moment * motion.spin) * state_.step;
+    } else if (!kick_block(block, sums)) {
+        return;
+    }
+    motion.x += motion.vx * state_.step;
+    motion.y += motion.vy * state_.step;
+    if (motion.spin != 0) {
+        motion.set_angle(motion.angle + motion.spin * state_.step);
+    }
+    state_.watch.way[block] +=
+        (std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * bodies_.radius[block]) * state_.step;
 }
 
 void Simulation::take_velocities_away_at_peaks() {

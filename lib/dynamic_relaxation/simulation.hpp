@@ -99,6 +99,9 @@ class Simulation {
     std::vector<std::size_t> just_broken_ = {};  // bonds whose contacts have yet to be found
     std::vector<SharedFace> watched_ = {};       // for the first tension crack
     std::vector<BlockForce> load_ = {};          // of the step
+    bool loads_are_final_ = false;               // nothing changes them any more
+    std::vector<double> inverse_radius_ = {};    // 1/m
+    std::vector<double> inverse_weight_ = {};    // m/N
     std::vector<double> calm_speed_ = {};        // m/s, below which a block may be calm
     std::vector<char> held_ = {};                // fixed now: fixed blocks, and those held for consolidation
     bool held_for_consolidation_ = false;
