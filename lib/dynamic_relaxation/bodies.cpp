@@ -78,18 +78,11 @@ void scale_masses(Bodies& bodies) {
     }
 }
 
-void Motion::set_angle(double value) {
+void Motion::set_large_angle(double value) {
     angle = value;
-    const double square = value * value;
-    if (square < 1e-4) {
-        // The series end where the next term is below rounding.
-        sine = value * (1 - square / 6 * (1 - square / 20 * (1 - square / 42)));
-        versine = square / 2 * (1 - square / 12 * (1 - square / 30 * (1 - square / 56)));
-    } else {
-        sine = std::sin(value);
-        const double half = std::sin(value / 2);
-        versine = 2 * half * half;
-    }
+    sine = std::sin(value);
+    const double half = std::sin(value / 2);
+    versine = 2 * half * half;
 }
 
 }  // namespace delabole

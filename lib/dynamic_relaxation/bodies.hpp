@@ -70,7 +70,20 @@ struct alignas(64) Motion {
         return {-versine * point.x() - sine * point.y(), sine * point.x() - versine * point.y()};
     }
     PlanePoint<> turned(const PlanePoint<>& point) const { return point + turned_by(point); }
-    void set_angle(double value);
+    void set_angle(double value) {
+        const double square = value * value;
+        if (square < 1e-4) {
+            angle = value;
+            // The series end where the next term is below rounding.
+            sine = value * (1 - square * (1.0 / 6) * (1 - square * (1.0 / 20) * (1 - square * (1.0 / 42))));
+            versine = square * 0.5 * (1 - square * (1.0 / 12) * (1 - square * (1.0 / 30) * (1 - square * (1.0 / 56))));
+        } else {
+            set_large_angle(value);
+        }
+    }
+
+  private:
+    void set_large_angle(double value);
 };
 
 // Corner of a moved block.

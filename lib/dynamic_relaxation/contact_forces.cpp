@@ -111,7 +111,7 @@ std::size_t ContactForces::evaluate_part(std::size_t begin, std::size_t end, con
                                          ContactList& list) const {
     std::size_t count = 0;
     for (std::size_t index = begin; index < end; ++index) {
-        if (concerned(index, round, list)) {
+        if (!stays_open(index, round, list) && concerned(list.contact[index])) {
             evaluate(index, round, list);
             ++count;
         }
@@ -133,10 +133,13 @@ std::size_t ContactForces::evaluate_and_sum(const Round& round, ContactList& lis
     std::size_t count = 0;
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         const RelaxationContact& contact = list.contact[index];
-        if (concerned(index, round, list)) {
+        if (stays_open(index, round, list)) {
+            continue;
+        }
+        if (concerned(contact)) {
             add(contact, evaluate(index, round, list));
             ++count;
-        } else if (list.open_until[index] < 0) {
+        } else {
             add(contact, list.force[index]);
         }
     }
@@ -162,7 +165,7 @@ std::size_t ContactForces::apply(const std::vector<Motion>& motion, const std::v
     for (const std::uint32_t block : moved_blocks_) {
         for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
             const std::uint32_t index = of_block_[entry];
-            if (std::exchange(evaluated_[index], round_) != round_ && concerned(index, round, list)) {
+            if (std::exchange(evaluated_[index], round_) != round_ && !stays_open(index, round, list)) {
                 evaluate(index, round, list);
                 ++count;
             }

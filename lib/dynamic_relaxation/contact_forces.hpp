@@ -53,10 +53,12 @@ class ContactForces {
     };
 
     static ForceOnCorner evaluate(std::size_t index, const Round& round, ContactList& list);
-    bool concerned(std::size_t index, const Round& round, const ContactList& list) const {
+    static bool stays_open(std::size_t index, const Round& round, const ContactList& list) {
         const RelaxationContact& contact = list.contact[index];
-        return (moved_[contact.block] != 0 || moved_[contact.other] != 0) &&
-               round.way[contact.block] + round.way[contact.other] > list.open_until[index];
+        return round.way[contact.block] + round.way[contact.other] <= list.open_until[index];
+    }
+    bool concerned(const RelaxationContact& contact) const {
+        return moved_[contact.block] != 0 || moved_[contact.other] != 0;
     }
     std::size_t evaluate_part(std::size_t begin, std::size_t end, const Round& round, ContactList& list) const;
     std::size_t evaluate_all(const Round& round, ContactList& list);

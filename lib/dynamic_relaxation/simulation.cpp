@@ -87,6 +87,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, Relax
 
 void Simulation::prepare() {
     margin_ = margin_in_shortest_edges * shortest_edge(bodies_);
+    longest_step_ = std::sqrt(shortest_edge(bodies_) / std::max(scene_.gravity.acceleration, 1e-3)) / 20;
     load_.resize(bodies_.size());
     double stiffest = 0;
     for (const JointMaterial& joint : scene_.material) {
@@ -270,17 +271,16 @@ void Simulation::preload_within(double margin, bool first) {
 }
 
 void Simulation::find_contacts_where_due() {
-    const double slowest = std::sqrt(shortest_edge(bodies_) / std::max(scene_.gravity.acceleration, 1e-3)) / 20;
-    const double last = state_.contacts.contact.empty() ? slowest : std::min(state_.step, slowest);
+    const double last = state_.contacts.contact.empty() ? longest_step_ : std::min(state_.step, longest_step_);
     if (!look_at_contacts()) {
         return;
     }
-    choose_step(last, slowest);
+    choose_step(last);
     constexpr double room_to_grow = 1.25;
     while (state_.step > state_.watch.step) {
         ContactWatch::prepare_for(room_to_grow * state_.step, state_.watch);
         look_at_contacts();
-        choose_step(last, slowest);
+        choose_step(last);
     }
     if (state_.step < state_.watch.step / 2) {
         state_.watch.step = room_to_grow * state_.step;
@@ -312,12 +312,12 @@ bool Simulation::look_at_contacts() {
     return true;
 }
 
-void Simulation::choose_step(double last, double slowest) {
+void Simulation::choose_step(double last) {
     const double speed = fastest();
     // While blocks are fast the step does not grow: they would not be seen coming.
-    const double seen_ahead = speed > 0 ? std::max(last, margin_ / (8 * speed)) : slowest;
+    const double seen_ahead = speed > 0 ? std::max(last, margin_ / (8 * speed)) : longest_step_;
     const double stable = *std::min_element(state_.watch.stable_step.begin(), state_.watch.stable_step.end());
-    double largest = std::min({settings_.step_fraction * stable, slowest, seen_ahead});
+    double largest = std::min({settings_.step_fraction * stable, longest_step_, seen_ahead});
     if (scene_.belt) {
         largest = std::min(largest, longest_step(*scene_.belt, scene_.gravity));
     }

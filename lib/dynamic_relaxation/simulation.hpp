@@ -72,7 +72,7 @@ class Simulation {
     void preload_within(double margin, bool first);
     bool look_at_contacts();
     void look_again_at(std::size_t block);
-    void choose_step(double last, double slowest);
+    void choose_step(double last);
     BlockForce force_of_joints(std::size_t block) const;
     void apply_contact_forces();
     void apply_loads();
@@ -91,7 +91,8 @@ class Simulation {
     RelaxationSettings settings_;
     Bodies bodies_;
     RelaxationState state_ = {};
-    double margin_ = 0;  // m, of the smallest blocks
+    double margin_ = 0;        // m, of the smallest blocks
+    double longest_step_ = 0;  // s, in free fall
     Team team_;
     ContactForces contact_forces_;
     Bonds bonds_;
