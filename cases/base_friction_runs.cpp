@@ -84,7 +84,7 @@ SceneNeed run_with_strength(const BaseFrictionGeometry& geometry, const ModelMix
 }
 
 double failure_probability(double needed, double strength) {
-    constexpr double spread = 0.15;   // of the logarithm of strength: slabs differ by so much
+    constexpr double spread = 0.25;   // of the logarithm of strength: slabs, and twins of one slab, differ by so much
     constexpr double against = 0.02;  // share of tests that nothing predicts
     const double beyond = needed > 0 ? std::log(needed / strength) : -std::numeric_limits<double>::infinity();
     return against + (1 - 2 * against) / (1 + std::exp(-beyond / spread));

@@ -151,7 +151,7 @@ CaseFile parse_case(std::string_view text, std::string_view name, const std::vec
     result.model = *std::move(model);
     read_model(root, result.model);
     if (reading.clean()) {
-        take_outline_file(reading, result.model, std::filesystem::path(name).parent_path());
+        take_outline_file(reading, result.model, std::filesystem::path(name).parent_path(), "");
     }
     if (reading.clean()) {
         check_model(reading, result.model, "");

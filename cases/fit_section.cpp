@@ -1,9 +1,11 @@
 // [fit]: what was observed, what is free, how to search.
 #include "cases/case_parts.hpp"
 #include "cases/described_reader.hpp"
+#include "cases/jointed_slope_case.hpp"
 #include "cases/spelling.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 
 namespace delabole {
@@ -315,6 +317,11 @@ FitMechanism read_mechanism(Section& section, const CaseFile& case_file, const O
     } else {
         section.allow("model");
         replace_in_model(section, mechanism.model);
+        forget_replaced_outline(mechanism.model, case_file.model);
+    }
+    if (section.reading().clean()) {
+        take_outline_file(section.reading(), mechanism.model, std::filesystem::path(case_file.name).parent_path(),
+                          section.path() + ".");
     }
     if (section.reading().clean()) {
         check_model(section.reading(), mechanism.model, section.path() + ".");

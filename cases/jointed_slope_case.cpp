@@ -4,6 +4,7 @@
 #include "dynamic_relaxation/relaxation_study.hpp"
 #include "dynamic_relaxation/slope_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -135,10 +136,6 @@ std::optional<SlopeComplaint> complaint_of(const RelaxationSlope& slope) {
 }
 
 void check_slope(Checker& checker, const RelaxationSlope& slope) {
-    if (slope.geometry.outline_file) {
-        checker.complain("scene.outline_file", "is read for the scene of the case itself only");
-        return;
-    }
     check_names(checker, "scene.rock", slope.rock);
     check_names(checker, "scene.joint", slope.joint);
     check_names(checker, "scene.cut", slope.geometry.cut);
@@ -153,24 +150,49 @@ void check_slope(Checker& checker, const RelaxationSlope& slope) {
     }
 }
 
-void take_outline_file(Reading& reading, CaseModel& model, const std::filesystem::path& folder) {
+namespace {
+
+RelaxationSlope* slope_of(CaseModel& model) {
     auto* study = std::get_if<RelaxationStudy>(&model);
-    auto* slope = study != nullptr ? std::get_if<RelaxationSlope>(&study->model.scene) : nullptr;
+    return study != nullptr ? std::get_if<RelaxationSlope>(&study->model.scene) : nullptr;
+}
+
+}  // namespace
+
+void take_outline_file(Reading& reading, CaseModel& model, const std::filesystem::path& folder,
+                       const std::string& prefix) {
+    RelaxationSlope* slope = slope_of(model);
     if (slope == nullptr || !slope->geometry.outline_file) {
         return;
     }
+    const std::string key = prefix + "scene.outline_file";
     if (!slope->geometry.outline.empty()) {
-        reading.complain_at("scene.outline_file", "and scene.outline exclude each other");
+        reading.complain_at(key, "and scene.outline exclude each other");
         return;
     }
     const std::filesystem::path path = folder / *slope->geometry.outline_file;
     OutlineFile file = read_outline_file(path);
     if (!file.problem.empty()) {
-        reading.complain_at("scene.outline_file", path.string() + " " + file.problem);
+        reading.complain_at(key, path.string() + " " + file.problem);
         return;
     }
     slope->geometry.outline = std::move(file.outline);
     slope->geometry.outline_file.reset();
+}
+
+void forget_replaced_outline(CaseModel& model, const CaseModel& inherited_from) {
+    const auto* before = std::get_if<RelaxationStudy>(&inherited_from);
+    RelaxationSlope* slope = slope_of(model);
+    if (before == nullptr || slope == nullptr || !slope->geometry.outline_file) {
+        return;
+    }
+    const auto* inherited = std::get_if<RelaxationSlope>(&before->model.scene);
+    const auto same = [](const SectionPoint& one, const SectionPoint& other) {
+        return one.x == other.x && one.y == other.y;
+    };
+    if (inherited != nullptr && std::ranges::equal(slope->geometry.outline, inherited->geometry.outline, same)) {
+        slope->geometry.outline.clear();
+    }
 }
 
 }  // namespace delabole

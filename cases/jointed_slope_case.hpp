@@ -21,7 +21,13 @@ std::optional<SlopeComplaint> complaint_of(const RelaxationSlope& slope);
 // Names, numbers that are whole, and what cutting says. The joints are checked by the caller.
 void check_slope(Checker& checker, const RelaxationSlope& slope);
 
-// Puts the corners of scene.outline_file, beside the case, in the place of its name.
-void take_outline_file(Reading& reading, CaseModel& model, const std::filesystem::path& folder);
+// Puts the corners of scene.outline_file, beside the case, in the place of its name. `prefix` is what the keys of the
+// model begin with.
+void take_outline_file(Reading& reading, CaseModel& model, const std::filesystem::path& folder,
+                       const std::string& prefix);
+
+// A model that takes over what it does not give itself may give an outline file where the other has corners: these are
+// forgotten.
+void forget_replaced_outline(CaseModel& model, const CaseModel& inherited_from);
 
 }  // namespace delabole

@@ -14,7 +14,7 @@ ReproductionChapter chapter_3() {
              reproduce_table_3_2},
             {"base_friction",
              "base friction tests of Table 3.2 as runs: the strength fitted to half, the rest predicted",
-             reproduce_base_friction_runs, ReproductionCost::half_an_hour},
+             reproduce_base_friction_runs, ReproductionCost::minutes},
             {"tilting_frame", "rows of columns tilted until they fail, with the scatter of plaster: Figs 3.4, 3.6, 3.7",
              reproduce_tilting_runs, ReproductionCost::minutes},
             {"fig3.2", "base friction: crack path and its time against slope height (Table 3.3)", reproduce_fig_3_2},

@@ -24,9 +24,8 @@ struct Reproduction {
     std::vector<PrintedRow> rows;
 };
 
-// What takes minutes is done where it or its chapter is named, not with all of the thesis; what takes longer, only
-// where it is named itself.
-enum class ReproductionCost { seconds, minutes, half_an_hour };
+// What takes minutes is done where it or its chapter is named, not with all of the thesis.
+enum class ReproductionCost { seconds, minutes };
 
 struct ReproductionItem {
     std::string name;     // "fig2.8"

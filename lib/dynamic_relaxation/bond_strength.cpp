@@ -21,7 +21,8 @@ class WeakeningSlope {
           settings_(settings),
           reduction_(reduction),
           watch_(watch),
-          bodies_(make_bodies(scene)) {
+          bodies_(make_bodies(scene)),
+          failed_way_((reduction.failed_way + reduction.loose_way) / 2) {
         settings_.stop_at_onset = false;
         settings_.stop_at_equilibrium = true;
         settings_.collapse_rotation = settings_.collapse_displacement = std::numeric_limits<double>::infinity();
@@ -30,10 +31,10 @@ class WeakeningSlope {
     }
 
     // Runs on with bonds of this share until it rests or has failed.
-    Standing settle(double share) {
+    Standing settle(double share, double longest_run) {
         ++made_.runs;
         weaken(share);
-        settings_.duration = made_.end.state.time + reduction_.longest_run;
+        settings_.duration = made_.end.state.time + longest_run;
         while (true) {
             made_.end.state.outcome = static_cast<std::uint64_t>(RelaxationOutcome::undecided);
             Simulation simulation = begun_ ? Simulation(made_.end.scene, settings_, std::move(made_.end.state))
@@ -72,6 +73,7 @@ class WeakeningSlope {
     void take_as_unbroken() {
         made_.end.unbroken = made_.end.state.motion;
         unbroken_ = made_.end;
+        failed_way_ = reduction_.failed_way;
     }
     void go_back_to_unbroken() { made_.end = unbroken_; }
 
@@ -120,7 +122,7 @@ class WeakeningSlope {
     double moved_area(const RelaxationState& state) const {
         double area = 0;
         for (std::size_t block = 0; block < bodies_.size(); ++block) {
-            if (has_moved(state, block, reduction_.failed_way)) {
+            if (has_moved(state, block, failed_way_)) {
                 area += bodies_.mass[block] / made_.end.scene.block[block].density;
             }
         }
@@ -189,6 +191,7 @@ class WeakeningSlope {
     StrengthReduction reduction_;
     const std::function<bool()>& watch_;
     Bodies bodies_;
+    double failed_way_;  // m; of the unbroken slope, which also settles, more than of a slope that breaks
     CriticalStrength made_ = {};
     ReducedSlope unbroken_ = {};
     bool begun_ = false;
@@ -196,22 +199,18 @@ class WeakeningSlope {
     bool rests_ = false;
 };
 
-// What the search ends with, where a run neither rested nor crept.
+// What the search ends with, where a run did not come to rest.
 StrengthStatus status_of(Standing standing, StrengthStatus failed) {
-    return standing == Standing::failed        ? failed
-           : standing == Standing::interrupted ? StrengthStatus::interrupted
-                                               : StrengthStatus::run_failed;
+    return standing == Standing::failed || standing == Standing::creeps ? failed
+           : standing == Standing::interrupted                          ? StrengthStatus::interrupted
+                                                                        : StrengthStatus::run_failed;
 }
 
-bool stands(Standing standing) {
-    return standing == Standing::rests || standing == Standing::creeps;
-}
-
-// Whether the unbroken slope rests; otherwise the search is over.
+// Whether the unbroken slope stands; otherwise the search is over. What still settles then has time to go on.
 bool begins(WeakeningSlope& slope, const StrengthReduction& reduction) {
     CriticalStrength& made = slope.made();
-    const Standing standing = slope.settle(reduction.strongest);
-    if (!stands(standing)) {
+    const Standing standing = slope.settle(reduction.strongest, reduction.longest_run / 2);
+    if (standing != Standing::rests && standing != Standing::creeps) {
         made.status = status_of(standing, StrengthStatus::fails_however_strong);
         made.stands = std::numeric_limits<double>::infinity();
         made.fails = reduction.strongest;
@@ -240,8 +239,8 @@ CriticalStrength find_critical_strength(const RelaxationScene& scene, const Rela
         // The share before it stands, too: there nothing broke, or it was tried.
         made.stands = *next / reduction.ratio;
         share = *next;
-        const Standing standing = slope.settle(share);
-        if (!stands(standing)) {
+        const Standing standing = slope.settle(share, reduction.longest_run);
+        if (standing != Standing::rests) {
             made.status = status_of(standing, StrengthStatus::found);
             made.fails = share;
             return std::move(made);
@@ -260,8 +259,8 @@ CriticalStrength run_at_strength(const RelaxationScene& scene, const RelaxationS
     if (!begins(slope, reduction)) {
         return std::move(made);
     }
-    const Standing standing = slope.settle(share);
-    if (stands(standing)) {
+    const Standing standing = slope.settle(share, reduction.longest_run);
+    if (standing == Standing::rests) {
         made.status = StrengthStatus::stands_however_weak;
         made.stands = share;
     } else {

@@ -8,8 +8,8 @@
 // topple. What is found is the greatest strength of the row at which it fails.
 //
 // Failed: blocks that have moved by more than a given way since the unbroken slope came to rest make up more than a
-// given area, and have not come to rest. A single block that comes loose is no failure of the slope: once it has moved
-// by more than `loose_way`, it is taken away, and counted.
+// given area, and have not come to rest; or the slope still moves when the longest run is over. A single block that
+// comes loose is no failure of the slope: once it has moved by more than `loose_way`, it is taken away, and counted.
 #pragma once
 
 #include "dynamic_relaxation/simulation.hpp"
@@ -33,7 +33,7 @@ struct StrengthReduction {
     double failed_area;  // m2
     double loose_way;    // m, more than failed_way
     double rest_speed;   // m/s; a slope whose blocks move no faster, in the mean by their squares, rests
-    double longest_run;  // s of model time at one strength; a slope that still creeps then stands
+    double longest_run;  // s of model time at one strength, half of it unbroken; who does not rest by then has failed
 };
 
 enum class StrengthStatus {

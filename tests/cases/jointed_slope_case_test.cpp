@@ -201,5 +201,57 @@ TEST(OutlineFile, ACaseTakesItsCornersOnce) {
     EXPECT_EQ(resolved_toml(from_file), resolved_toml(direct));
 }
 
+constexpr std::string_view fit_text = R"(
+[post_failure]
+moved_share = 0.5
+[[fit.observation]]
+label = "failed"
+quantity = "post_failure.failed_area"
+relation = "at_least"
+value = "10 m2"
+standard_deviation = "1 m2"
+[fit.surrogate]
+[[fit.mechanism]]
+name = "as_drawn"
+[[fit.mechanism.parameter]]
+name = "scene.joint[1].friction_angle"
+lower = "30 deg"
+upper = "60 deg"
+[[fit.mechanism]]
+name = "as_surveyed"
+scene.outline_file = "slope.csv"
+[[fit.mechanism.parameter]]
+name = "scene.joint[1].friction_angle"
+lower = "30 deg"
+upper = "60 deg"
+)";
+
+std::size_t corners_of(const CaseModel& model) {
+    return std::get<RelaxationSlope>(std::get<RelaxationStudy>(model).model.scene).geometry.outline.size();
+}
+
+// The case has four corners, the file, with a bench, six.
+TEST(OutlineFile, AMechanismMayHaveItsOwn) {
+    const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "mechanism_outline";
+    std::filesystem::create_directories(folder);
+    const std::string name = (folder / "case.toml").string();
+    const std::string text = std::string(slope_text) + std::string(fit_text);
+    std::ofstream(folder / "slope.csv") << "x_m,y_m\n0,0\n14,0\n14,8\n6.6,8\n4.3,4\n2.3,4\n";
+    const CaseFile file = parse_case(text, name);
+    ASSERT_EQ(file.fit->mechanisms.size(), 2U);
+    EXPECT_EQ(corners_of(file.fit->mechanisms[0].model), 4U);
+    EXPECT_EQ(corners_of(file.fit->mechanisms[1].model), 6U);
+
+    std::ofstream(folder / "slope.csv") << "x_m,y_m\n0,0\n14,0\n";
+    try {
+        parse_case(text, name);
+        FAIL() << "two corners are no outline";
+    } catch (const CaseError& error) {
+        ASSERT_EQ(error.problems().size(), 1U);
+        EXPECT_EQ(error.problems()[0].key, "fit.mechanism[2].scene.outline_file");
+        EXPECT_GT(error.problems()[0].line, 0);
+    }
+}
+
 }  // namespace
 }  // namespace delabole
