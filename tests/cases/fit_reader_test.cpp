@@ -1,5 +1,6 @@
 #include "cases/case_file.hpp"
 
+#include "cases/case_writer.hpp"
 #include "cases/spelling.hpp"
 #include "example_case.hpp"
 
@@ -203,6 +204,29 @@ TEST(FitReader, ObservationsAndSettings) {
     EXPECT_EQ(complaint(std::string(example_text) + "[fit]\nobservation = []\n"),
               "slope.toml:29:1: fit: has no observations: [[fit.observation]] or [fit.profile] is required\n"
               "slope.toml:29:1: fit: has nothing free: [[fit.parameter]] or [[fit.mechanism]] is required");
+}
+
+TEST(FitReader, ACoarseModelIsTheMechanismsWithItsOwnSections) {
+    const auto text = [](std::string_view coarse) {
+        return changed(std::string(example_text) + std::string(two_models), "filled_ratio = 0.5\n",
+                       "filled_ratio = 0.5\n[fit.mechanism.coarse]\n" + std::string(coarse));
+    };
+    const CaseFile file = parse_case(text("joint_dip = \"60 deg\"\n"), "slope.toml");
+    ASSERT_FALSE(file.fit->mechanisms[0].coarse);
+    ASSERT_TRUE(file.fit->mechanisms[1].coarse);
+    const auto dip_of = [](const CaseModel& model) {
+        const std::vector<Quantity> inputs = named_inputs(model);
+        return find_quantity(inputs, "joint_dip")->value;
+    };
+    EXPECT_EQ(dip_of(file.fit->mechanisms[1].model), degrees(70));
+    EXPECT_EQ(dip_of(*file.fit->mechanisms[1].coarse), degrees(60));
+
+    const CaseFile again = parse_case(resolved_toml(file), "resolved.toml");
+    EXPECT_EQ(resolved_toml(again), resolved_toml(file));
+    EXPECT_EQ(dip_of(*again.fit->mechanisms[1].coarse), degrees(60));
+
+    EXPECT_NE(complaint(text("joint_dop = \"60 deg\"\n")).find("fit.mechanism[2].coarse.joint_dop"), std::string::npos);
+    EXPECT_NE(complaint(text("joint_dip = \"95 deg\"\n")).find("fit.mechanism[2].coarse.joint_dip"), std::string::npos);
 }
 
 }  // namespace

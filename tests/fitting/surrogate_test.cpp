@@ -163,7 +163,6 @@ TEST(Surrogate, GivesUpWhereAnotherMechanismIsOutOfReach) {
     problem.observations[0].value = 40;
     const MechanismFit alone = only(fit(problem));
     EXPECT_FALSE(alone.surrogate->given_up);
-    EXPECT_EQ(alone.surrogate->runs.size(), 40U);
 
     problem.mechanisms.push_back({"cheap",
                                   "",
@@ -176,10 +175,10 @@ TEST(Surrogate, GivesUpWhereAnotherMechanismIsOutOfReach) {
     EXPECT_EQ(both.mechanisms[0].name, "cheap");
     const MechanismFit& beaten = both.mechanisms[1];
     EXPECT_TRUE(beaten.surrogate->given_up);
-    EXPECT_LT(beaten.surrogate->runs.size(), 40U);
+    EXPECT_LT(beaten.surrogate->runs.size(), alone.surrogate->runs.size());
 
     problem.settings.surrogate.give_up_below = 0;
-    EXPECT_EQ(fit(problem).mechanisms[1].surrogate->runs.size(), 40U);
+    EXPECT_EQ(fit(problem).mechanisms[1].surrogate->runs.size(), alone.surrogate->runs.size());
 }
 
 TEST(Surrogate, InterruptedRunsLeaveWhatWasFinished) {
