@@ -1,6 +1,7 @@
 // Contacts are looked for where something has moved, and only there.
 #include "dynamic_relaxation/contact_watch.hpp"
 
+#include "dynamic_relaxation/checkpoint.hpp"
 #include "dynamic_relaxation/contact_law.hpp"
 #include "relaxation_scenes.hpp"
 
@@ -9,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
+#include <utility>
 
 namespace delabole {
 namespace {
@@ -98,6 +101,40 @@ RelaxationScene rubble(unsigned seed) {
         blocks.push_back({outline, density});
     }
     return on_floor(std::move(blocks));
+}
+
+std::string after(const RelaxationScene& scene, const RelaxationSettings& settings, int steps, int stop) {
+    Simulation simulation(scene, settings);
+    for (int step = 0; step < stop; ++step) {
+        simulation.step();
+    }
+    RestoredState restored = restore_checkpoint(checkpoint_of(scene, settings, simulation.state()), scene, settings);
+    EXPECT_EQ(restored.check, CheckpointCheck::ok);
+    Simulation rest(scene, settings, std::move(restored.state));
+    for (int step = stop; step < steps; ++step) {
+        rest.step();
+    }
+    return checkpoint_of(scene, settings, rest.state());
+}
+
+// Looks, and all that follows from them, are part of the state.
+TEST(ContactWatch, LooksTheSameOnAnyThreadsAndAfterARestart) {
+    const RelaxationScene scene = rubble(7);
+    RelaxationSettings settings = unlimited(1e3);
+    settings.start = RelaxationStart::dropped;
+    constexpr int steps = 6000;
+    const std::string whole = after(scene, settings, steps, 0);
+    for (const int stop : {1, 1717, 4041}) {
+        EXPECT_TRUE(after(scene, settings, steps, stop) == whole) << stop;
+    }
+    settings.threads = 3;
+    EXPECT_TRUE(after(scene, settings, steps, 0) == whole);
+    Simulation simulation(scene, settings);
+    for (int step = 0; step < steps; ++step) {
+        simulation.step();
+    }
+    EXPECT_GT(simulation.state().watch.looks, 5 * simulation.state().watch.pair.size());
+    EXPECT_GT(simulation.state().watch.searches, 5U);
 }
 
 // A search of the whole scene finds no corner on its way into a block that the kept list does not know.
