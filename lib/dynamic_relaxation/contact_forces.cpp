@@ -94,11 +94,10 @@ inline void ContactForces::add(const RelaxationContact& contact, const ForceOnCo
 [[gnu::always_inline]] inline ForceOnCorner ContactForces::evaluate(std::size_t index, const Round& round,
                                                                     ContactList& list) {
     const RelaxationContact& contact = list.contact[index];
-    const ContactMemory* twin = contact.twin == no_twin ? nullptr : &list.memory[contact.twin];
     double open_by = 0;
     const ForceOnCorner force =
-        advance_contact(list.law_of(contact), contact, list.memory[index], twin, round.motion[contact.block],
-                        round.motion[contact.other], round.step, open_by);
+        advance_contact(list.law_of(contact), contact, list.memory[index], list.memory.data(),
+                        round.motion[contact.block], round.motion[contact.other], round.step, open_by);
     // The corner may be farther from the other block's centroid than that block's own corners are, but not twice as
     // far.
     list.open_until[index] = open_by > 0 ? round.way[contact.block] + round.way[contact.other] + open_by / 2 : not_open;

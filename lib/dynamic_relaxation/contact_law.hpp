@@ -35,25 +35,26 @@ struct ContactPosition {
 
 [[gnu::always_inline]] inline ContactPosition locate(const RelaxationContact& contact, const Motion& block,
                                                      const Motion& other) {
-    const double turned_x = -block.versine * contact.arm.x() - block.sine * contact.arm.y();
+    // Sums are so ordered that nothing has to be negated.
+    const double back_x = block.versine * contact.arm.x() + block.sine * contact.arm.y();
     const double turned_y = block.sine * contact.arm.x() - block.versine * contact.arm.y();
-    const double carried_x = -other.versine * contact.other_arm.x() - other.sine * contact.other_arm.y();
+    const double carried_back_x = other.versine * contact.other_arm.x() + other.sine * contact.other_arm.y();
     const double carried_y = other.sine * contact.other_arm.x() - other.versine * contact.other_arm.y();
     // From where the other block has carried the corner's place in the drawing to the corner. Only changes are added
     // up: the overlap keeps its digits however far away the origin is.
-    const double change_x = (block.x - other.x) + (turned_x - carried_x);
+    const double change_x = (block.x - other.x) + (carried_back_x - back_x);
     const double change_y = (block.y - other.y) + (turned_y - carried_y);
-    const double normal_x = contact.along.y();
-    const double normal_y = -contact.along.x();
+    const double along_x = contact.along.x() - (other.versine * contact.along.x() + other.sine * contact.along.y());
+    const double along_y = contact.along.y() - (other.versine * contact.along.y() - other.sine * contact.along.x());
     ContactPosition at;
-    at.normal_x = normal_x - (other.versine * normal_x + other.sine * normal_y);
-    at.normal_y = normal_y + (other.sine * normal_x - other.versine * normal_y);
-    at.gap = contact.gap + (at.normal_x * change_x + at.normal_y * change_y);
-    at.slide = at.along_x() * change_x + at.along_y() * change_y;
+    at.normal_x = along_y;
+    at.normal_y = -along_x;
+    at.gap = contact.gap + (along_y * change_x - along_x * change_y);
+    at.slide = along_x * change_x + along_y * change_y;
     at.position = contact.from_start + at.slide;
-    at.arm_x = contact.arm.x() + turned_x;
+    at.arm_x = contact.arm.x() - back_x;
     at.arm_y = contact.arm.y() + turned_y;
-    at.other_arm_x = contact.other_arm.x() + carried_x + change_x;
+    at.other_arm_x = contact.other_arm.x() - carried_back_x + change_x;
     at.other_arm_y = contact.other_arm.y() + carried_y + change_y;
     return at;
 }
@@ -62,13 +63,14 @@ inline double contact_weight(const ContactLaw& law, const RelaxationContact& con
     const double overlap = -at.gap;
     // A ramp is no steeper than the overlap allows: a weight that changed faster would be a stiffer spring. Where a
     // corner does not bear at an end, it begins to bear half as far from it as it is deep: a point on a point holds.
-    const auto ramp = [&](double depth, double least) {
-        const double rise = least < 0 ? 1 : 0.5;
+    const auto ramp = [&](double depth, double rise) {
         return depth * law.inverse_blend > rise ? rise / depth : law.inverse_blend;
     };
+    // 1 for a weight that begins at -0.5, and 0.5 for one that begins at 0.5.
+    const auto rise_from = [](double least) { return 0.75 - 0.5 * least; };
     const double to_end = contact.to_end - at.slide;
-    const double at_start = law.start_weight + at.position * ramp(overlap, law.start_weight);
-    const double at_end = law.end_weight + to_end * ramp(overlap, law.end_weight);
+    const double at_start = law.start_weight + at.position * ramp(overlap, rise_from(law.start_weight));
+    const double at_end = law.end_weight + to_end * ramp(overlap, rise_from(law.end_weight));
     double weight = std::min(at_start, at_end);
     if (law.rival != 0) {
         // With t the way from the common end, the rival's overlap and the way along it.
@@ -78,14 +80,15 @@ inline double contact_weight(const ContactLaw& law, const RelaxationContact& con
         weight = std::min(
             weight, 0.5 + ramp(std::min(overlap, other_overlap), 0.5) * std::max(other_overlap - overlap, -other_way));
     }
-    return std::clamp(weight, 0.0, 1.0);
+    return std::min(std::max(weight, 0.0), 1.0);
 }
 
 // Advances the memory by one step and gives the force at its end. Velocities are those that led here, half a step ago.
-// `open_by`, m: how far the corner is from touching, where it has not touched before; else it is left alone.
+// `memories`: of all contacts, among them the twin's. `open_by`, m: how far the corner is from touching, where it has
+// not touched before; else it is left alone.
 // Called once in the innermost loop: a result that goes through memory there costs a third more.
 [[gnu::always_inline]] inline ForceOnCorner advance_contact(const ContactLaw& law, const RelaxationContact& contact,
-                                                            ContactMemory& memory, const ContactMemory* twin,
+                                                            ContactMemory& memory, const ContactMemory* memories,
                                                             const Motion& block, const Motion& other, double step,
                                                             double& open_by) {
     const ContactPosition at = locate(contact, block, other);
@@ -97,6 +100,7 @@ inline double contact_weight(const ContactLaw& law, const RelaxationContact& con
             return {};
         }
         // A twin hands over where both are about as deep.
+        const ContactMemory* twin = contact.twin == no_twin ? nullptr : memories + contact.twin;
         if (memory.beneath && (twin == nullptr || !twin->touching || overlap > 1.5 * twin->overlap)) {
             return {};
         }
@@ -107,8 +111,8 @@ inline double contact_weight(const ContactLaw& law, const RelaxationContact& con
     const double opening = at.normal_x * velocity_x + at.normal_y * velocity_y;
     const double shearing = at.along_x() * velocity_x + at.along_y() * velocity_y;
     // A drag acts half a step on both sides of its moment: the books count half with each velocity.
-    memory.damping -= step / 2 * (memory.normal_drag * opening + memory.shear_drag * shearing);
-    memory.normal_drag = memory.shear_drag = 0;
+    const double half_step = step / 2;
+    const double damping = memory.damping - half_step * (memory.normal_drag * opening + memory.shear_drag * shearing);
     const bool bonded = law.tension > 0 && !memory.broken;
     const double weight = contact_weight(law, contact, at);
     const auto open = [&] {
@@ -117,6 +121,8 @@ inline double contact_weight(const ContactLaw& law, const RelaxationContact& con
         memory.touching = memory.sliding = false;
         memory.broken = true;
         memory.shear = 0;
+        memory.damping = damping;
+        memory.normal_drag = memory.shear_drag = 0;
     };
     if (weight == 0 || (overlap <= 0 && !bonded)) {
         open();
@@ -126,7 +132,8 @@ inline double contact_weight(const ContactLaw& law, const RelaxationContact& con
     const double force_before = law.shear_stiffness * std::abs(memory.shear);
     if (!memory.touching) {
         memory.touching = true;
-        memory.shear = twin != nullptr && twin->touching ? twin->shear : 0;
+        const bool taken_over = contact.twin != no_twin && memories[contact.twin].touching;
+        memory.shear = taken_over ? memories[contact.twin].shear : 0;
     } else {
         memory.shear += at.slide - memory.place;
     }
@@ -143,6 +150,7 @@ inline double contact_weight(const ContactLaw& law, const RelaxationContact& con
     const double residual = pressing * law.residual_friction;
     const double strength = memory.broken ? residual : pressing * law.friction + law.cohesion;
     memory.sliding = std::abs(shear) > strength;
+    double shear_drag = 0;
     if (memory.sliding) {
         const double held = std::copysign(residual, shear);
         const double slipped = (held - shear) / law.shear_stiffness;
@@ -155,12 +163,14 @@ inline double contact_weight(const ContactLaw& law, const RelaxationContact& con
         memory.shear -= slipped;
         shear = held;
     } else {
-        memory.shear_drag = -weight * law.shear_dashpot * shearing;
+        shear_drag = -weight * law.shear_dashpot * shearing;
         shear -= law.shear_dashpot * shearing;
     }
     const double damped = std::max(normal - law.normal_dashpot * opening, std::min(normal, 0.0));
-    memory.normal_drag = weight * (damped - normal);
-    memory.damping -= step / 2 * (memory.normal_drag * opening + memory.shear_drag * shearing);
+    const double normal_drag = weight * (damped - normal);
+    memory.normal_drag = normal_drag;
+    memory.shear_drag = shear_drag;
+    memory.damping = damping - half_step * (normal_drag * opening + shear_drag * shearing);
     normal = damped;
     ForceOnCorner force;
     force.x = weight * (at.normal_x * normal + at.along_x() * shear);
