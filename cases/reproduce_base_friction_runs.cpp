@@ -361,7 +361,9 @@ Reproduction reproduce_base_friction_runs(const ResultFolder& folder, Report& re
         "it fails: that is the strength it needs. One strength is fitted to every other scene, beginning with the "
         "first; a slope that needs more fails. Not printed and taken: friction on the steel frame, " +
         value_in_words(mixture.frame_friction, Dimension::angle) + "; cohesion, " + human_number(mixture.cohesion, 2) +
-        " times the tensile strength; weight, as under gravity."});
+        " times the tensile strength; weight, as under gravity; modulus, " +
+        human_number(mixture.young_modulus / 1e6, 2) +
+        " MPa. The modulus was settled when runs had been seen: models of 15 MPa wedge and stand however weak."});
     report.blocks.emplace_back(score_table(predictions, result));
     add_angles(predictions, result);
     report.blocks.emplace_back(printed_table("Fit and prediction", result.rows));

@@ -11,7 +11,8 @@ namespace delabole {
 
 namespace {
 
-enum class Standing { rests, creeps, failed, run_failed, interrupted };
+// Settling: not at rest yet, but much slower than before.
+enum class Standing { rests, settles, creeps, failed, run_failed, interrupted };
 
 class WeakeningSlope {
   public:
@@ -35,6 +36,8 @@ class WeakeningSlope {
         ++made_.runs;
         weaken(share);
         settings_.duration = made_.end.state.time + longest_run;
+        late_ = made_.end.state.time + longest_run / 2;
+        fastest_early_ = fastest_late_ = 0;
         while (true) {
             made_.end.state.outcome = static_cast<std::uint64_t>(RelaxationOutcome::undecided);
             Simulation simulation = begun_ ? Simulation(made_.end.scene, settings_, std::move(made_.end.state))
@@ -62,7 +65,7 @@ class WeakeningSlope {
                 return Standing::rests;
             case RelaxationOutcome::undecided:
                 ++made_.creeping;
-                return Standing::creeps;
+                return fastest_late_ < fastest_early_ / 2 ? Standing::settles : Standing::creeps;
             default:
                 return Standing::run_failed;
             }
@@ -168,7 +171,10 @@ class WeakeningSlope {
                     return true;
                 }
             }
-            calm = state.time > scheduled && speed(state) < reduction_.rest_speed ? calm + 1 : 0;
+            const double speed_now = speed(state);
+            double& fastest = state.time < late_ ? fastest_early_ : fastest_late_;
+            fastest = std::max(fastest, speed_now);
+            calm = state.time > scheduled && speed_now < reduction_.rest_speed ? calm + 1 : 0;
             if (calm == calm_looks) {
                 rests_ = true;
                 return false;
@@ -197,20 +203,28 @@ class WeakeningSlope {
     bool begun_ = false;
     bool interrupted_ = false;
     bool rests_ = false;
+    double late_ = 0;           // s, when the second half of the run begins
+    double fastest_early_ = 0;  // m/s, in the first half
+    double fastest_late_ = 0;
 };
 
 // What the search ends with, where a run did not come to rest.
 StrengthStatus status_of(Standing standing, StrengthStatus failed) {
-    return standing == Standing::failed || standing == Standing::creeps ? failed
-           : standing == Standing::interrupted                          ? StrengthStatus::interrupted
-                                                                        : StrengthStatus::run_failed;
+    switch (standing) {
+    case Standing::interrupted:
+        return StrengthStatus::interrupted;
+    case Standing::run_failed:
+        return StrengthStatus::run_failed;
+    default:
+        return failed;
+    }
 }
 
-// Whether the unbroken slope stands; otherwise the search is over. What still settles then has time to go on.
+// Whether the unbroken slope stands; otherwise the search is over.
 bool begins(WeakeningSlope& slope, const StrengthReduction& reduction) {
     CriticalStrength& made = slope.made();
     const Standing standing = slope.settle(reduction.strongest, reduction.longest_run / 2);
-    if (standing != Standing::rests && standing != Standing::creeps) {
+    if (standing != Standing::rests && standing != Standing::settles) {
         made.status = status_of(standing, StrengthStatus::fails_however_strong);
         made.stands = std::numeric_limits<double>::infinity();
         made.fails = reduction.strongest;
