@@ -317,7 +317,6 @@ FitMechanism read_mechanism(Section& section, const CaseFile& case_file, const O
     } else {
         section.allow("model");
         replace_in_model(section, mechanism.model);
-        forget_replaced_outline(mechanism.model, case_file.model);
     }
     if (section.reading().clean()) {
         take_outline_file(section.reading(), mechanism.model, std::filesystem::path(case_file.name).parent_path(),

@@ -150,18 +150,10 @@ void check_slope(Checker& checker, const RelaxationSlope& slope) {
     }
 }
 
-namespace {
-
-RelaxationSlope* slope_of(CaseModel& model) {
-    auto* study = std::get_if<RelaxationStudy>(&model);
-    return study != nullptr ? std::get_if<RelaxationSlope>(&study->model.scene) : nullptr;
-}
-
-}  // namespace
-
 void take_outline_file(Reading& reading, CaseModel& model, const std::filesystem::path& folder,
                        const std::string& prefix) {
-    RelaxationSlope* slope = slope_of(model);
+    auto* study = std::get_if<RelaxationStudy>(&model);
+    auto* slope = study != nullptr ? std::get_if<RelaxationSlope>(&study->model.scene) : nullptr;
     if (slope == nullptr || !slope->geometry.outline_file) {
         return;
     }
@@ -178,21 +170,6 @@ void take_outline_file(Reading& reading, CaseModel& model, const std::filesystem
     }
     slope->geometry.outline = std::move(file.outline);
     slope->geometry.outline_file.reset();
-}
-
-void forget_replaced_outline(CaseModel& model, const CaseModel& inherited_from) {
-    const auto* before = std::get_if<RelaxationStudy>(&inherited_from);
-    RelaxationSlope* slope = slope_of(model);
-    if (before == nullptr || slope == nullptr || !slope->geometry.outline_file) {
-        return;
-    }
-    const auto* inherited = std::get_if<RelaxationSlope>(&before->model.scene);
-    const auto same = [](const SectionPoint& one, const SectionPoint& other) {
-        return one.x == other.x && one.y == other.y;
-    };
-    if (inherited != nullptr && std::ranges::equal(slope->geometry.outline, inherited->geometry.outline, same)) {
-        slope->geometry.outline.clear();
-    }
 }
 
 }  // namespace delabole

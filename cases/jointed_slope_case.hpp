@@ -26,8 +26,4 @@ void check_slope(Checker& checker, const RelaxationSlope& slope);
 void take_outline_file(Reading& reading, CaseModel& model, const std::filesystem::path& folder,
                        const std::string& prefix);
 
-// A model that takes over what it does not give itself may give an outline file where the other has corners: these are
-// forgotten.
-void forget_replaced_outline(CaseModel& model, const CaseModel& inherited_from);
-
 }  // namespace delabole

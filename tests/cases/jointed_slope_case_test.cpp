@@ -219,12 +219,23 @@ lower = "30 deg"
 upper = "60 deg"
 [[fit.mechanism]]
 name = "as_surveyed"
-scene.outline_file = "slope.csv"
 [[fit.mechanism.parameter]]
 name = "scene.joint[1].friction_angle"
 lower = "30 deg"
 upper = "60 deg"
 )";
+
+// The scene of the case as that of the mechanism written last, with its outline in a file.
+std::string scene_of_mechanism() {
+    const std::size_t begin = slope_text.find("[scene]");
+    std::string text(slope_text.substr(begin, slope_text.find("[settings]") - begin));
+    const std::size_t outline = text.find("outline = ");
+    text.replace(outline, text.find('\n', outline) - outline, "outline_file = \"slope.csv\"");
+    for (std::size_t at = 0; (at = text.find("[scene", at)) != std::string::npos; at += 1) {
+        text.insert(at + 1, "fit.mechanism.");
+    }
+    return text;
+}
 
 std::size_t corners_of(const CaseModel& model) {
     return std::get<RelaxationSlope>(std::get<RelaxationStudy>(model).model.scene).geometry.outline.size();
@@ -235,7 +246,7 @@ TEST(OutlineFile, AMechanismMayHaveItsOwn) {
     const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "mechanism_outline";
     std::filesystem::create_directories(folder);
     const std::string name = (folder / "case.toml").string();
-    const std::string text = std::string(slope_text) + std::string(fit_text);
+    const std::string text = std::string(slope_text) + std::string(fit_text) + scene_of_mechanism();
     std::ofstream(folder / "slope.csv") << "x_m,y_m\n0,0\n14,0\n14,8\n6.6,8\n4.3,4\n2.3,4\n";
     const CaseFile file = parse_case(text, name);
     ASSERT_EQ(file.fit->mechanisms.size(), 2U);
