@@ -26,6 +26,9 @@ struct SceneNeed {
     CrackPath path;  // where it failed
 
     bool known() const { return critical.status < StrengthStatus::run_failed; }
+    bool failed() const {
+        return critical.status == StrengthStatus::found || critical.status == StrengthStatus::fails_however_strong;
+    }
     double strength() const;  // kPa; infinite where it fails however strong, 0 where it stands however weak
 };
 
