@@ -26,7 +26,11 @@ ContactForces::ContactForces(const Bodies& bodies, std::vector<double> unnoticed
       moved_(bodies.size(), 0),
       summed_(bodies.size(), 0) {}
 
-void ContactForces::renew(const ContactList& list) {
+// Not needed where all contacts are gone through in their order.
+void ContactForces::index(const ContactList& list) {
+    if (!std::exchange(list_is_new_, false)) {
+        return;
+    }
     begin_.assign(bodies_.size() + 1, 0);
     for (const RelaxationContact& contact : list.contact) {
         ++begin_[contact.block + 1];
@@ -41,7 +45,7 @@ void ContactForces::renew(const ContactList& list) {
         of_block_[next[list.contact[index].block]++] = index;
         of_block_[next[list.contact[index].other]++] = index;
     }
-    evaluated_.assign(list.contact.size(), round_);
+    evaluated_.assign(list.contact.size(), round_ - 1);
     divide(list);
     sum_all(list);
 }
@@ -157,10 +161,12 @@ std::size_t ContactForces::apply(const std::vector<Motion>& motion, const std::v
         if (team_.size() == 1) {
             return evaluate_and_sum(round, list);
         }
+        index(list);
         count = evaluate_all(round, list);
         sum_all(list);
         return count;
     }
+    index(list);
     for (const std::uint32_t block : moved_blocks_) {
         for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
             const std::uint32_t index = of_block_[entry];

@@ -33,7 +33,7 @@ class ContactForces {
     ContactForces(const Bodies& bodies, std::vector<double> unnoticed, Team& team);
 
     // To be called whenever the list of contacts is new.
-    void renew(const ContactList& list);
+    void renew() { list_is_new_ = true; }
 
     // Evaluates contacts of blocks that have moved since `seen` and sums up. `way`: of each block, since the start; no
     // point of it has come farther. Returns how many were evaluated.
@@ -68,6 +68,7 @@ class ContactForces {
     void sum_block(std::size_t block, const ContactList& list);
     BlockForce sum_of(std::size_t block, const ContactList& list) const;
     void divide(const ContactList& list);
+    void index(const ContactList& list);
 
     const Bodies& bodies_;
     Team& team_;
@@ -82,6 +83,7 @@ class ContactForces {
     std::vector<std::uint64_t> evaluated_ = {};  // round in which a contact was last evaluated
     std::vector<std::uint64_t> summed_ = {};     // round in which a block's forces were last added up
     std::uint64_t round_ = 0;
+    bool list_is_new_ = true;
 };
 
 }  // namespace delabole

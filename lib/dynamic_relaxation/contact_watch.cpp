@@ -62,6 +62,9 @@ void append(const ContactList& from, const ContactRange& range, ContactList& to)
     copy(from.memory, to.memory);
     copy(from.force, to.force);
     copy(from.open_until, to.open_until);
+    if (shift == 0) {
+        return;
+    }
     for (RelaxationContact& contact : std::span(to.contact).subspan(begin)) {
         contact.twin += contact.twin == no_twin ? 0 : shift;
     }
@@ -296,18 +299,25 @@ void ContactWatch::assemble(WatchState& state, ContactList& list) {
               [](const Replacement& one, const Replacement& two) { return one.pair < two.pair; });
     ContactList renewed = list_like(list);
     renewed.law = std::move(list.law);
-    auto next = replacement_.begin();
-    ContactRange range{0, 0};
-    for (std::size_t number = 0; number < state.pair.size(); ++number) {
-        range = contacts_of(number, state, list);
-        const auto begin = static_cast<std::uint32_t>(renewed.contact.size());
-        if (next != replacement_.end() && next->pair == number) {
-            replace(*next++, range, list, renewed);
-        } else {
-            append(list, range, renewed);
+    // Contacts between those that are replaced go over in one piece.
+    std::size_t taken = 0;
+    std::uint32_t shift = 0;  // modulo 2^32
+    std::size_t number = 0;
+    const auto shift_pairs_up_to = [&](std::size_t last) {
+        for (; number < last; ++number) {
+            state.pair[number].begin += shift;
         }
-        state.pair[number].begin = begin;
+    };
+    for (const Replacement& by : replacement_) {
+        const ContactRange range = contacts_of(by.pair, state, list);
+        append(list, {taken, range.begin}, renewed);
+        taken = range.end;
+        shift_pairs_up_to(by.pair + 1);
+        replace(by, range, list, renewed);
+        shift = static_cast<std::uint32_t>(renewed.contact.size()) - static_cast<std::uint32_t>(taken);
     }
+    append(list, {taken, list.contact.size()}, renewed);
+    shift_pairs_up_to(state.pair.size());
     list = std::move(renewed);
     list_changed_ = true;
     replacement_.clear();

@@ -81,7 +81,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, Relax
       bonds_(scene_, bodies_, settings_.viscous_damping, team_),
       contact_watch_(scene_, bodies_, settings_.viscous_damping) {
     prepare();
-    contact_forces_.renew(state_.contacts);
+    contact_forces_.renew();
     contact_watch_.resume(state_.watch, state_.contacts);
 }
 
@@ -301,7 +301,7 @@ bool Simulation::look_at_contacts() {
         state_.ledger.bonds -= hand_over(bonds_.list()[bond], bodies_, state_.motion, state_.contacts);
     }
     if (contact_watch_.list_changed()) {
-        contact_forces_.renew(state_.contacts);
+        contact_forces_.renew();
     }
     for (const std::uint32_t block : contact_watch_.changed_blocks()) {
         state_.seen[block] = never_seen();
