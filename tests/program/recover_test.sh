@@ -4,8 +4,8 @@
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 sliding() {
-    # The case with its first mechanism alone, and without candidates, which name inputs of the others.
-    awk '/^\[\[fit.mechanism\]\]/ { if (++count == 2) exit } /^\[/ { skip = /^\[\[fit.candidate/ } !skip' \
+    # The case with its first mechanism alone, and without candidates and conclusions, which name the others.
+    awk '/^\[\[fit.mechanism\]\]/ { if (++count == 2) exit } /^\[/ { skip = /^\[\[fit\.(candidate|conclusion)/ } !skip' \
         "$source_folder/cases/delabole_1967.toml"
 }
 sliding >sliding.toml
