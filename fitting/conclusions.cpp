@@ -1,6 +1,7 @@
 #include "fitting/conclusions.hpp"
 
 #include "fitting/comparison.hpp"
+#include "fitting/costly_runs.hpp"
 #include "fitting/estimate.hpp"
 #include "fitting/quantity_of_mechanism.hpp"
 #include "fitting/share.hpp"
@@ -94,9 +95,9 @@ class QuantityJudge {
             return finding;
         }
         const auto points = points_of(*fit, mechanism->model.costly);
-        std::vector<double> values = values_of(*quantity, points);
+        std::vector<double> values = values_of(*quantity, points, mechanism->model.costly);
         if (other) {
-            const std::vector<double> less = values_of(*other, points);
+            const std::vector<double> less = values_of(*other, points, mechanism->model.costly);
             std::ranges::transform(values, less, values.begin(), std::minus<>());
         }
         if (stop_requested(stop_)) {
@@ -107,12 +108,12 @@ class QuantityJudge {
     }
 
   private:
-    std::vector<double> values_of(const QuantityOfMechanism& quantity,
-                                  const std::vector<std::vector<double>>& points) const {
+    std::vector<double> values_of(const QuantityOfMechanism& quantity, const std::vector<std::vector<double>>& points,
+                                  bool costly) const {
         const Workers workers{problem_.settings.threads, problem_.settings.ranks};
         return share_tasks<double>(points.size(), workers, [&](std::size_t number) {
             const double value = stop_requested(stop_) ? nothing : quantity.at(points[number]);
-            progress_.count();
+            progress_.count(1, costly ? weight_of_run : 1);
             return value;
         });
     }
@@ -168,8 +169,9 @@ std::vector<ConclusionFinding> judge_conclusions(const FitProblem& problem, cons
                 const auto fit = std::ranges::find(result.mechanisms, claim->mechanism, &MechanismFit::name);
                 const auto mechanism = std::ranges::find(problem.mechanisms, claim->mechanism, &Mechanism::name);
                 if (fit != result.mechanisms.end()) {
-                    expected +=
-                        static_cast<long>(points_of(*fit, mechanism->model.costly).size()) * (claim->against ? 2 : 1);
+                    const bool costly = mechanism->model.costly;
+                    expected += static_cast<long>(points_of(*fit, costly).size()) * (claim->against ? 2 : 1) *
+                                (costly ? weight_of_run : 1);
                 }
             }
         }
