@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace delabole {
@@ -137,6 +138,9 @@ class EvaluationStore::Database {
     void check_layout();
     void close() { sqlite3_close(std::exchange(connection_, nullptr)); }
     void execute(const char* text) { demand(sqlite3_exec(connection_, text, nullptr, nullptr, nullptr)); }
+    // SQLite does not wait for others by itself where it turns a lock into a stronger one: two processes that open a
+    // new file at once.
+    void execute_patiently(const char* text);
     std::int64_t pragma(const char* text);
     void demand(int code) const;
     [[noreturn]] void refuse(const std::string& sentence) const { throw StoreError(path.string() + ' ' + sentence); }
@@ -187,6 +191,17 @@ void EvaluationStore::Database::demand(int code) const {
     }
 }
 
+void EvaluationStore::Database::execute_patiently(const char* text) {
+    constexpr auto pause = std::chrono::milliseconds(5);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(patience_milliseconds);
+    int code = sqlite3_exec(connection_, text, nullptr, nullptr, nullptr);
+    while (code == SQLITE_BUSY && std::chrono::steady_clock::now() < deadline) {
+        std::this_thread::sleep_for(pause);
+        code = sqlite3_exec(connection_, text, nullptr, nullptr, nullptr);
+    }
+    demand(code);
+}
+
 std::int64_t EvaluationStore::Database::pragma(const char* text) {
     Statement statement(*this, text);
     return statement.step() ? statement.integer(0) : 0;
@@ -209,7 +224,8 @@ void EvaluationStore::Database::open() {
         lay_out();
     }
     check_layout();
-    execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
+    execute_patiently("PRAGMA journal_mode = WAL");
+    execute("PRAGMA synchronous = NORMAL");
 }
 
 void EvaluationStore::Database::lay_out() {
