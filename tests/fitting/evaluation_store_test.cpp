@@ -335,5 +335,36 @@ TEST_F(EvaluationStoreTest, AFitFromTheStoreIsTheSameFit) {
     EXPECT_EQ(bits(first.mechanisms.at(0).best), bits(second.mechanisms.at(0).best));
 }
 
+// Each thread has a connection of its own, as a process would.
+TEST_F(EvaluationStoreTest, ManyMayOpenANewFileAtOnce) {
+    constexpr int files = 20;
+    constexpr int openers = 6;
+    for (int number = 0; number < files; ++number) {
+        const std::filesystem::path path = file().string() + std::to_string(number);
+        std::atomic<int> waiting = openers;
+        std::vector<std::string> faults(openers);
+        std::vector<std::thread> threads;
+        for (int opener = 0; opener < openers; ++opener) {
+            threads.emplace_back([&, opener] {
+                --waiting;
+                while (waiting > 0) {
+                    std::this_thread::yield();
+                }
+                try {
+                    const EvaluationStore store(path, "program");
+                } catch (const StoreError& error) {
+                    faults[static_cast<std::size_t>(opener)] = error.what();
+                }
+            });
+        }
+        for (std::thread& thread : threads) {
+            thread.join();
+        }
+        for (const std::string& fault : faults) {
+            ASSERT_EQ(fault, "");
+        }
+    }
+}
+
 }  // namespace
 }  // namespace delabole
