@@ -1,5 +1,6 @@
 #include "dynamic_relaxation/bonds.hpp"
 
+#include "dynamic_relaxation/by_block.hpp"
 #include "dynamic_relaxation/contact_law.hpp"
 
 #include <algorithm>
@@ -155,16 +156,8 @@ Bonds::Bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_
         return;
     }
     force_on_block_.resize(bodies.size());
-    std::vector<std::vector<std::uint32_t>> of_block(bodies.size());
-    for (std::uint32_t index = 0; index < bond_.size(); ++index) {
-        of_block[bond_[index].face.block].push_back(index);
-        of_block[bond_[index].face.other].push_back(index);
-    }
-    for (const std::vector<std::uint32_t>& bonds : of_block) {
-        begin_.push_back(static_cast<std::uint32_t>(of_block_.size()));
-        of_block_.insert(of_block_.end(), bonds.begin(), bonds.end());
-    }
-    begin_.push_back(static_cast<std::uint32_t>(of_block_.size()));
+    const auto blocks_of = [](const Bond& bond) { return std::pair(bond.face.block, bond.face.other); };
+    index_by_block(bodies.size(), bond_, blocks_of, begin_, of_block_);
 }
 
 std::span<const std::uint32_t> Bonds::of_block(std::size_t block) const {

@@ -1,5 +1,6 @@
 #include "dynamic_relaxation/contact_forces.hpp"
 
+#include "dynamic_relaxation/by_block.hpp"
 #include "dynamic_relaxation/contact_law.hpp"
 
 #include <algorithm>
@@ -31,20 +32,8 @@ void ContactForces::index(const ContactList& list) {
     if (!std::exchange(list_is_new_, false)) {
         return;
     }
-    begin_.assign(bodies_.size() + 1, 0);
-    for (const RelaxationContact& contact : list.contact) {
-        ++begin_[contact.block + 1];
-        ++begin_[contact.other + 1];
-    }
-    for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        begin_[block + 1] += begin_[block];
-    }
-    of_block_.resize(2 * list.contact.size());
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t index = 0; index < list.contact.size(); ++index) {
-        of_block_[next[list.contact[index].block]++] = index;
-        of_block_[next[list.contact[index].other]++] = index;
-    }
+    const auto blocks_of = [](const RelaxationContact& contact) { return contact.pair(); };
+    index_by_block(bodies_.size(), list.contact, blocks_of, begin_, of_block_);
     evaluated_.assign(list.contact.size(), round_ - 1);
     divide(list);
     sum_all(list);

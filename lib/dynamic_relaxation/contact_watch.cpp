@@ -1,5 +1,6 @@
 #include "dynamic_relaxation/contact_watch.hpp"
 
+#include "dynamic_relaxation/by_block.hpp"
 #include "dynamic_relaxation/neighbours.hpp"
 #include "dynamic_relaxation/time_step.hpp"
 
@@ -44,39 +45,6 @@ double middling_radius(const Bodies& bodies) {
 
 double speed_of(const Motion& motion, double radius) {
     return std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * radius;
-}
-
-template <class T>
-std::span<const T> part_of(const std::vector<T>& items, const ContactRange& range) {
-    return std::span<const T>(items).subspan(range.begin, range.size());
-}
-
-void append(const ContactList& from, const ContactRange& range, ContactList& to) {
-    const auto copy = [&](const auto& source, auto& target) {
-        const std::span part = part_of(source, range);
-        target.insert(target.end(), part.begin(), part.end());
-    };
-    const auto begin = static_cast<std::uint32_t>(to.contact.size());
-    const auto shift = begin - static_cast<std::uint32_t>(range.begin);  // modulo 2^32
-    copy(from.contact, to.contact);
-    copy(from.memory, to.memory);
-    copy(from.force, to.force);
-    copy(from.open_until, to.open_until);
-    if (shift == 0) {
-        return;
-    }
-    for (RelaxationContact& contact : std::span(to.contact).subspan(begin)) {
-        contact.twin += contact.twin == no_twin ? 0 : shift;
-    }
-}
-
-ContactList list_like(const ContactList& list) {
-    ContactList like;
-    like.contact.reserve(list.contact.size() + 64);
-    like.memory.reserve(list.contact.size() + 64);
-    like.force.reserve(list.contact.size() + 64);
-    like.open_until.reserve(list.contact.size() + 64);
-    return like;
 }
 
 }  // namespace
@@ -224,7 +192,7 @@ void ContactWatch::look(std::size_t number, double margin, const MovingScene& sc
     found_.contact.insert(found_.contact.end(), now_.contact.begin(), now_.contact.end());
     found_.law.insert(found_.law.end(), now_.law.begin(), now_.law.end());
     found_.memory.insert(found_.memory.end(), now_.memory.begin(), now_.memory.end());
-    replacement_.push_back({number, begin, found_.contact.size()});
+    replacement_.push_back({number, {begin, found_.contact.size()}});
     changed_blocks_.push_back(pair.first);
     changed_blocks_.push_back(pair.second);
 }
@@ -326,7 +294,7 @@ void ContactWatch::assemble(WatchState& state, ContactList& list) {
 
 void ContactWatch::replace(const Replacement& by, const ContactRange& range, const ContactList& list,
                            ContactList& renewed) {
-    const std::span<const RelaxationContact> now = part_of(found_.contact, {by.begin, by.end});
+    const std::span<const RelaxationContact> now = part_of(found_.contact, by.found);
     for (std::size_t index = range.begin; index < range.end; ++index) {
         const RelaxationContact& then = list.contact[index];
         if (std::none_of(now.begin(), now.end(), [&](const RelaxationContact& one) {
@@ -335,15 +303,7 @@ void ContactWatch::replace(const Replacement& by, const ContactRange& range, con
             dropped_.push_back({then, list.memory[index]});
         }
     }
-    const auto begin = static_cast<std::uint32_t>(renewed.contact.size());
-    for (std::size_t index = by.begin; index < by.end; ++index) {
-        RelaxationContact& contact = renewed.contact.emplace_back(found_.contact[index]);
-        contact.law = laws_.number_of(found_.law[index], renewed.law);
-        contact.twin += contact.twin == no_twin ? 0 : begin;
-        renewed.memory.push_back(found_.memory[index]);
-        renewed.force.emplace_back();
-        renewed.open_until.push_back(not_open);
-    }
+    append(found_, by.found, laws_, renewed);
 }
 
 void ContactWatch::renew_stable_steps(const MovingScene& scene, const Bonds& bonds,
@@ -377,20 +337,8 @@ void ContactWatch::renew_stable_steps(const MovingScene& scene, const Bonds& bon
 }
 
 void ContactWatch::index_pairs(const WatchState& state) {
-    begin_.assign(bodies_.size() + 1, 0);
-    for (const WatchedPair& pair : state.pair) {
-        ++begin_[pair.first + 1];
-        ++begin_[pair.second + 1];
-    }
-    for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        begin_[block + 1] += begin_[block];
-    }
-    of_block_.resize(2 * state.pair.size());
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t number = 0; number < state.pair.size(); ++number) {
-        of_block_[next[state.pair[number].first]++] = number;
-        of_block_[next[state.pair[number].second]++] = number;
-    }
+    const auto blocks_of = [](const WatchedPair& pair) { return BlockPair(pair.first, pair.second); };
+    index_by_block(bodies_.size(), state.pair, blocks_of, begin_, of_block_);
 }
 
 }  // namespace delabole

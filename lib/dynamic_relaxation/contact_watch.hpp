@@ -12,6 +12,7 @@
 
 #include "dynamic_relaxation/bonds.hpp"
 #include "dynamic_relaxation/contact_laws.hpp"
+#include "dynamic_relaxation/contact_list.hpp"
 #include "dynamic_relaxation/contacts.hpp"
 #include "dynamic_relaxation/pair_search.hpp"
 
@@ -78,11 +79,10 @@ class ContactWatch {
     double worst_overlap() const { return worst_overlap_; }  // of the pairs looked at, in shortest edges
 
   private:
-    // New contacts of a pair, in found_.
+    // New contacts of a pair.
     struct Replacement {
         std::size_t pair;
-        std::size_t begin;
-        std::size_t end;
+        ContactRange found;
     };
 
     double margin_of(const WatchedPair& pair, const MovingScene& scene, double step) const;

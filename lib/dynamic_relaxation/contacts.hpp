@@ -108,21 +108,6 @@ struct SearchOptions {
     std::span<const BlockPair> bonded = {};
 };
 
-// In the drawing: greatest distance by which a line along an edge of either block parts them; negative: least way out
-// of an overlap.
-double distance_between(const Bodies& bodies, std::size_t first, std::size_t second);
-
-struct ContactRange {
-    std::size_t begin;
-    std::size_t end;
-
-    std::size_t size() const { return end - begin; }
-};
-
-// The contacts of a pair in a list, of which those before `from` belong to lower pairs; where there are none, an empty
-// range before the first of a higher pair.
-ContactRange next_of_pair(const ContactList& list, std::size_t from, const BlockPair& pair);
-
 // All contacts nearer than the margin, by a search of the whole scene. In an order that depends on positions alone.
 // `previous` gives its memory to those that were contacts already. A run keeps its list up to date pair by pair
 // (contact_watch.hpp).

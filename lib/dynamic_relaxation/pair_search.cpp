@@ -33,6 +33,20 @@ constexpr double at_tip = 0.05;
 
 constexpr std::size_t unknown = static_cast<std::size_t>(-1);
 
+// Greatest distance by which the line of an edge parts a block's corners from the edge's block.
+template <class GapOf>
+double greatest_distance(const CornerRange& corners, const CornerRange& edges, const GapOf& gap_of) {
+    double greatest = -std::numeric_limits<double>::infinity();
+    for (std::size_t edge = edges.begin; edge < edges.end; ++edge) {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t corner = corners.begin; corner < corners.end; ++corner) {
+            least = std::min(least, gap_of(corner, edge));
+        }
+        greatest = std::max(greatest, least);
+    }
+    return greatest;
+}
+
 // In the drawing, below the line of the edge but outside another edge of the same block; or farther below than the
 // blocks overlap, as tips of blocks on the other side of a thin one are.
 bool beside(const Bodies& bodies, const RelaxationContact& contact, double shortest) {
@@ -53,6 +67,16 @@ bool beside(const Bodies& bodies, const RelaxationContact& contact, double short
 }
 
 }  // namespace
+
+double distance_between(const Bodies& bodies, std::size_t first, std::size_t second) {
+    const auto over_edges_of = [&](std::size_t other, std::size_t block) {
+        const PlanePoint<> between = bodies.centroid[block] - bodies.centroid[other];
+        return greatest_distance(bodies.range[block], bodies.range[other], [&](std::size_t corner, std::size_t edge) {
+            return bodies.normal(edge).dot(between + (bodies.corner[corner] - bodies.corner[edge]));
+        });
+    };
+    return std::max(over_edges_of(second, first), over_edges_of(first, second));
+}
 
 void PairContacts::clear() {
     contact.clear();
@@ -92,21 +116,13 @@ void PairSearch::place(std::uint32_t block, const std::vector<Motion>& motion, S
 }
 
 // Returns the greatest distance by which an edge of the other block parts them.
-double PairSearch::gaps_of(const Side& block, const Side& other, std::vector<double>& gaps) const {
-    const std::size_t corners = block.corner.size();
-    gaps.resize(corners * other.corner.size());
-    double greatest = -std::numeric_limits<double>::infinity();
-    for (std::size_t edge = 0; edge < other.corner.size(); ++edge) {
-        const PlanePoint<> normal = other.normal(edge);
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t corner = 0; corner < corners; ++corner) {
-            const double gap = normal.dot(block.corner[corner] - other.corner[edge]);
-            gaps[edge * corners + corner] = gap;
-            least = std::min(least, gap);
-        }
-        greatest = std::max(greatest, least);
-    }
-    return greatest;
+double PairSearch::measure(const Side& block, const Side& other, Gaps& gaps) {
+    gaps.corners = block.corner.size();
+    gaps.gap.resize(block.corner.size() * other.corner.size());
+    return greatest_distance(
+        {0, block.corner.size()}, {0, other.corner.size()}, [&](std::size_t corner, std::size_t edge) {
+            return gaps(corner, edge) = other.normal(edge).dot(block.corner[corner] - other.corner[edge]);
+        });
 }
 
 void PairSearch::find(const BlockPair& pair, const std::vector<Motion>& motion, double margin, bool first,
@@ -120,17 +136,18 @@ void PairSearch::find(const BlockPair& pair, const std::vector<Motion>& motion, 
     memory_ = memory;
     place(pair.first, motion, side_[0]);
     place(pair.second, motion, side_[1]);
-    const double distance = std::max(gaps_of(side_[0], side_[1], gaps_[0]), gaps_of(side_[1], side_[0], gaps_[1]));
+    const double distance = std::max(measure(side_[0], side_[1], gaps_[0]), measure(side_[1], side_[0], gaps_[1]));
     found.distance = std::max(0.0, distance);
     if (distance > margin + 3 * blend_way * shortest_) {
         return;
     }
-    for (std::size_t one = 0; one < 2; ++one) {
-        const Side& block = side_[one];
-        const Side& other = side_[1 - one];
-        for (std::size_t corner = 0; corner < block.corner.size(); ++corner) {
-            for (std::size_t edge = 0; edge < other.corner.size(); ++edge) {
-                add_corner(block, corner, other, edge, gaps_[one][edge * block.corner.size() + corner], found);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Gaps& gaps = gaps_[side];
+        for (std::size_t corner = 0; corner < side_[side].corner.size(); ++corner) {
+            for (std::size_t edge = 0; edge < side_[1 - side].corner.size(); ++edge) {
+                if (gaps(corner, edge) <= margin && gaps(corner, edge) >= -deepest * shortest_) {
+                    add_corner(side, corner, edge, found);
+                }
             }
         }
     }
@@ -138,35 +155,31 @@ void PairSearch::find(const BlockPair& pair, const std::vector<Motion>& motion, 
     remember(found, motion);
 }
 
-void PairSearch::add_corner(const Side& block, std::size_t corner, const Side& other, std::size_t edge, double gap,
-                            PairContacts& found) const {
-    if (gap > margin_ || gap < -deepest * shortest_) {
-        return;
-    }
+// `side`: that of the corner.
+void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t edge, PairContacts& found) const {
+    const Side& block = side_[side];
+    const Side& other = side_[1 - side];
+    const Gaps& gaps = gaps_[side];
     const std::size_t corner_number = block.begin + corner;
     const std::size_t edge_number = other.begin + edge;
     const double length = bodies_.length[edge_number];
     const PlanePoint<>& along = other.along[edge];
     const double position = along.dot(block.corner[corner] - other.corner[edge]);
     const double reach = margin_ + 3 * blend_way * shortest_;
-    if (position < -reach || position > length + reach) {
+    if (position < -reach || position > length + reach || !can_bear(block, corner, other, edge)) {
         return;
     }
-    const std::size_t before = block.before(corner);
-    const Directions faces{block.along[corner], -block.along[before]};
-    const PlanePoint<> normal = other.normal(edge);
-    const double dips = -std::min(faces.to_next.dot(normal), faces.to_previous.dot(normal));
-    if (!can_bear(corner_number, edge_number, dips)) {
-        return;
-    }
-    const double half = length / 2;
-    const End near = end_of(block, corner, other, edge, position < half, faces);
-    const End far = end_of(block, corner, other, edge, position >= half, faces);
+    const bool start_is_near = position < length / 2;
+    const std::size_t near = start_is_near ? other.before(edge) : other.after(edge);
+    const std::size_t far = start_is_near ? other.after(edge) : other.before(edge);
+    const bool near_bears = can_bear(block, corner, other, near);
     // Of a short edge the end farther off can be the one to which the corner is carried.
-    const bool far_counts = far.bears && far.depth < deepest * shortest_ && (!near.bears || far.depth < near.depth);
-    const bool at_start = (far_counts ? far : near).at_start;
-    const std::size_t beyond = other.begin + (far_counts ? far : near).beyond;
-    bool rival = far_counts || near.bears;
+    const bool far_counts = -gaps(corner, far) < deepest * shortest_ &&
+                            (!near_bears || gaps(corner, far) > gaps(corner, near)) &&
+                            can_bear(block, corner, other, far);
+    const bool at_start = start_is_near != far_counts;
+    const std::size_t beyond = other.begin + (far_counts ? far : near);
+    bool rival = far_counts || near_bears;
     const double from_end = at_start ? position : length - position;
     if (rival && std::abs(from_end) < at_tip * shortest_) {
         const double excess = dip_beyond_that_of(corner_number, edge_number, beyond, at_start);
@@ -175,10 +188,7 @@ void PairSearch::add_corner(const Side& block, std::size_t corner, const Side& o
         }
         rival = excess >= -clearly_less;
     }
-    // The face of the corner's block that lies on the edge is the one nearer to its direction.
-    const std::size_t face =
-        std::abs(faces.to_next.dot(normal)) < std::abs(faces.to_previous.dot(normal)) ? corner : before;
-    ContactLaw law = law_between(block, other, edge, face, faces.to_next.dot(along), faces.to_previous.dot(along));
+    ContactLaw law = law_between(block, corner, other, edge);
     if (rival) {
         const PlanePoint<>& one = bodies_.along[edge_number];
         const PlanePoint<>& two = bodies_.along[beyond];
@@ -190,21 +200,14 @@ void PairSearch::add_corner(const Side& block, std::size_t corner, const Side& o
     found.law.push_back(law);
 }
 
-PairSearch::End PairSearch::end_of(const Side& block, std::size_t corner, const Side& other, std::size_t edge,
-                                   bool at_start, const Directions& faces) const {
-    const std::size_t beyond = at_start ? other.before(edge) : other.after(edge);
-    const PlanePoint<> normal = other.normal(beyond);
-    const double dips = -std::min(faces.to_next.dot(normal), faces.to_previous.dot(normal));
-    return {at_start, beyond, can_bear(block.begin + corner, other.begin + beyond, dips),
-            -normal.dot(block.corner[corner] - other.corner[at_start ? edge : beyond])};
-}
-
-// `dips`: of the corner's faces below the edge, sine.
-bool PairSearch::can_bear(std::size_t corner, std::size_t edge, double dips) const {
+bool PairSearch::can_bear(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const {
+    const PlanePoint<> normal = other.normal(edge);
+    // Of the corner's faces below the edge, sine.
+    const double dips = std::max(-block.along[corner].dot(normal), block.along[block.before(corner)].dot(normal));
     if (dips <= lean || dips > lean_while_touching) {
         return dips <= lean;
     }
-    const std::size_t before = known(corner, edge);
+    const std::size_t before = known(block.begin + corner, other.begin + edge);
     return before != unknown && memory_[before].touching;
 }
 
@@ -248,9 +251,15 @@ RelaxationContact PairSearch::contact_of(std::size_t corner, std::size_t edge) c
     return contact;
 }
 
-// `next`, `previous`: of the corner's faces, along the edge.
-ContactLaw PairSearch::law_between(const Side& block, const Side& other, std::size_t edge, std::size_t face,
-                                   double next, double previous) const {
+ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const {
+    const PlanePoint<>& to_next = block.along[corner];
+    const PlanePoint<> to_previous = -block.along[block.before(corner)];
+    const PlanePoint<> normal = other.normal(edge);
+    // The face of the corner's block that lies on the edge is the one nearer to its direction.
+    const std::size_t face =
+        std::abs(to_next.dot(normal)) < std::abs(to_previous.dot(normal)) ? corner : block.before(corner);
+    const double next = to_next.dot(other.along[edge]);
+    const double previous = to_previous.dot(other.along[edge]);
     ContactLaw law{};
     // Over the end of an edge, a block that reaches back over it hands over to its twin; one that only touches the end
     // with a corner does not bear there at all.

@@ -23,6 +23,10 @@ struct PairContacts {
     void clear();
 };
 
+// In the drawing: greatest distance by which a line along an edge of either block parts them; negative: least way out
+// of an overlap.
+double distance_between(const Bodies& bodies, std::size_t first, std::size_t second);
+
 class PairSearch {
   public:
     PairSearch(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping);
@@ -45,29 +49,22 @@ class PairSearch {
         std::size_t after(std::size_t corner_number) const;
     };
 
-    struct End {
-        bool at_start;
-        std::size_t beyond;  // edge
-        bool bears;          // the corner could be on that one too
-        double depth;        // below it
-    };
+    // Of the corners of one above the edges of the other.
+    struct Gaps {
+        std::size_t corners = 0;
+        std::vector<double> gap = {};  // edge by edge
 
-    struct Directions {
-        PlanePoint<> to_next;  // of the corner's faces
-        PlanePoint<> to_previous;
+        double& operator()(std::size_t corner, std::size_t edge) { return gap[edge * corners + corner]; }
+        double operator()(std::size_t corner, std::size_t edge) const { return gap[edge * corners + corner]; }
     };
 
     void place(std::uint32_t block, const std::vector<Motion>& motion, Side& side) const;
-    double gaps_of(const Side& block, const Side& other, std::vector<double>& gaps) const;
-    void add_corner(const Side& block, std::size_t corner, const Side& other, std::size_t edge, double gap,
-                    PairContacts& found) const;
-    bool can_bear(std::size_t corner, std::size_t edge, double dips) const;
-    End end_of(const Side& block, std::size_t corner, const Side& other, std::size_t edge, bool at_start,
-               const Directions& faces) const;
+    static double measure(const Side& block, const Side& other, Gaps& gaps);
+    void add_corner(std::size_t side, std::size_t corner, std::size_t edge, PairContacts& found) const;
+    bool can_bear(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;
     double dip_beyond_that_of(std::size_t corner, std::size_t edge, std::size_t beyond, bool at_start) const;
     RelaxationContact contact_of(std::size_t corner, std::size_t edge) const;
-    ContactLaw law_between(const Side& block, const Side& other, std::size_t edge, std::size_t face, double next,
-                           double previous) const;
+    ContactLaw law_between(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;
     static double shared_length(const Side& block, std::size_t face, const Side& other, std::size_t edge,
                                 double length);
     void pair_twins(PairContacts& found) const;
@@ -82,7 +79,7 @@ class PairSearch {
     std::vector<double> residual_friction_ = {};
     // Of the pair:
     std::array<Side, 2> side_ = {};
-    std::array<std::vector<double>, 2> gaps_ = {};
+    std::array<Gaps, 2> gaps_ = {};
     double margin_ = 0;
     double shortest_ = 0;
     bool first_ = false;

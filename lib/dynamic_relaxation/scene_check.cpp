@@ -3,6 +3,7 @@
 #include "dynamic_relaxation/contact_law.hpp"
 #include "dynamic_relaxation/contacts.hpp"
 #include "dynamic_relaxation/neighbours.hpp"
+#include "dynamic_relaxation/pair_search.hpp"
 #include "dynamic_relaxation/shared_faces.hpp"
 #include "parameters/fields.hpp"
 
