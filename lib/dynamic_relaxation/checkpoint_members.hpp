@@ -57,7 +57,7 @@ DELABOLE_MEMBERS(Removal, block, time)
 DELABOLE_MEMBERS(Belt, speed, friction_angle)
 DELABOLE_MEMBERS(RelaxationScene, block, material, gravity, force, pressure, shaking, motion, removal, bond_material,
                  bond, belt)
-DELABOLE_MEMBERS(RelaxationSettings, step_fraction, time_step, viscous_damping, local_damping, kinetic_damping,
+DELABOLE_MEMBERS(RelaxationSettings, step_fraction, time_step, viscous_damping, local_damping, kinetic_damping, creep,
                  mass_scaling, start, ramp_time, consolidation_time, equilibrium_ratio, onset_rotation, onset_slide,
                  collapse_rotation, collapse_displacement, stop_at_onset, stop_at_equilibrium, duration, most_steps,
                  crack_opening, overlap_limit, threads)

@@ -1,4 +1,4 @@
-// The value of a parameter between standing and failing, by bisection over whole runs.
+// The value of a parameter between standing and failing, by bisection over runs.
 //
 // The answer is a bracket: one end stands, the other fails. Its width is the resolution, not the accuracy: stiffness
 // shifts the answer (simulation.hpp), and where runs are chaotic several changes may lie within the bounds, of which

@@ -2,6 +2,7 @@
 
 #include "dynamic_relaxation/contact_law.hpp"
 
+#include <Eigen/LU>
 #include <Eigen/SparseLU>
 
 #include <algorithm>
@@ -100,16 +101,16 @@ class Preload {
         }
     }
 
-    double solve(std::vector<Motion>& motion, ContactList& list) {
+    Preloaded solve(std::vector<Motion>& motion, ContactList& list) {
         if (free_blocks_.empty()) {
-            return 0;
+            return {0, motion};
         }
-        double ratio = approach(motion, list);
+        Preloaded found = approach(motion, list);
         // Peak strength goes one joint after the other, wherever it is reached.
-        while (ratio <= settings_.tolerance && break_spent(motion, list)) {
-            ratio = approach(motion, list);
+        while (found.ratio <= settings_.tolerance && break_spent(motion, list)) {
+            found = approach(motion, list);
         }
-        return ratio;
+        return found;
     }
 
   private:
@@ -132,8 +133,77 @@ class Preload {
         return any;
     }
 
-    double approach(std::vector<Motion>& motion, ContactList& list) {
+    Preloaded approach(std::vector<Motion>& motion, ContactList& list) {
+        // As stiff as the joints at first, so that no contact is left behind by a leap; then thinner as long as balance
+        // does not get much worse. Blocks may lose balance for a while before they jam. Leaps to where it is far worse,
+        // or over half of the way that is allowed, are not made: friction would keep what they leave behind, and could
+        // hold blocks that nothing holds.
+        constexpr double thinner = 1.6;
+        constexpr double thicker = 4;
+        constexpr double much_worse = 1.5;
+        constexpr double far_worse = 4;
+        constexpr double half_way = 0.5;
         const std::vector<Motion> start = motion;
+        stiffest_ = stiffest_joint(list);
+        double resistance = 1;
+        double ratio = assemble(motion, list);
+        Preloaded best{ratio, motion};
+        std::vector<ContactMemory> best_memory = list.memory;
+        bool improves = true;
+        for (int round = 0; round < most_rounds(); ++round) {
+            if (best.ratio <= settings_.finest || (best.ratio <= settings_.tolerance && !improves)) {
+                break;
+            }
+            const Eigen::VectorXd change = solve_linear(resistance);
+            if (!change.allFinite()) {
+                break;
+            }
+            const std::vector<Motion> motion_before = motion;
+            const std::vector<ContactMemory> memory_before = list.memory;
+            const double ratio_before = ratio;
+            const double come = share_of_limits(start, best.most_balanced, motion);
+            move(change, motion);
+            const double gone = share_of_limits(start, best.most_balanced, motion);
+            if (gone >= 1 && come > half_way) {
+                if (!creeps() || best.ratio <= settings_.tolerance) {
+                    break;
+                }
+                constexpr double just_within = 0.99;  // so that the run has only to show that they move on
+                move(-std::min(1.0, (gone - just_within) / (gone - come)) * change, motion);
+                assemble(motion, list);
+                settle(resistance, motion, list);
+                return best;
+            }
+            ratio = gone < 1 ? assemble(motion, list) : std::numeric_limits<double>::infinity();
+            if (creeps() && gone < 1 && ratio > settings_.tolerance) {
+                ratio = settle(resistance, motion, list);
+            }
+            if (!(ratio < far_worse * ratio_before)) {
+                motion = motion_before;
+                list.memory = memory_before;
+                ratio = assemble(motion, list);
+                resistance *= thicker;
+                continue;
+            }
+            improves = ratio < ratio_before / 2;
+            if (ratio < best.ratio) {
+                best = {ratio, motion};
+                best_memory = list.memory;
+            }
+            resistance =
+                std::max(ratio < much_worse * ratio_before ? resistance / thinner : resistance * thicker, 1e-13);
+        }
+        motion = best.most_balanced;
+        list.memory = best_memory;
+        return best;
+    }
+
+    // Large systems settle in the run for less than their equations cost.
+    int most_rounds() const {
+        return std::max(8, std::min(creeps() ? 2000 : 300, 40000 / static_cast<int>(1 + free_blocks_.size())));
+    }
+
+    double stiffest_joint(const ContactList& list) const {
         double stiffest = 0;
         for (const ContactLaw& law : list.law) {
             stiffest = std::max(stiffest, law.normal_stiffness);
@@ -141,39 +211,14 @@ class Preload {
         for (const Bond& bond : bonds_.list()) {
             stiffest = std::max(stiffest, bond.normal_stiffness);
         }
-        // As stiff as the joints at first, so that no contact is left behind by a leap; then thinner as long as balance
-        // does not get much worse. Blocks may lose balance for a while before they jam.
-        constexpr double thinner = 1.6;
-        constexpr double thicker = 4;
-        constexpr double much_worse = 1.5;
-        double resistance = 1;
-        double ratio = assemble(motion, list);
-        std::vector<Motion> best_motion = motion;
-        std::vector<ContactMemory> best_memory = list.memory;
-        double best = ratio;
-        // Large systems settle in the run for less than their equations cost.
-        const int most_rounds = std::max(8, std::min(300, 40000 / static_cast<int>(1 + free_blocks_.size())));
-        for (int round = 0; round < most_rounds && best > settings_.tolerance; ++round) {
-            const Eigen::VectorXd change = solve_linear(resistance * stiffest);
-            if (!change.allFinite()) {
-                break;
-            }
-            move(change, motion);
-            if (!(farthest(start, motion) < settings_.farthest)) {
-                break;
-            }
-            const double before = ratio;
-            ratio = assemble(motion, list);
-            if (ratio < best) {
-                best = ratio;
-                best_motion = motion;
-                best_memory = list.memory;
-            }
-            resistance = std::max(ratio < much_worse * before ? resistance / thinner : resistance * thicker, 1e-13);
-        }
-        motion = best_motion;
-        list.memory = best_memory;
-        return best;
+        return stiffest;
+    }
+
+    // A round too thick for blocks to creep: stiff joints only recover from the last one, which took a straight way.
+    double settle(double resistance, std::vector<Motion>& motion, ContactList& list) {
+        constexpr double thick = 1e-3;
+        move(solve_linear(std::max(resistance, thick)), motion);
+        return assemble(motion, list);
     }
 
     // Forces and tangents; the greatest unbalanced force over its block's load.
@@ -241,12 +286,17 @@ class Preload {
         }
     }
 
+    // `resistance`: as a share of the stiffest joint.
     Eigen::VectorXd solve_linear(double resistance) {
         for (Eigen::Index unknown = 0; unknown < unbalanced_.size(); ++unknown) {
-            entries_.emplace_back(unknown, unknown, resistance);
+            entries_.emplace_back(unknown, unknown, resistance * stiffest_);
         }
         Eigen::SparseMatrix<double> matrix(unbalanced_.size(), unbalanced_.size());
         matrix.setFromTriplets(entries_.begin(), entries_.end());
+        constexpr Eigen::Index small = 60;
+        if (unbalanced_.size() <= small) {
+            return Eigen::MatrixXd(matrix).partialPivLu().solve(unbalanced_);
+        }
         const Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(matrix);
         if (solver.info() != Eigen::Success) {
             return Eigen::VectorXd::Constant(unbalanced_.size(), std::numeric_limits<double>::infinity());
@@ -259,19 +309,33 @@ class Preload {
             const std::size_t block = free_blocks_[index];
             Motion& moved = motion[block];
             const Eigen::Index at = 3 * static_cast<Eigen::Index>(index);
-            moved.x += change(at);
-            moved.y += change(at + 1);
-            moved.set_angle(moved.angle + change(at + 2) / bodies_.radius[block]);
+            // About the centre of the turn, exact to second order: what rolls over its toe stays on it.
+            const double turn = change(at + 2) / bodies_.radius[block];
+            moved.x += change(at) - turn / 2 * change(at + 1);
+            moved.y += change(at + 1) + turn / 2 * change(at);
+            moved.set_angle(moved.angle + turn);
         }
     }
 
-    double farthest(const std::vector<Motion>& start, const std::vector<Motion>& motion) const {
-        double way = 0;
+    bool creeps() const { return settings_.creep_rotation > 0; }
+
+    // Up to 1 a motion is within the limits.
+    double share_of_limits(const std::vector<Motion>& start, const std::vector<Motion>& most_balanced,
+                           const std::vector<Motion>& motion) const {
+        double share = 0;
         for (const std::size_t block : free_blocks_) {
-            way = std::max(way, std::hypot(motion[block].x - start[block].x, motion[block].y - start[block].y) +
-                                    std::abs(motion[block].angle - start[block].angle) * bodies_.radius[block]);
+            const double radius = bodies_.radius[block];
+            const Motion& now = motion[block];
+            const Motion& then = start[block];
+            const double way = std::hypot(now.x - then.x, now.y - then.y) + std::abs(now.angle - then.angle) * radius;
+            share = std::max(share, way / settings_.farthest);
+            if (creeps()) {
+                const Motion& best = most_balanced[block];
+                share = std::max({share, std::abs(now.angle - best.angle) / settings_.creep_rotation,
+                                  std::hypot(now.x - best.x, now.y - best.y) / (settings_.creep_slide * radius)});
+            }
         }
-        return way;
+        return share;
     }
 
     const Bodies& bodies_;
@@ -283,13 +347,14 @@ class Preload {
     std::vector<Eigen::Index> unknown_;  // first of a block's three; none where it is held
     std::vector<Eigen::Triplet<double>> entries_ = {};
     Eigen::VectorXd unbalanced_ = {};
+    double stiffest_ = 0;
 };
 
 }  // namespace
 
-double preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
-               const PreloadSettings& settings, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
-               std::vector<Motion>& motion, ContactList& list) {
+Preloaded preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
+                  const PreloadSettings& settings, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
+                  std::vector<Motion>& motion, ContactList& list) {
     return Preload(bodies, held, loads, settings, bonds, bond_memory).solve(motion, list);
 }
 

@@ -12,19 +12,29 @@ namespace delabole {
 
 struct PreloadSettings {
     double tolerance;  // greatest unbalanced force over the load of its block
+    double finest;     // likewise; what is found is improved up to here as long as that takes few rounds
     double farthest;   // m; moves no point of any block by more than this
+    // Where no equilibrium is found, blocks are left where they have crept to when the first of them has come this far
+    // from the most balanced state met, not in that state. 0: they do not creep.
+    double creep_rotation;  // rad
+    double creep_slide;     // in radii
+};
+
+struct Preloaded {
+    double ratio;                       // unbalanced, of the most balanced state met
+    std::vector<Motion> most_balanced;  // motion there
 };
 
 // Lets blocks that are not held sink and lean, without inertia, to where springs and friction carry their loads (x
 // force, y force, moment of each), and sets the memories of the contacts. The laws are those of the run, over the same
-// geometry, so that what is found is an equilibrium of the run as well; where none is found within the limits, the most
-// balanced state met is kept, from which the run then moves.
+// geometry, so that what is found is an equilibrium of the run as well; where none is found within the limits, the run
+// starts from the most balanced state met, or farther on.
 //
 // Method: Newton's, over the tangents of the contacts (friction makes them unsymmetric), with a resistance to the
 // change of each round that fades as balance improves. It is the implicit integration of a motion without mass through
-// a thick fluid, with growing steps: it goes to stable equilibria only. Returns the unbalanced ratio reached.
-double preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
-               const PreloadSettings& settings, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
-               std::vector<Motion>& motion, ContactList& list);
+// a thick fluid, with growing steps: it goes to stable equilibria only.
+Preloaded preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
+                  const PreloadSettings& settings, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
+                  std::vector<Motion>& motion, ContactList& list);
 
 }  // namespace delabole

@@ -302,8 +302,9 @@ CriticalValue find_critical(const RelaxationStudy& study, const StudyWork& work,
     const CriticalRequest& request = *study.critical;
     const RelaxationScene scene = relaxation_scene(study);
     RelaxationSettings settings = settings_for(study, work, scene.block.size());
-    // What happens after onset does not matter to a search.
+    // What happens after onset does not matter to a search, nor how long it takes until then.
     settings.stop_at_onset = true;
+    settings.creep = true;
     settings.stop_at_equilibrium = true;
     const double tolerance = bracket_width(request);
     const double expected_runs = 2 + std::ceil(std::log2(std::max(2.0, (request.upper - request.lower) / tolerance)));

@@ -27,7 +27,10 @@ struct RelaxationSettings {
     double viscous_damping = 0.2;  // contact dashpots, share of critical; 0 to 2
     double local_damping = 0.2;    // share of the unbalanced force that opposes the velocity; 0 to below 1
     bool kinetic_damping = false;  // all velocities to zero at each peak of the kinetic energy
-    bool mass_scaling = false;     // light blocks have the inertia of heavy ones: for equilibria, not for motion
+    // A preloaded start without equilibrium is where blocks have crept to without inertia, just short of the thresholds
+    // of onset: for finding out whether they stand, not for motion.
+    bool creep = false;
+    bool mass_scaling = false;  // light blocks have the inertia of heavy ones: for equilibria, not for motion
 
     RelaxationStart start = RelaxationStart::preloaded;
     double ramp_time = 0;           // s; of a ramped start

@@ -111,23 +111,40 @@ void Simulation::prepare() {
     }
 }
 
+PreloadSettings Simulation::preload_settings() const {
+    PreloadSettings limits{};
+    limits.tolerance = settings_.equilibrium_ratio / 10;
+    limits.finest = rest_ratio() / 1000;
+    // Blocks that only jam once they have leaned a little move farther here than between two searches of the run.
+    limits.farthest = 5 * margin_;
+    if (settings_.creep && last_scheduled_time(scene_, settings_) <= 0) {
+        limits.creep_rotation = settings_.onset_rotation;
+        limits.creep_slide = settings_.onset_slide;
+        double largest = 0;
+        for (std::size_t block = 0; block < bodies_.size(); ++block) {
+            largest = held_[block] != 0 ? largest : std::max(largest, bodies_.radius[block]);
+        }
+        limits.farthest += std::min((limits.creep_rotation + limits.creep_slide) * largest, 20 * margin_);
+    }
+    return limits;
+}
+
 // Bonds that cannot bear the first loads break one after the other, the most overloaded first, while the rest finds its
 // balance; where it finds none, the run goes on with it.
 void Simulation::preload_springs() {
-    // Blocks that only jam once they have leaned a little move farther here than between two searches of the run.
-    const double reach = 10 * margin_;
-    const PreloadSettings limits{settings_.equilibrium_ratio / 10, reach / 2};
+    const PreloadSettings limits = preload_settings();
     apply_loads();
     std::vector<Eigen::Vector3d> loads;
     for (const BlockForce& load : load_) {
         loads.emplace_back(load.x, load.y, load.moment);
     }
     for (bool first = true;; first = false) {
-        preload_within(reach, first);
-        const double ratio =
+        preload_within(2 * limits.farthest, first);
+        const Preloaded found =
             preload(bodies_, held_, loads, limits, bonds_, state_.bond, state_.motion, state_.contacts);
+        state_.origin = found.most_balanced;
         const std::optional<std::size_t> worst = bonds_.worst_overloaded(state_.motion, state_.bond);
-        if (!worst || ratio > limits.tolerance) {
+        if (!worst || found.ratio > limits.tolerance) {
             return;
         }
         state_.bond[*worst].state = bonds_.state_of(*worst, state_.motion);
@@ -138,8 +155,9 @@ void Simulation::preload_springs() {
 void Simulation::begin() {
     if (settings_.start == RelaxationStart::preloaded) {
         preload_springs();
+    } else {
+        state_.origin = state_.motion;
     }
-    state_.origin = state_.motion;
     find_contacts_where_due();
     state_.ledger.bonds = 0;
     state_.elastic_at_start = bonds_.elastic_energy(state_.motion, state_.bond);

@@ -17,6 +17,8 @@
 
 namespace delabole {
 
+struct PreloadSettings;
+
 class Simulation {
   public:
     // The scene must be valid.
@@ -65,6 +67,7 @@ class Simulation {
     void hold_blocks();
     void follow_schedules();
     void break_bonds();
+    PreloadSettings preload_settings() const;
     void preload_springs();
     void book_springs_of_removed(std::size_t block);
     double fastest() const;  // m/s, no point of any block is faster

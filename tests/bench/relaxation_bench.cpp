@@ -88,6 +88,7 @@ template <class SceneAt>
 double bisect(double stands, double fails, double width, const SceneAt& scene_at) {
     RelaxationSettings settings;
     settings.stop_at_onset = true;
+    settings.creep = true;
     while (std::abs(fails - stands) > width) {
         const double middle = (stands + fails) / 2;
         const RelaxationResult result = relax(scene_at(middle), settings);
