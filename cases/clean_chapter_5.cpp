@@ -203,6 +203,7 @@ RelaxationScene clean_scene(const Chapter5Run& run, const std::vector<HockingBlo
                     scene.motion.push_back({.block = block,
                                             .velocity = {},
                                             .angular_velocity = rate,
+                                            .pivot = area_properties(scene.block[block].outline).centroid,
                                             .start = start,
                                             .duration = tilting.total / rate});
                 }

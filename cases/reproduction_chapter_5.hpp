@@ -50,8 +50,9 @@ struct OutcomeCount {
 OutcomeCount count_outcomes(const Chapter5Run& run, double unit, int runs);
 OutcomeCount count_clean_outcomes(const Chapter5Run& run, RelaxationStart start, double unit, int runs);
 std::string in_words(const OutcomeCount& count);
+int agreeing(PrintedOutcome printed, const OutcomeCount& count);
 
-// Every run's outcome beside the printed one, also for result.json.
+// Every run's outcome beside the printed one, also for result.json; where they differ, of shifted starts too.
 void add_outcomes(const std::string& what, const std::vector<Chapter5Run>& runs, Reproduction& result);
 
 Reproduction reproduce_fig_5_5(const ResultFolder& folder, Report& report);

@@ -109,6 +109,17 @@ TEST(Hocking, TiltedSingleBlock) {
     }
 }
 
+// 5.3.2 B: all printed outcomes but the last. Tilted from 18 deg instead of 18.2 the pair reaches 18.3 deg at rest.
+TEST(Hocking, TiltedTwoBlocks) {
+    std::vector<Chapter5Run> runs = double_tilting_runs(TiltedPart::base);
+    EXPECT_EQ(runs.back().printed, PrintedOutcome::fails);
+    EXPECT_EQ(run(runs.back()).outcome, HockingOutcome::settled);
+    runs.pop_back();
+    for (const Chapter5Run& one : runs) {
+        EXPECT_EQ(run(one).outcome == HockingOutcome::settled, one.printed == PrintedOutcome::stands) << one.name;
+    }
+}
+
 TEST(Hocking, TwoBlocksStandAsPrinted) {
     const std::vector<Chapter5Run> runs = double_fixed_runs();
     EXPECT_EQ(run(runs[0]).outcome, HockingOutcome::settled);

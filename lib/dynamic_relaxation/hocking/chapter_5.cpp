@@ -67,6 +67,7 @@ constexpr double longest_drawn = 80;  // deg, where runs that are drawn and coun
 
 Chapter5Run tilted(int count, TiltedPart part, double from, double to, int consolidation, int every) {
     Chapter5Run made = equal_run(count, 3, from, double_friction, 20000);
+    made.columns.base_height = part == TiltedPart::base ? inch : made.columns.base_height;
     made.name = in_degrees(from) + " to " + in_degrees(to) + ", every " + std::to_string(every) + " cycles";
     // 0.1 deg in 1000 cycles for 10, in 2000 for 20.
     made.settings.tilting = HockingTilting{part, consolidation, every, degrees(1e-3), degrees(to - from)};
@@ -141,6 +142,7 @@ Chapter5Run horizontal_start_run(TiltedPart part, int cycles_per_degree) {
     constexpr int consolidation = 500;
     constexpr int most_tilt = 25;  // deg
     Chapter5Run made = equal_run(1, 3, 0, double_friction, consolidation + cycles_per_degree * (most_tilt + 5));
+    made.columns.base_height = part == TiltedPart::base ? inch : made.columns.base_height;
     made.name = std::to_string(cycles_per_degree) + " cycles for a degree";
     made.settings.tilting =
         HockingTilting{part, consolidation, 1, degrees(1.0 / cycles_per_degree), degrees(most_tilt)};

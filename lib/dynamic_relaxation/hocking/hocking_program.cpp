@@ -404,15 +404,8 @@ class Program {
             gravity_turn_ = tilt_;
             return;
         }
-        const double cosine = std::cos(change);
-        const double sine = std::sin(change);
         for (Body& body : bodies_) {
-            if (body.fixed) {
-                const double x = body.x;
-                body.x = x * cosine - body.y * sine;
-                body.y = x * sine + body.y * cosine;
-                body.angle += change;
-            }
+            body.angle += body.fixed ? change : 0;
         }
     }
 

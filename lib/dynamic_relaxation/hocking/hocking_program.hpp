@@ -70,7 +70,8 @@ constexpr std::array<std::string_view, 2> enum_names(TiltedPart) {
 }
 
 // Small increments of tilt at regular cycles. The thesis does not say what was turned: gravity, which amounts to
-// turning the whole model, or the fixed blocks, about the origin, under the others.
+// turning the whole model, or the fixed blocks under the others, each about its own centroid, which takes one statement
+// in the listing.
 struct HockingTilting {
     TiltedPart part = TiltedPart::gravity;
     int begin = 0;         // first cycle after which the tilt may change
