@@ -103,13 +103,14 @@ class Preload {
 
     Preloaded solve(std::vector<Motion>& motion, ContactList& list) {
         if (free_blocks_.empty()) {
-            return {0, motion};
+            return {0, motion, 0};
         }
         Preloaded found = approach(motion, list);
         // Peak strength goes one joint after the other, wherever it is reached.
         while (found.ratio <= settings_.tolerance && break_spent(motion, list)) {
             found = approach(motion, list);
         }
+        found.contacts_evaluated = contacts_evaluated_;
         return found;
     }
 
@@ -147,7 +148,7 @@ class Preload {
         stiffest_ = stiffest_joint(list);
         double resistance = 1;
         double ratio = assemble(motion, list);
-        Preloaded best{ratio, motion};
+        Preloaded best{ratio, motion, 0};
         std::vector<ContactMemory> best_memory = list.memory;
         bool improves = true;
         for (int round = 0; round < most_rounds(); ++round) {
@@ -187,7 +188,8 @@ class Preload {
             }
             improves = ratio < ratio_before / 2;
             if (ratio < best.ratio) {
-                best = {ratio, motion};
+                best.ratio = ratio;
+                best.most_balanced = motion;
                 best_memory = list.memory;
             }
             resistance =
@@ -232,6 +234,7 @@ class Preload {
                 loads_[block].cwiseProduct(lengths_of(block));
         }
         entries_.clear();
+        contacts_evaluated_ += list.contact.size();
         for (std::size_t index = 0; index < list.contact.size(); ++index) {
             const RelaxationContact& contact = list.contact[index];
             const double touching =
@@ -348,6 +351,7 @@ class Preload {
     std::vector<Eigen::Triplet<double>> entries_ = {};
     Eigen::VectorXd unbalanced_ = {};
     double stiffest_ = 0;
+    std::uint64_t contacts_evaluated_ = 0;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <vector>
 
 namespace delabole {
@@ -23,6 +24,7 @@ struct PreloadSettings {
 struct Preloaded {
     double ratio;                       // unbalanced, of the most balanced state met
     std::vector<Motion> most_balanced;  // motion there
+    std::uint64_t contacts_evaluated;
 };
 
 // Lets blocks that are not held sink and lean, without inertia, to where springs and friction carry their loads (x
