@@ -1,6 +1,7 @@
 // The blocks of a scene as the main loop wants them: what does not change, and how each has moved.
 #pragma once
 
+#include "dynamic_relaxation/lanes.hpp"
 #include "dynamic_relaxation/scene.hpp"
 
 #include <cstddef>
@@ -52,32 +53,51 @@ Bodies make_bodies(const RelaxationScene& scene);
 // rock. Known as mass or density scaling (Cundall 1982).
 void scale_masses(Bodies& bodies);
 
+// On a block. A row of four numbers.
+template <class Number>
+struct alignas(4 * sizeof(double)) BlockForceOf {
+    Number x{};       // N/m
+    Number y{};       // N/m
+    Number moment{};  // N, about the centroid
+    Number unused{};
+};
+
+using BlockForce = BlockForceOf<double>;
+
+// Of a turn by an angle; true, and right to the last digits, where its square is below 1e-4.
+template <class Number>
+DELABOLE_INLINED MaskOf<Number> small_turn(const Number& angle, Number& sine, Number& versine) {
+    const Number square = angle * angle;
+    // The series end where the next term is below rounding.
+    sine = angle * (1.0 - square * (1.0 / 6) * (1.0 - square * (1.0 / 20) * (1.0 - square * (1.0 / 42))));
+    versine = square * 0.5 * (1.0 - square * (1.0 / 12) * (1.0 - square * (1.0 / 30) * (1.0 - square * (1.0 / 56))));
+    return square < 1e-4;
+}
+
 // One block's motion since the drawing, and its velocity half a step ago. Displacements instead of positions: the
 // overlap of stiff joints would drown in the rounding of coordinates. One cache line, because contacts visit blocks at
 // random.
-struct alignas(64) Motion {
-    double x = 0;        // m, of the centroid
-    double y = 0;        // m
-    double angle = 0;    // rad, anticlockwise
-    double sine = 0;     // of the angle
-    double versine = 0;  // 1 - cosine, without cancellation
-    double vx = 0;
-    double vy = 0;
-    double spin = 0;  // rad/s
+template <class Number>
+struct MotionOf {
+    Number x{};        // m, of the centroid
+    Number y{};        // m
+    Number sine{};     // of the angle
+    Number versine{};  // 1 - cosine, without cancellation
+    Number vx{};
+    Number vy{};
+    Number spin{};   // rad/s
+    Number angle{};  // rad, anticlockwise
+};
 
+struct alignas(64) Motion : MotionOf<double> {
     // Displacement of a point of the block by rotation alone.
     PlanePoint<> turned_by(const PlanePoint<>& point) const {
         return {-versine * point.x() - sine * point.y(), sine * point.x() - versine * point.y()};
     }
     PlanePoint<> turned(const PlanePoint<>& point) const { return point + turned_by(point); }
     void set_angle(double value) {
-        const double square = value * value;
-        if (square < 1e-4) {
-            angle = value;
-            // The series end where the next term is below rounding.
-            sine = value * (1 - square * (1.0 / 6) * (1 - square * (1.0 / 20) * (1 - square * (1.0 / 42))));
-            versine = square * 0.5 * (1 - square * (1.0 / 12) * (1 - square * (1.0 / 30) * (1 - square * (1.0 / 56))));
-        } else {
+        angle = value;
+        if (!small_turn(value, sine, versine)) {
             set_large_angle(value);
         }
     }

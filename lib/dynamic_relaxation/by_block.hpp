@@ -9,11 +9,11 @@ namespace delabole {
 
 // `blocks_of` gives the two blocks of an item. The numbers of a block's items, in increasing order, are begin[block] to
 // begin[block + 1] in of_block.
-template <class Item, class BlocksOf>
-void index_by_block(std::size_t blocks, const std::vector<Item>& items, const BlocksOf& blocks_of,
+template <class Items, class BlocksOf>
+void index_by_block(std::size_t blocks, const Items& items, const BlocksOf& blocks_of,
                     std::vector<std::uint32_t>& begin, std::vector<std::uint32_t>& of_block) {
     begin.assign(blocks + 1, 0);
-    for (const Item& item : items) {
+    for (const auto& item : items) {
         const auto [one, other] = blocks_of(item);
         ++begin[one + 1];
         ++begin[other + 1];

@@ -62,8 +62,8 @@ class CheckpointWriter {
             put(*value);
         }
     }
-    template <class T>
-    void put(const std::vector<T>& items) {
+    template <class T, class Allocator>
+    void put(const std::vector<T, Allocator>& items) {
         put(static_cast<std::uint64_t>(items.size()));
         for (const T& item : items) {
             put(item);
@@ -146,8 +146,8 @@ class CheckpointReader {
             get(value.emplace());
         }
     }
-    template <class T>
-    void get(std::vector<T>& items) {
+    template <class T, class Allocator>
+    void get(std::vector<T, Allocator>& items) {
         std::uint64_t count = 0;
         get(count);
         // Before anything is allocated.

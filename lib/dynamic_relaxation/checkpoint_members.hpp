@@ -23,12 +23,12 @@ concept IsMaybeConst = std::same_as<std::remove_const_t<T>, Struct>;
         return std::tie(__VA_ARGS__);      \
     }
 
-DELABOLE_MEMBERS(Motion, x, y, angle, sine, versine, vx, vy, spin)
+DELABOLE_MEMBERS(Motion, x, y, sine, versine, vx, vy, spin, angle)
 DELABOLE_MEMBERS(ContactLaw, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, normal_stiffness,
                  shear_stiffness, normal_dashpot, shear_dashpot, friction, residual_friction, cohesion, tension)
-DELABOLE_MEMBERS(RelaxationContact, block, other, corner, edge, twin, law, arm, other_arm, along, gap, from_start,
-                 to_end)
-DELABOLE_MEMBERS(ContactMemory, shear, place, overlap, slip, friction, damping, normal_drag, shear_drag, shortened,
+DELABOLE_MEMBERS(RelaxationContact, arm, other_arm, along, gap, from_start, to_end, block, other, corner, edge, twin,
+                 law)
+DELABOLE_MEMBERS(ContactMemory, shear, place, damping, overlap, normal_drag, shear_drag, slip, friction, shortened,
                  touching, sliding, broken, beneath)
 DELABOLE_MEMBERS(ForceOnCorner, x, y, moment, other_moment)
 DELABOLE_MEMBERS(ContactList, contact, law, memory, force, open_until)

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "dynamic_relaxation/bodies.hpp"
+#include "dynamic_relaxation/contact_sweep.hpp"
 #include "dynamic_relaxation/contacts.hpp"
 #include "dynamic_relaxation/team.hpp"
 
@@ -14,12 +15,6 @@
 #include <vector>
 
 namespace delabole {
-
-struct BlockForce {
-    double x = 0;
-    double y = 0;
-    double moment = 0;  // about the centroid
-};
 
 struct SeenPose {
     double x = 0;
@@ -44,26 +39,9 @@ class ContactForces {
     const std::vector<BlockForce>& on_blocks() const { return force_; }
 
   private:
-    void notice(const std::vector<Motion>& motion, std::vector<SeenPose>& seen);
-    // What a round works on.
-    struct Round {
-        const std::vector<Motion>& motion;
-        const std::vector<double>& way;
-        double step;
-    };
-
-    static ForceOnCorner evaluate(std::size_t index, const Round& round, ContactList& list);
-    static bool stays_open(std::size_t index, const Round& round, const ContactList& list) {
-        const RelaxationContact& contact = list.contact[index];
-        return round.way[contact.block] + round.way[contact.other] <= list.open_until[index];
-    }
-    bool concerned(const RelaxationContact& contact) const {
-        return moved_[contact.block] != 0 || moved_[contact.other] != 0;
-    }
-    std::size_t evaluate_part(std::size_t begin, std::size_t end, const Round& round, ContactList& list) const;
-    std::size_t evaluate_all(const Round& round, ContactList& list);
-    std::size_t evaluate_and_sum(const Round& round, ContactList& list);
-    void add(const RelaxationContact& contact, const ForceOnCorner& force);
+    // Returns whether all blocks that are not fixed have moved.
+    bool notice(const std::vector<Motion>& motion, std::vector<SeenPose>& seen);
+    std::size_t evaluate_all(const ContactSweep& sweep);
     void sum_all(const ContactList& list);
     void sum_block(std::size_t block, const ContactList& list);
     BlockForce sum_of(std::size_t block, const ContactList& list) const;

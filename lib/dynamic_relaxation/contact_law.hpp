@@ -11,86 +11,170 @@
 #pragma once
 
 #include "dynamic_relaxation/contacts.hpp"
+#include "dynamic_relaxation/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace delabole {
 
-// Where a corner is over an edge, and how it moves.
-struct ContactPosition {
-    double normal_x;
-    double normal_y;
-    double gap;
-    double slide;     // along the edge, since the drawing
-    double position;  // along the edge from its start
-    double arm_x;     // from the block's centroid to the corner
-    double arm_y;
-    double other_arm_x;  // from the other's centroid to the corner
-    double other_arm_y;
+// Where a corner is over an edge, and how it moves. Number: double, or Lanes for four contacts at once.
+template <class Number>
+struct ContactPositionOf {
+    Number normal_x;
+    Number normal_y;
+    Number gap;
+    Number slide;     // along the edge, since the drawing
+    Number position;  // along the edge from its start
+    Number arm_x;     // from the block's centroid to the corner
+    Number arm_y;
+    Number other_arm_x;  // from the other's centroid to the corner
+    Number other_arm_y;
 
-    double along_x() const { return -normal_y; }
-    double along_y() const { return normal_x; }
+    [[gnu::always_inline]] Number along_x() const { return -normal_y; }
+    [[gnu::always_inline]] Number along_y() const { return normal_x; }
 };
 
-[[gnu::always_inline]] inline ContactPosition locate(const RelaxationContact& contact, const Motion& block,
-                                                     const Motion& other) {
+using ContactPosition = ContactPositionOf<double>;
+
+template <class Number>
+DELABOLE_INLINED ContactPositionOf<Number> locate(const ContactShape<Number>& contact, const MotionOf<Number>& block,
+                                                  const MotionOf<Number>& other) {
     // Sums are so ordered that nothing has to be negated.
-    const double back_x = block.versine * contact.arm.x() + block.sine * contact.arm.y();
-    const double turned_y = block.sine * contact.arm.x() - block.versine * contact.arm.y();
-    const double carried_back_x = other.versine * contact.other_arm.x() + other.sine * contact.other_arm.y();
-    const double carried_y = other.sine * contact.other_arm.x() - other.versine * contact.other_arm.y();
+    const Number back_x = block.versine * contact.arm_x + block.sine * contact.arm_y;
+    const Number turned_y = block.sine * contact.arm_x - block.versine * contact.arm_y;
+    const Number carried_back_x = other.versine * contact.other_arm_x + other.sine * contact.other_arm_y;
+    const Number carried_y = other.sine * contact.other_arm_x - other.versine * contact.other_arm_y;
     // From where the other block has carried the corner's place in the drawing to the corner. Only changes are added
     // up: the overlap keeps its digits however far away the origin is.
-    const double change_x = (block.x - other.x) + (carried_back_x - back_x);
-    const double change_y = (block.y - other.y) + (turned_y - carried_y);
-    const double along_x = contact.along.x() - (other.versine * contact.along.x() + other.sine * contact.along.y());
-    const double along_y = contact.along.y() - (other.versine * contact.along.y() - other.sine * contact.along.x());
-    ContactPosition at;
+    const Number change_x = (block.x - other.x) + (carried_back_x - back_x);
+    const Number change_y = (block.y - other.y) + (turned_y - carried_y);
+    const Number along_x = contact.along_x - (other.versine * contact.along_x + other.sine * contact.along_y);
+    const Number along_y = contact.along_y - (other.versine * contact.along_y - other.sine * contact.along_x);
+    ContactPositionOf<Number> at;
     at.normal_x = along_y;
     at.normal_y = -along_x;
     at.gap = contact.gap + (along_y * change_x - along_x * change_y);
     at.slide = along_x * change_x + along_y * change_y;
     at.position = contact.from_start + at.slide;
-    at.arm_x = contact.arm.x() - back_x;
-    at.arm_y = contact.arm.y() + turned_y;
-    at.other_arm_x = contact.other_arm.x() - carried_back_x + change_x;
-    at.other_arm_y = contact.other_arm.y() + carried_y + change_y;
+    at.arm_x = contact.arm_x - back_x;
+    at.arm_y = contact.arm_y + turned_y;
+    at.other_arm_x = contact.other_arm_x - carried_back_x + change_x;
+    at.other_arm_y = contact.other_arm_y + carried_y + change_y;
     return at;
 }
 
-inline double contact_weight(const ContactLaw& law, const RelaxationContact& contact, const ContactPosition& at) {
-    const double overlap = -at.gap;
+DELABOLE_INLINED ContactPosition locate(const RelaxationContact& contact, const Motion& block, const Motion& other) {
+    return locate<double>(contact.shape(), block, other);
+}
+
+template <class Number>
+DELABOLE_INLINED Number contact_weight(const ContactLawOf<Number>& law, const Number& length_to_end,
+                                       const ContactPositionOf<Number>& at) {
+    const Number overlap = -at.gap;
     // A ramp is no steeper than the overlap allows: a weight that changed faster would be a stiffer spring. Where a
     // corner does not bear at an end, it begins to bear half as far from it as it is deep: a point on a point holds.
-    const auto ramp = [&](double depth, double rise) {
-        return depth * law.inverse_blend > rise ? rise / depth : law.inverse_blend;
+    constexpr double least_rise = 0.5;
+    const bool deep = any(overlap * law.inverse_blend > least_rise);
+    const auto ramp = [&](const Number& depth, const Number& rise) {
+        return deep ? select(depth * law.inverse_blend > rise, rise / depth, law.inverse_blend) : law.inverse_blend;
     };
     // 1 for a weight that begins at -0.5, and 0.5 for one that begins at 0.5.
-    const auto rise_from = [](double least) { return 0.75 - 0.5 * least; };
-    const double to_end = contact.to_end - at.slide;
-    const double at_start = law.start_weight + at.position * ramp(overlap, rise_from(law.start_weight));
-    const double at_end = law.end_weight + to_end * ramp(overlap, rise_from(law.end_weight));
-    double weight = std::min(at_start, at_end);
-    if (law.rival != 0) {
+    const auto rise_from = [](const Number& least) { return 0.75 - 0.5 * least; };
+    const Number to_end = length_to_end - at.slide;
+    const Number at_start = law.start_weight + at.position * ramp(overlap, rise_from(law.start_weight));
+    const Number at_end = law.end_weight + to_end * ramp(overlap, rise_from(law.end_weight));
+    Number weight = lesser(at_start, at_end);
+    const auto has_rival = law.rival != Number{};
+    if (any(has_rival)) {
         // With t the way from the common end, the rival's overlap and the way along it.
-        const double t = law.rival > 0 ? at.position : to_end;
-        const double other_overlap = t * law.rival_sine - overlap * law.rival_cosine;
-        const double other_way = t * law.rival_cosine + overlap * law.rival_sine;
-        weight = std::min(
-            weight, 0.5 + ramp(std::min(overlap, other_overlap), 0.5) * std::max(other_overlap - overlap, -other_way));
+        const Number t = select(law.rival > Number{}, at.position, to_end);
+        const Number other_overlap = t * law.rival_sine - overlap * law.rival_cosine;
+        const Number other_way = t * law.rival_cosine + overlap * law.rival_sine;
+        const Number half = Number{} + 0.5;
+        const Number against = lesser(
+            weight, half + ramp(lesser(overlap, other_overlap), half) * greater(other_overlap - overlap, -other_way));
+        weight = select(has_rival, against, weight);
     }
-    return std::min(std::max(weight, 0.0), 1.0);
+    return lesser(greater(weight, Number{}), Number{} + 1.0);
+}
+
+inline double contact_weight(const ContactLaw& law, const RelaxationContact& contact, const ContactPosition& at) {
+    return contact_weight<double>(law, contact.to_end, at);
+}
+
+// How fast a corner leaves its edge and moves along it, m/s.
+template <class Number>
+struct ContactVelocity {
+    Number opening;
+    Number shearing;
+};
+
+template <class Number>
+DELABOLE_INLINED ContactVelocity<Number> velocity_of(const ContactPositionOf<Number>& at, const MotionOf<Number>& block,
+                                                     const MotionOf<Number>& other) {
+    const Number x = (block.vx - other.vx) - (block.spin * at.arm_y - other.spin * at.other_arm_y);
+    const Number y = (block.vy - other.vy) + (block.spin * at.arm_x - other.spin * at.other_arm_x);
+    return {at.normal_x * x + at.normal_y * y, at.along_x() * x + at.along_y() * y};
+}
+
+// A corner that bears: slips as far as its strength demands, and its dashpots act. The shear spring has followed the
+// corner already. `damping`: dissipated so far, with what the drags of the last step did up to now.
+template <class Number>
+DELABOLE_INLINED ForceOnCornerOf<Number> bear(const ContactLawOf<Number>& law, const ContactPositionOf<Number>& at,
+                                              const ContactVelocity<Number>& velocity, const Number& weight,
+                                              const Number& force_before, const Number& damping,
+                                              const double& half_step, ContactMemoryOf<Number>& memory) {
+    memory.place = at.slide;
+    memory.overlap = -at.gap;
+    const Number normal = law.normal_stiffness * memory.overlap;
+    const Number pressing = greater(normal, Number{});
+    const Number residual = pressing * law.residual_friction;
+    const Number strength = select(memory.broken, residual, pressing * law.friction + law.cohesion);
+    const Number held_by_spring = -law.shear_stiffness * memory.shear;
+    memory.sliding = absolute(held_by_spring) > strength;
+    const Number held_with_dashpot = law.shear_dashpot * velocity.shearing;
+    Number shear = held_by_spring - held_with_dashpot;
+    Number shear_drag = -weight * held_with_dashpot;
+    if (any(memory.sliding)) {
+        const Number held = with_sign(residual, held_by_spring);
+        const Number slipped = (held - held_by_spring) / law.shear_stiffness;
+        // A first slip also sets free what the spring held beyond the residual strength.
+        const Number mean_force = (select(memory.broken, lesser(force_before, strength), strength) + residual) * 0.5;
+        memory.friction =
+            select(memory.sliding, memory.friction + weight * mean_force * absolute(slipped), memory.friction);
+        memory.slip = select(memory.sliding, memory.slip + slipped, memory.slip);
+        memory.shear = select(memory.sliding, memory.shear - slipped, memory.shear);
+        shear = select(memory.sliding, held, shear);
+        shear_drag = select(memory.sliding, Number{}, shear_drag);
+        memory.broken = memory.broken | memory.sliding;
+    }
+    const Number damped = greater(normal - law.normal_dashpot * velocity.opening, lesser(normal, Number{}));
+    memory.normal_drag = weight * (damped - normal);
+    memory.shear_drag = shear_drag;
+    memory.damping = damping - half_step * (memory.normal_drag * velocity.opening + shear_drag * velocity.shearing);
+    ForceOnCornerOf<Number> force;
+    force.x = weight * (at.normal_x * damped + at.along_x() * shear);
+    force.y = weight * (at.normal_y * damped + at.along_y() * shear);
+    force.moment = at.arm_x * force.y - at.arm_y * force.x;
+    force.other_moment = at.other_arm_y * force.x - at.other_arm_x * force.y;
+    return force;
+}
+
+// Dissipated until now, where both drags have acted since the last step. A drag acts half a step on both sides of its
+// moment: the books count half with each velocity.
+template <class Number>
+DELABOLE_INLINED Number damping_until_now(const ContactMemoryOf<Number>& memory,
+                                          const ContactVelocity<Number>& velocity, const double& half_step) {
+    return memory.damping - half_step * (memory.normal_drag * velocity.opening + memory.shear_drag * velocity.shearing);
 }
 
 // Advances the memory by one step and gives the force at its end. Velocities are those that led here, half a step ago.
 // `memories`: of all contacts, among them the twin's. `open_by`, m: how far the corner is from touching, where it has
 // not touched before; else it is left alone.
-// Called once in the innermost loop: a result that goes through memory there costs a third more.
-[[gnu::always_inline]] inline ForceOnCorner advance_contact(const ContactLaw& law, const RelaxationContact& contact,
-                                                            ContactMemory& memory, const ContactMemory* memories,
-                                                            const Motion& block, const Motion& other, double step,
-                                                            double& open_by) {
+DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const RelaxationContact& contact,
+                                               ContactMemory& memory, const ContactMemory* memories,
+                                               const Motion& block, const Motion& other, double step, double& open_by) {
     const ContactPosition at = locate(contact, block, other);
     const double overlap = -at.gap;
     if (!memory.touching) {
@@ -106,13 +190,8 @@ inline double contact_weight(const ContactLaw& law, const RelaxationContact& con
         }
         memory.beneath = false;
     }
-    const double velocity_x = (block.vx - other.vx) - (block.spin * at.arm_y - other.spin * at.other_arm_y);
-    const double velocity_y = (block.vy - other.vy) + (block.spin * at.arm_x - other.spin * at.other_arm_x);
-    const double opening = at.normal_x * velocity_x + at.normal_y * velocity_y;
-    const double shearing = at.along_x() * velocity_x + at.along_y() * velocity_y;
-    // A drag acts half a step on both sides of its moment: the books count half with each velocity.
-    const double half_step = step / 2;
-    const double damping = memory.damping - half_step * (memory.normal_drag * opening + memory.shear_drag * shearing);
+    const ContactVelocity<double> velocity = velocity_of<double>(at, block, other);
+    const double damping = damping_until_now<double>(memory, velocity, step / 2);
     const bool bonded = law.tension > 0 && !memory.broken;
     const double weight = contact_weight(law, contact, at);
     const auto open = [&] {
@@ -137,47 +216,15 @@ inline double contact_weight(const ContactLaw& law, const RelaxationContact& con
     } else {
         memory.shear += at.slide - memory.place;
     }
-    memory.place = at.slide;
-    memory.overlap = overlap;
-    double normal = law.normal_stiffness * overlap;
+    const double normal = law.normal_stiffness * overlap;
     if (normal < -law.tension) {
+        memory.place = at.slide;
+        memory.overlap = overlap;
         memory.friction += weight * normal * overlap / 2;
         open();
         return {};
     }
-    double shear = -law.shear_stiffness * memory.shear;
-    const double pressing = std::max(normal, 0.0);
-    const double residual = pressing * law.residual_friction;
-    const double strength = memory.broken ? residual : pressing * law.friction + law.cohesion;
-    memory.sliding = std::abs(shear) > strength;
-    double shear_drag = 0;
-    if (memory.sliding) {
-        const double held = std::copysign(residual, shear);
-        const double slipped = (held - shear) / law.shear_stiffness;
-        // A first slip also sets free what the spring held beyond the residual strength.
-        const double mean_force =
-            (memory.broken ? std::min(force_before, strength) + residual : strength + residual) / 2;
-        memory.friction += weight * mean_force * std::abs(slipped);
-        memory.broken = true;
-        memory.slip += slipped;
-        memory.shear -= slipped;
-        shear = held;
-    } else {
-        shear_drag = -weight * law.shear_dashpot * shearing;
-        shear -= law.shear_dashpot * shearing;
-    }
-    const double damped = std::max(normal - law.normal_dashpot * opening, std::min(normal, 0.0));
-    const double normal_drag = weight * (damped - normal);
-    memory.normal_drag = normal_drag;
-    memory.shear_drag = shear_drag;
-    memory.damping = damping - half_step * (normal_drag * opening + shear_drag * shearing);
-    normal = damped;
-    ForceOnCorner force;
-    force.x = weight * (at.normal_x * normal + at.along_x() * shear);
-    force.y = weight * (at.normal_y * normal + at.along_y() * shear);
-    force.moment = at.arm_x * force.y - at.arm_y * force.x;
-    force.other_moment = at.other_arm_y * force.x - at.other_arm_x * force.y;
-    return force;
+    return bear<double>(law, at, velocity, weight, force_before, damping, step / 2, memory);
 }
 
 // J/m, in both springs.

@@ -18,8 +18,8 @@ struct ContactRange {
     std::size_t size() const { return end - begin; }
 };
 
-template <class T>
-std::span<const T> part_of(const std::vector<T>& items, const ContactRange& range) {
+template <class T, class Allocator>
+std::span<const T> part_of(const std::vector<T, Allocator>& items, const ContactRange& range) {
     return std::span<const T>(items).subspan(range.begin, range.size());
 }
 

@@ -149,7 +149,7 @@ class Preload {
         double resistance = 1;
         double ratio = assemble(motion, list);
         Preloaded best{ratio, motion, 0};
-        std::vector<ContactMemory> best_memory = list.memory;
+        LargeArray<ContactMemory> best_memory = list.memory;
         bool improves = true;
         for (int round = 0; round < most_rounds(); ++round) {
             if (best.ratio <= settings_.finest || (best.ratio <= settings_.tolerance && !improves)) {
@@ -160,7 +160,7 @@ class Preload {
                 break;
             }
             const std::vector<Motion> motion_before = motion;
-            const std::vector<ContactMemory> memory_before = list.memory;
+            const LargeArray<ContactMemory> memory_before = list.memory;
             const double ratio_before = ratio;
             const double come = share_of_limits(start, best.most_balanced, motion);
             move(change, motion);

@@ -96,11 +96,11 @@ void Simulation::prepare() {
     // Of a spring that swings with the force that counts as balance.
     const double gravity = scene_.gravity.acceleration > 0 ? scene_.gravity.acceleration : 1;
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        inverse_radius_.push_back(1 / bodies_.radius[block]);
-        inverse_weight_.push_back(1 / (bodies_.mass[block] * gravity));
+        scales_.inverse_radius.push_back(1 / bodies_.radius[block]);
+        scales_.inverse_weight.push_back(1 / (bodies_.mass[block] * gravity));
     }
     for (const double mass : bodies_.inertial_mass) {
-        calm_speed_.push_back(rest_ratio() * gravity * std::sqrt(mass / stiffest));
+        scales_.calm_speed.push_back(rest_ratio() * gravity * std::sqrt(mass / stiffest));
     }
     hold_blocks();
     if (settings_.crack_opening) {
@@ -253,17 +253,6 @@ void Simulation::break_bonds() {
     }
 }
 
-BlockForce Simulation::force_of_joints(std::size_t block) const {
-    BlockForce force = contact_forces_.on_blocks()[block];
-    if (!bonds_.empty()) {
-        const BlockForce& of_bonds = bonds_.on_blocks()[block];
-        force.x += of_bonds.x;
-        force.y += of_bonds.y;
-        force.moment += of_bonds.moment;
-    }
-    return force;
-}
-
 double Simulation::fastest() const {
     double speed = 0;
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
@@ -364,24 +353,31 @@ void Simulation::integrate() {
     // Sums are taken over the same groups of blocks in the same order, whoever adds up a group.
     constexpr std::size_t group_size = 256;
     const std::size_t groups = (bodies_.size() + group_size - 1) / group_size;
-    sums_.assign(groups, StepSums{});
+    sums_.resize(groups);
+    const BlockSweep sweep{bodies_,
+                           scales_,
+                           held_.data(),
+                           contact_forces_.on_blocks().data(),
+                           bonds_.empty() ? nullptr : bonds_.on_blocks().data(),
+                           load_.data(),
+                           settings_.local_damping,
+                           (state_.last_step + state_.step) / 2,
+                           state_.step,
+                           rest_ratio(),
+                           looks_before_rest,
+                           state_.motion.data(),
+                           state_.watch.way.data(),
+                           state_.calm.data()};
     const auto move_groups = [&](std::size_t part) {
         for (std::size_t group = part_begin(groups, part, team_.size());
              group < part_begin(groups, part + 1, team_.size()); ++group) {
-            const std::size_t end = std::min((group + 1) * group_size, bodies_.size());
-            for (std::size_t block = group * group_size; block < end; ++block) {
-                move_block(block, sums_[group]);
-            }
+            sums_[group] = move_blocks(sweep, group * group_size, std::min((group + 1) * group_size, bodies_.size()));
         }
     };
     if (groups > 1) {
         team_.run(move_groups);
     } else {
-        std::for_each(sums_.begin(), sums_.end(), [&](StepSums& all) {
-            for (std::size_t block = 0; block < bodies_.size(); ++block) {
-                move_block(block, all);
-            }
-        });
+        sums_.front() = move_blocks(sweep, 0, bodies_.size());
     }
     for (const StepSums& group : sums_) {
         state_.ledger.applied += group.applied;
@@ -395,82 +391,6 @@ void Simulation::integrate() {
     if (settings_.kinetic_damping) {
         take_velocities_away_at_peaks();
     }
-}
-
-// A base that turns carries its blocks along: what is damped is their motion on it.
-inline Simulation::BlockVelocity Simulation::velocity_on_base(std::size_t block) const {
-    const Motion& motion = state_.motion[block];
-    if (!bodies_.turned_base) {
-        return {motion.vx, motion.vy, motion.spin};
-    }
-    const std::size_t number = *bodies_.turned_base;
-    const Motion& base = state_.motion[number];
-    const PlanePoint<> arm =
-        bodies_.centroid[block] - bodies_.centroid[number] + PlanePoint<>(motion.x - base.x, motion.y - base.y);
-    return {motion.vx - (base.vx - base.spin * arm.y()), motion.vy - (base.vy + base.spin * arm.x()),
-            motion.spin - base.spin};
-}
-
-inline bool Simulation::kick_block(std::size_t block, StepSums& sums) {
-    const double kick = (state_.last_step + state_.step) / 2;
-    Motion& motion = state_.motion[block];
-    const BlockForce& load = load_[block];
-    BlockForce net = force_of_joints(block);
-    net.x += load.x;
-    net.y += load.y;
-    net.moment += load.moment;
-    const double force = std::sqrt(net.x * net.x + net.y * net.y);
-    const double out_of_balance = (force + std::abs(net.moment) * inverse_radius_[block]) * inverse_weight_[block];
-    sums.unbalanced = std::max(sums.unbalanced, out_of_balance);
-    if (rests(state_.calm[block])) {
-        if (out_of_balance <= 4 * rest_ratio()) {
-            return false;
-        }
-        state_.calm[block] = 0;
-    }
-    BlockForce brake;
-    if (settings_.local_damping > 0) {
-        const BlockVelocity moving = velocity_on_base(block);
-        const double speed = std::sqrt(moving.x * moving.x + moving.y * moving.y);
-        const double share = speed > 0 ? settings_.local_damping * force / speed : 0;
-        const double turning = moving.spin != 0 ? std::copysign(1.0, moving.spin) : 0;
-        brake = {-share * moving.x, -share * moving.y, -turning * settings_.local_damping * std::abs(net.moment)};
-    }
-    const double vx = motion.vx + (net.x + brake.x) * bodies_.inverse_mass[block] * kick;
-    const double vy = motion.vy + (net.y + brake.y) * bodies_.inverse_mass[block] * kick;
-    const double spin = motion.spin + (net.moment + brake.moment) * bodies_.inverse_inertia[block] * kick;
-    // The work of a force over the kick is exact with the mean of both velocities.
-    const double way_x = (motion.vx + vx) / 2 * kick;
-    const double way_y = (motion.vy + vy) / 2 * kick;
-    const double turn = (motion.spin + spin) / 2 * kick;
-    sums.applied += load.x * way_x + load.y * way_y + load.moment * turn;
-    sums.damped -= brake.x * way_x + brake.y * way_y + brake.moment * turn;
-    motion.vx = vx;
-    motion.vy = vy;
-    motion.spin = spin;
-    if (out_of_balance > rest_ratio() ||
-        std::abs(vx) + std::abs(vy) + std::abs(spin) * bodies_.radius[block] > calm_speed_[block]) {
-        state_.calm[block] = 0;
-    }
-    return true;
-}
-
-void Simulation::move_block(std::size_t block, StepSums& sums) {
-    Motion& motion = state_.motion[block];
-    if (held_[block] != 0) {
-        const BlockForce force = force_of_joints(block);
-        // What the others do to a moved block, it does to them.
-        sums.prescribed -= (force.x * motion.vx + force.y * motion.vy + force.moment * motion.spin) * state_.step;
-    } else if (!kick_block(block, sums)) {
-        return;
-    }
-    motion.x += motion.vx * state_.step;
-    motion.y += motion.vy * state_.step;
-    if (motion.spin != 0) {
-        motion.set_angle(motion.angle + motion.spin * state_.step);
-    }
-    state_.watch.way[block] +=
-        (std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * bodies_.radius[block]) * state_.step;
 }
 
 void Simulation::take_velocities_away_at_peaks() {

@@ -9,6 +9,7 @@
 // and accordingly in systems.
 #pragma once
 
+#include "dynamic_relaxation/block_sweep.hpp"
 #include "dynamic_relaxation/outcome.hpp"
 #include "dynamic_relaxation/settings.hpp"
 #include "dynamic_relaxation/state.hpp"
@@ -47,19 +48,6 @@ class Simulation {
     static bool rests(std::uint32_t calm) { return calm >= looks_before_rest; }
     static constexpr std::uint32_t looks_before_rest = 4;
 
-    struct BlockVelocity {
-        double x;
-        double y;
-        double spin;
-    };
-
-    struct StepSums {
-        double unbalanced = 0;  // share of the weight
-        double applied = 0;     // J/m
-        double prescribed = 0;  // J/m
-        double damped = 0;      // J/m
-    };
-
     bool out_of_time() const { return state_.time >= settings_.duration || state_.steps >= settings_.most_steps; }
     void prepare();
     void begin();
@@ -76,14 +64,9 @@ class Simulation {
     bool look_at_contacts();
     void look_again_at(std::size_t block);
     void choose_step(double last);
-    BlockForce force_of_joints(std::size_t block) const;
     void apply_contact_forces();
     void apply_loads();
     void integrate();
-    void move_block(std::size_t block, StepSums& sums);
-    BlockVelocity velocity_on_base(std::size_t block) const;
-    // False for a block at rest.
-    bool kick_block(std::size_t block, StepSums& sums);
     void look();
     void look_for_crack();
     bool carried_along() const;
@@ -104,10 +87,8 @@ class Simulation {
     std::vector<SharedFace> watched_ = {};       // for the first tension crack
     std::vector<BlockForce> load_ = {};          // of the step
     bool loads_are_final_ = false;               // nothing changes them any more
-    std::vector<double> inverse_radius_ = {};    // 1/m
-    std::vector<double> inverse_weight_ = {};    // m/N
-    std::vector<double> calm_speed_ = {};        // m/s, below which a block may be calm
-    std::vector<char> held_ = {};                // fixed now: fixed blocks, and those held for consolidation
+    BlockScales scales_ = {};
+    std::vector<char> held_ = {};  // fixed now: fixed blocks, and those held for consolidation
     bool held_for_consolidation_ = false;
     std::vector<StepSums> sums_ = {};  // of the step
 };

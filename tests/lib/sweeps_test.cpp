@@ -1,0 +1,225 @@
+// Contacts and blocks taken four at a time do to the last bit what they do one by one.
+#include "dynamic_relaxation/block_sweep.hpp"
+#include "dynamic_relaxation/contact_sweep.hpp"
+#include "tests/support/brick_pack.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace delabole {
+namespace {
+
+constexpr double stiffness = 1e9;
+constexpr double step = 1e-4;
+
+// A wall whose joints have all that a joint can have.
+RelaxationScene wall() {
+    RelaxationScene scene = brick_pack_scene({5, 7, 1e5, 0.6, 0.2});
+    scene.material = {{stiffness, stiffness / 2, 0.6, 0.4, 2e4, 1e4}};
+    return scene;
+}
+
+template <class Array>
+bool same_bytes(const Array& one, const Array& other) {
+    return one.size() == other.size() &&
+           std::memcmp(one.data(), other.data(), one.size() * sizeof(typename Array::value_type)) == 0;
+}
+
+// Member by member: what fills a struct up to its size means nothing.
+bool same_memory(const ContactList& one, const ContactList& other) {
+    for (std::size_t index = 0; index < one.memory.size(); ++index) {
+        const auto bits = [](const ContactMemory& memory) {
+            const std::array<double, 9> numbers{memory.shear,   memory.place,       memory.damping,
+                                                memory.overlap, memory.normal_drag, memory.shear_drag,
+                                                memory.slip,    memory.friction,    memory.shortened};
+            return std::pair(numbers, std::array{memory.touching, memory.sliding, memory.broken, memory.beneath});
+        };
+        const auto [numbers, flags] = bits(one.memory[index]);
+        const auto [other_numbers, other_flags] = bits(other.memory[index]);
+        if (!same_bytes(numbers, other_numbers) || flags != other_flags) {
+            return false;
+        }
+    }
+    return true;
+}
+
+ContactSweep sweep_of(ContactList& list, const std::vector<Motion>& motion, const std::vector<double>& way,
+                      const char* moved) {
+    return {motion.data(),
+            way.data(),
+            moved,
+            step,
+            list.contact.data(),
+            list.law.data(),
+            list.memory.data(),
+            list.force.data(),
+            list.open_until.data()};
+}
+
+class Shaken : public testing::Test {
+  protected:
+    Shaken() : way(bodies.size(), 0), motion(bodies.size()), moved(bodies.size(), 1) {}
+
+    // Blocks come by about what makes joints slip and open and close again.
+    void shake() {
+        constexpr double reach = 2e-5;
+        std::uniform_real_distribution<double> some(-1, 1);
+        for (std::size_t block = 0; block < bodies.size(); ++block) {
+            moved[block] = bodies.fixed[block] == 0 && some(random) > all_move ? 1 : 0;
+            if (moved[block] == 0) {
+                continue;
+            }
+            Motion& at = motion[block];
+            at.vx = reach * some(random) / step;
+            at.vy = reach * (some(random) - 0.5) / step;
+            at.spin = reach * some(random) / step;
+            const auto nearer = [](double place) { return place / 2; };
+            at.x = nearer(at.x) + at.vx * step;
+            at.y = nearer(at.y) + at.vy * step;
+            at.set_angle(nearer(at.angle) + at.spin * step);
+            way[block] += 10 * reach;
+        }
+    }
+
+    std::mt19937 random{7};
+    double all_move = -1;  // the farther above -1, the more blocks stand still
+    RelaxationScene scene = wall();
+    Bodies bodies = make_bodies(scene);
+    std::vector<double> way;
+    std::vector<Motion> motion;
+    std::vector<char> moved;
+    ContactList list =
+        find_contacts(scene, bodies, motion, std::vector<char>(bodies.size(), 0), {0.01, 0.2, true, {}}, {});
+};
+
+TEST_F(Shaken, ContactsTakenFourAtATimeGiveTheSameBitsAsOneByOne) {
+    ContactList one_by_one = list;
+    std::size_t sliding = 0;
+    std::size_t opened = 0;
+    std::size_t bearing = 0;
+    for (int round = 0; round < 400; ++round) {
+        all_move = round % 2 == 0 ? -1 : 0.2;
+        shake();
+        const char* const all = round % 2 == 0 ? nullptr : moved.data();
+        std::vector<BlockForce> sum(bodies.size());
+        const std::size_t count =
+            evaluate_and_sum_contacts(sweep_of(list, motion, way, all), 0, list.contact.size(), sum.data());
+
+        std::size_t expected = 0;
+        std::vector<BlockForce> expected_sum(bodies.size());
+        const ContactSweep alone = sweep_of(one_by_one, motion, way, all);
+        for (std::size_t index = 0; index < one_by_one.contact.size(); ++index) {
+            if (!alone.stays_open(index) && alone.concerned(index)) {
+                const bool touched = one_by_one.memory[index].touching;
+                evaluate_contact(alone, index);
+                ++expected;
+                opened += touched && !one_by_one.memory[index].touching ? 1 : 0;
+                sliding += one_by_one.memory[index].sliding ? 1 : 0;
+                bearing += touched && one_by_one.memory[index].touching ? 1 : 0;
+            }
+            const RelaxationContact& contact = one_by_one.contact[index];
+            const ForceOnCorner& force = one_by_one.force[index];
+            BlockForce& own = expected_sum[contact.block];
+            own.x += force.x;
+            own.y += force.y;
+            own.moment += force.moment;
+            BlockForce& other = expected_sum[contact.other];
+            other.x -= force.x;
+            other.y -= force.y;
+            other.moment += force.other_moment;
+        }
+        ASSERT_EQ(count, expected) << round;
+        ASSERT_TRUE(same_memory(list, one_by_one)) << round;
+        ASSERT_TRUE(same_bytes(list.force, one_by_one.force)) << round;
+        ASSERT_TRUE(same_bytes(list.open_until, one_by_one.open_until)) << round;
+        for (std::size_t block = 0; block < bodies.size(); ++block) {
+            ASSERT_EQ(sum[block].x, expected_sum[block].x) << round;
+            ASSERT_EQ(sum[block].y, expected_sum[block].y) << round;
+            ASSERT_EQ(sum[block].moment, expected_sum[block].moment) << round;
+        }
+    }
+    // All that the test is about has happened often.
+    EXPECT_GT(sliding, 1000U);
+    EXPECT_GT(opened, 1000U);
+    EXPECT_GT(bearing, 10000U);
+}
+
+TEST_F(Shaken, PartsOfAListGiveTheSameBitsAsTheWhole) {
+    ContactList in_parts = list;
+    for (int round = 0; round < 50; ++round) {
+        shake();
+        evaluate_contacts(sweep_of(list, motion, way, nullptr), 0, list.contact.size());
+        // Pairs of blocks stay together.
+        std::size_t begin = 0;
+        for (std::size_t index = 1; index <= list.contact.size(); ++index) {
+            if (index == list.contact.size() || list.contact[index].pair() != list.contact[index - 1].pair()) {
+                evaluate_contacts(sweep_of(in_parts, motion, way, nullptr), begin, index);
+                begin = index;
+            }
+        }
+        ASSERT_TRUE(same_memory(list, in_parts)) << round;
+        ASSERT_TRUE(same_bytes(list.force, in_parts.force)) << round;
+    }
+}
+
+TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
+    BlockScales scales;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        scales.inverse_radius.push_back(1 / bodies.radius[block]);
+        scales.inverse_weight.push_back(1 / (10 * bodies.mass[block]));
+        scales.calm_speed.push_back(1e-6);
+    }
+    std::uniform_real_distribution<double> some(-1, 1);
+    std::vector<BlockForce> forces(bodies.size());
+    std::vector<BlockForce> loads(bodies.size());
+    std::vector<std::uint32_t> calm(bodies.size(), 3);
+    shake();
+    // Turns beyond a hundredth of a radian, and blocks that do not turn.
+    motion[3].set_angle(0.5);
+    motion[4].spin = motion[9].spin = 0;
+    std::vector<Motion> one_by_one = motion;
+    std::vector<double> way_one_by_one = way;
+    std::vector<std::uint32_t> calm_one_by_one = calm;
+    for (int round = 0; round < 50; ++round) {
+        for (std::size_t block = 0; block < bodies.size(); ++block) {
+            const double scale = 1e4 * (block % 5 == 0 ? 0 : some(random));
+            forces[block] = {scale * some(random), scale * some(random), block == 4 ? 0 : scale * some(random)};
+            loads[block] = {0, -1e3, 0};
+        }
+        const auto sweep = [&](std::vector<Motion>& moving, std::vector<double>& ways,
+                               std::vector<std::uint32_t>& calms) {
+            return BlockSweep{
+                bodies, scales, bodies.fixed.data(), forces.data(), forces.data(), loads.data(), 0.3, step, step,
+                1e-6,   4,      moving.data(),       ways.data(),   calms.data()};
+        };
+        const StepSums sums = move_blocks(sweep(motion, way, calm), 0, bodies.size());
+        StepSums expected;
+        for (std::size_t block = 0; block < bodies.size(); ++block) {
+            const StepSums own = move_blocks(sweep(one_by_one, way_one_by_one, calm_one_by_one), block, block + 1);
+            expected.applied += own.applied;
+            expected.damped += own.damped;
+            expected.unbalanced = std::max(expected.unbalanced, own.unbalanced);
+        }
+        ASSERT_TRUE(same_bytes(motion, one_by_one)) << round;
+        ASSERT_TRUE(same_bytes(way, way_one_by_one)) << round;
+        ASSERT_TRUE(same_bytes(calm, calm_one_by_one)) << round;
+        EXPECT_EQ(sums.unbalanced, expected.unbalanced);
+        // Forty terms in another order.
+        const double rounding = 40 * std::numeric_limits<double>::epsilon() * std::abs(expected.damped);
+        EXPECT_NEAR(sums.damped, expected.damped, rounding);
+        EXPECT_GT(expected.damped, 0);
+        EXPECT_NEAR(sums.applied, expected.applied, 1e-12 * (1 + std::abs(expected.applied)));
+    }
+}
+
+}  // namespace
+}  // namespace delabole
