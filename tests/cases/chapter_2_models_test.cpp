@@ -90,6 +90,27 @@ TEST(Chapter2Models, ToppleAtTheFrictionOfSlate) {
     EXPECT_GT(b->open, 0.9);
 }
 
+// The slope of 1500 blocks and its model on the belt are compared block by block.
+TEST(Chapter2Models, BeltModelIsTheSlopeAtOneTo200) {
+    const auto read = [](const std::string& name) {
+        const CaseFile file = read_case(std::string(DELABOLE_CASES) + "/chapter_2/" + name + ".toml");
+        return relaxation_scene(std::get<RelaxationStudy>(file.model));
+    };
+    const RelaxationScene slope = read("delabole_1500_blocks");
+    const RelaxationScene model = read("delabole_1500_blocks_belt");
+    ASSERT_EQ(slope.block.size(), model.block.size());
+    constexpr double scale = 200;
+    for (std::size_t block = 0; block < slope.block.size(); ++block) {
+        EXPECT_EQ(slope.block[block].fixed, model.block[block].fixed);
+        EXPECT_EQ(slope.block[block].joint, model.block[block].joint);
+        const double area = area_properties(slope.block[block].outline).area;
+        // Rounding of areas, which are differences of products of coordinates.
+        EXPECT_NEAR(area_properties(model.block[block].outline).area * scale * scale, area, 1e-9 * area);
+    }
+    EXPECT_FALSE(slope.belt.has_value());
+    EXPECT_TRUE(model.belt.has_value());
+}
+
 // 2.3.5, observations 2 and 3.
 TEST(Chapter2Models, ColumnMovesFartherWithWaterAndWithLessFriction) {
     RelaxationStudy dry = slope_model("groundwater_column");
