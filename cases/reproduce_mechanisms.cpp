@@ -65,7 +65,7 @@ Reproduction reproduce_mechanisms(const ResultFolder&, Report& report) {
     const std::vector<MechanismVerdict> verdicts = mechanism_verdicts();
     Reproduction result;
     for (const MechanismVerdict& verdict : verdicts) {
-        if (verdict.joint_c_dip) {
+        if (verdict.mechanism == "simple_sliding") {
             add_sliding(verdict, result);
         } else if (verdict.joint_b_dip) {
             add_toppling(verdict, result);

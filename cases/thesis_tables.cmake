@@ -1,6 +1,6 @@
 # Builds the tables of the thesis, and the cases of its models, into the program, which then needs no files beside it.
-set(chapter_2_case_names plate_2_i plate_2_ii plate_2_iii plate_2_iv plate_2_v plate_2_vi
-    groundwater_column)
+set(chapter_2_case_names plate_2_i plate_2_i_without_cleavage plate_2_i_continuity plate_2_ii plate_2_ii_joints_c
+    plate_2_iii plate_2_iv plate_2_iv_divided plate_2_v plate_2_vi groundwater_column)
 set(thesis_tables "")
 foreach(table
     chapter_2/features chapter_2/groundwater_tests chapter_2/mechanisms chapter_2/trends
