@@ -34,7 +34,8 @@ struct Preloaded {
 //
 // Method: Newton's, over the tangents of the contacts (friction makes them unsymmetric), with a resistance to the
 // change of each round that fades as balance improves. It is the implicit integration of a motion without mass through
-// a thick fluid, with growing steps: it goes to stable equilibria only.
+// a thick fluid, with growing steps: it goes to stable equilibria only. Where it finds none of bonded blocks, fewer
+// than 400 and not left to creep, it tries again with loads that grow in eight steps.
 Preloaded preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
                   const PreloadSettings& settings, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
                   std::vector<Motion>& motion, ContactList& list);
