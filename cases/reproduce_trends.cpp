@@ -174,6 +174,7 @@ void add_trend(const PrintedTrend& printed, const Variation& series, const std::
                Reproduction& result) {
     const bool of_columns = printed.response == "failed_columns";
     std::vector<double> values;
+    values.reserve(responses.size());
     for (const Response& response : responses) {
         values.push_back(of_columns ? response.failed_columns : response.surface_angle / degrees(1));
     }
