@@ -106,7 +106,8 @@ TEST(Creep, IsTheLimitOfHeavyDamping) {
     RelaxationSettings damped = for_searches(false);
     EXPECT_GT(limit(damped), crept + degrees(0.1));
     damped.local_damping = 0.95;
-    // An eighth of what inertia makes: onset is counted from the most balanced state met, which runs meet at their start.
+    // A tenth of what inertia makes is left: onset is counted from the most balanced state met so far, and runs meet
+    // theirs at the start.
     EXPECT_NEAR(limit(damped), crept, degrees(0.03));
 }
 
