@@ -12,10 +12,8 @@
 #endif
 
 // Lanes pass between inlined functions only, wherever these are compiled for.
-#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"
-#endif
 
 // A function so marked is compiled for all processors and for those with wider registers, and the right one is taken at
 // the start of the program. All give the same bits: multiplications and additions are never contracted.
@@ -119,8 +117,7 @@ DELABOLE_INLINED Lanes opposite(const Lanes& value) {
 using FourLanes = std::array<Lanes, lane_count>;
 
 // Anywhere in memory.
-using LanesInMemory =
-    double __attribute__((vector_size(lane_count * sizeof(double)), aligned(sizeof(double)), may_alias));
+using LanesInMemory __attribute__((aligned(sizeof(double)), may_alias)) = Lanes;
 
 DELABOLE_INLINED Lanes load_lanes(const double* from) {
     return *reinterpret_cast<const LanesInMemory*>(from);
@@ -159,6 +156,4 @@ DELABOLE_INLINED void store_rows(const FourLanes& rows, const std::array<double*
 
 }  // namespace delabole
 
-#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
-#endif
