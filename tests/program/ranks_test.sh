@@ -75,7 +75,7 @@ expect_error 'only fit, recover and sensitivity share their work among ranks'
 
 title "a rank is killed in the middle: the others end, and the same command goes on"
 blocks=(sensitivity "$source_folder/cases/relaxation/single_block_probability.toml" --set settings.quality=standard
-    --set sensitivity.propagation.samples=128)
+    --set sensitivity.propagation.samples=1536)
 delabole "${blocks[@]}" --quiet --out blocks_1
 expect_status 0
 all=$(sqlite3 -readonly blocks_1/evaluations.sqlite 'SELECT count(*) FROM evaluation')
