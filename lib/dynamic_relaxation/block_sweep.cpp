@@ -73,19 +73,10 @@ DELABOLE_INLINED KickWork<Number> kick(const BlockForceOf<Number>& net, const Nu
             brake.x * way_x + brake.y * way_y + brake.moment * turn};
 }
 
-// No point of a block is faster.
-template <class Number>
-DELABOLE_INLINED Number fastest_point(const MotionOf<Number>& motion, const Number& radius) {
-    return absolute(motion.vx) + absolute(motion.vy) + absolute(motion.spin) * radius;
-}
-
 BlockForce force_of_joints(const BlockSweep& sweep, std::size_t block) {
     BlockForce force = sweep.of_contacts[block];
     if (sweep.of_bonds != nullptr) {
-        const BlockForce& of_bonds = sweep.of_bonds[block];
-        force.x += of_bonds.x;
-        force.y += of_bonds.y;
-        force.moment += of_bonds.moment;
+        force += sweep.of_bonds[block];
     }
     return force;
 }
@@ -98,7 +89,7 @@ BlockVelocity<double> velocity_on_base(const BlockSweep& sweep, std::size_t bloc
         return {motion.vx, motion.vy, motion.spin};
     }
     const std::size_t number = *bodies.turned_base;
-    const Motion& base = sweep.motion[number];
+    const Motion& base = sweep.base;
     const PlanePoint<> arm =
         bodies.centroid[block] - bodies.centroid[number] + PlanePoint<>(motion.x - base.x, motion.y - base.y);
     return {motion.vx - (base.vx - base.spin * arm.y()), motion.vy - (base.vy + base.spin * arm.x()),
@@ -110,9 +101,7 @@ bool kick_block(const BlockSweep& sweep, std::size_t block, StepSums& sums) {
     Motion& motion = sweep.motion[block];
     const BlockForce& load = sweep.load[block];
     BlockForce net = force_of_joints(sweep, block);
-    net.x += load.x;
-    net.y += load.y;
-    net.moment += load.moment;
+    net += load;
     const BlockMeasures<double> measures{sweep.bodies.inverse_mass[block], sweep.bodies.inverse_inertia[block],
                                          sweep.scales.inverse_radius[block], sweep.scales.inverse_weight[block]};
     const Imbalance<double> imbalance = imbalance_of(net, measures);
@@ -151,74 +140,74 @@ void move_block(const BlockSweep& sweep, std::size_t block, StepSums& sums) {
     sweep.way[block] += fastest_point<double>(motion, sweep.bodies.radius[block]) * sweep.step;
 }
 
-DELABOLE_INLINED BlockForceOf<Lanes> gather_forces(const BlockForce* first) {
-    const FourLanes four = gather_four({&first[0].x, &first[1].x, &first[2].x, &first[3].x}, 0);
+DELABOLE_INLINED BlockForceOf<FourLanes> gather_forces(const BlockForce* first) {
+    const FourOf<FourLanes> four = gather_four<FourLanes>({&first[0].x, &first[1].x, &first[2].x, &first[3].x}, 0);
     return {four[0], four[1], four[2], four[3]};
 }
 
 // Sums over lanes.
 struct WideSums {
-    Lanes unbalanced{};
-    Lanes applied{};
-    Lanes damped{};
+    FourLanes unbalanced{};
+    FourLanes applied{};
+    FourLanes damped{};
 };
 
 // Free blocks that are not at rest, on a base that does not turn.
 DELABOLE_INLINED void move_four(const BlockSweep& sweep, std::size_t first, WideSums& sums) {
     Motion* const moved = sweep.motion + first;
-    const Rows rows{&moved[0].x, &moved[1].x, &moved[2].x, &moved[3].x};
-    const BlockForceOf<Lanes> load = gather_forces(sweep.load + first);
-    BlockForceOf<Lanes> net = gather_forces(sweep.of_contacts + first);
+    const Rows<FourLanes> rows{&moved[0].x, &moved[1].x, &moved[2].x, &moved[3].x};
+    const BlockForceOf<FourLanes> load = gather_forces(sweep.load + first);
+    BlockForceOf<FourLanes> net = gather_forces(sweep.of_contacts + first);
     if (sweep.of_bonds != nullptr) {
-        const BlockForceOf<Lanes> of_bonds = gather_forces(sweep.of_bonds + first);
-        net.x += of_bonds.x;
-        net.y += of_bonds.y;
-        net.moment += of_bonds.moment;
+        net += gather_forces(sweep.of_bonds + first);
     }
-    net.x += load.x;
-    net.y += load.y;
-    net.moment += load.moment;
-    const BlockMeasures<Lanes> measures{
-        load_lanes(&sweep.bodies.inverse_mass[first]), load_lanes(&sweep.bodies.inverse_inertia[first]),
-        load_lanes(&sweep.scales.inverse_radius[first]), load_lanes(&sweep.scales.inverse_weight[first])};
-    const Imbalance<Lanes> imbalance = imbalance_of(net, measures);
+    net += load;
+    const BlockMeasures<FourLanes> measures{load_lanes<FourLanes>(&sweep.bodies.inverse_mass[first]),
+                                            load_lanes<FourLanes>(&sweep.bodies.inverse_inertia[first]),
+                                            load_lanes<FourLanes>(&sweep.scales.inverse_radius[first]),
+                                            load_lanes<FourLanes>(&sweep.scales.inverse_weight[first])};
+    const Imbalance<FourLanes> imbalance = imbalance_of(net, measures);
     sums.unbalanced = greater(sums.unbalanced, imbalance.ratio);
-    const FourLanes pose = gather_four(rows, 0);
-    const FourLanes rest = gather_four(rows, 4);
-    MotionOf<Lanes> motion{pose[0], pose[1], pose[2], pose[3], rest[0], rest[1], rest[2], rest[3]};
-    const KickWork<Lanes> work = kick<Lanes>(net, imbalance.force, load, {motion.vx, motion.vy, motion.spin}, measures,
-                                             sweep.local_damping, sweep.kick, motion);
+    const FourOf<FourLanes> pose = gather_four<FourLanes>(rows, 0);
+    const FourOf<FourLanes> rest = gather_four<FourLanes>(rows, 4);
+    MotionOf<FourLanes> motion{pose[0], pose[1], pose[2], pose[3], rest[0], rest[1], rest[2], rest[3]};
+    const KickWork<FourLanes> work = kick<FourLanes>(net, imbalance.force, load, {motion.vx, motion.vy, motion.spin},
+                                                     measures, sweep.local_damping, sweep.kick, motion);
     sums.applied += work.applied;
     sums.damped -= work.damped;
-    const Lanes fastest = fastest_point<Lanes>(motion, load_lanes(&sweep.bodies.radius[first]));
+    const FourLanes fastest = fastest_point<FourLanes>(motion, load_lanes<FourLanes>(&sweep.bodies.radius[first]));
     const unsigned not_calm =
-        bits((imbalance.ratio > sweep.rest_ratio) | (fastest > load_lanes(&sweep.scales.calm_speed[first])));
-    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        bits((imbalance.ratio > sweep.rest_ratio) | (fastest > load_lanes<FourLanes>(&sweep.scales.calm_speed[first])));
+    for (std::size_t lane = 0; lane < lane_count<FourLanes>; ++lane) {
         sweep.calm[first + lane] = (not_calm >> lane & 1U) != 0 ? 0 : sweep.calm[first + lane];
     }
     motion.x += motion.vx * sweep.step;
     motion.y += motion.vy * sweep.step;
-    const LaneMask turns = motion.spin != 0.0;
-    const Lanes angle = motion.angle + motion.spin * sweep.step;
-    Lanes sine;
-    Lanes versine;
+    const MaskOf<FourLanes> turns = motion.spin != 0.0;
+    const FourLanes angle = motion.angle + motion.spin * sweep.step;
+    FourLanes sine;
+    FourLanes versine;
     const unsigned large = bits(turns) & ~bits(small_turn(angle, sine, versine));
-    store_rows(transposed(motion.x, motion.y, select(turns, sine, motion.sine), select(turns, versine, motion.versine)),
-               {&moved[0].x, &moved[1].x, &moved[2].x, &moved[3].x});
-    store_rows(transposed(motion.vx, motion.vy, motion.spin, select(turns, angle, motion.angle)),
-               {&moved[0].vx, &moved[1].vx, &moved[2].vx, &moved[3].vx});
+    const FourOf<FourLanes> poses = transposed<FourLanes>(motion.x, motion.y, select(turns, sine, motion.sine),
+                                                          select(turns, versine, motion.versine));
+    const FourOf<FourLanes> rests =
+        transposed<FourLanes>(motion.vx, motion.vy, motion.spin, select(turns, angle, motion.angle));
+    for (std::size_t lane = 0; lane < lane_count<FourLanes>; ++lane) {
+        store_row<FourLanes>(poses, lane, &moved[lane].x);
+        store_row<FourLanes>(rests, lane, &moved[lane].vx);
+    }
     for (std::size_t lane = 0; large >> lane != 0; ++lane) {
         if ((large >> lane & 1U) != 0) {
             moved[lane].set_angle(angle[lane]);
         }
     }
     double* const way = sweep.way + first;
-    store_lanes(load_lanes(way) + fastest * sweep.step, way);
+    store_lanes<FourLanes>(load_lanes<FourLanes>(way) + fastest * sweep.step, way);
 }
 
 DELABOLE_INLINED bool together(const BlockSweep& sweep, std::size_t first) {
     bool free = true;
-    for (std::size_t block = first; block < first + lane_count; ++block) {
+    for (std::size_t block = first; block < first + lane_count<FourLanes>; ++block) {
         free = free && sweep.held[block] == 0 && sweep.calm[block] < sweep.calm_enough;
     }
     return free;
@@ -232,15 +221,15 @@ StepSums move_blocks(const BlockSweep& sweep, std::size_t begin, std::size_t end
     WideSums wide;
     std::size_t block = begin;
     while (block < end) {
-        if (!sweep.bodies.turned_base && block + lane_count <= end && together(sweep, block)) {
+        if (!sweep.bodies.turned_base && block + lane_count<FourLanes> <= end && together(sweep, block)) {
             move_four(sweep, block, wide);
-            block += lane_count;
+            block += lane_count<FourLanes>;
         } else {
             move_block(sweep, block, sums);
             ++block;
         }
     }
-    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    for (std::size_t lane = 0; lane < lane_count<FourLanes>; ++lane) {
         sums.unbalanced = std::max(sums.unbalanced, wide.unbalanced[lane]);
         sums.applied += wide.applied[lane];
         sums.damped += wide.damped[lane];

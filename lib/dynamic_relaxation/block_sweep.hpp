@@ -35,6 +35,8 @@ struct BlockSweep {
     Motion* motion;
     double* way;
     std::uint32_t* calm;  // set to zero where a block is not
+    // Where blocks are carried along by a base that turns: its motion before the step, whichever is moved first.
+    Motion base = {};
 };
 
 struct StepSums {

@@ -60,6 +60,13 @@ struct alignas(4 * sizeof(double)) BlockForceOf {
     Number y{};       // N/m
     Number moment{};  // N, about the centroid
     Number unused{};
+
+    DELABOLE_INLINED BlockForceOf& operator+=(const BlockForceOf& other) {
+        x += other.x;
+        y += other.y;
+        moment += other.moment;
+        return *this;
+    }
 };
 
 using BlockForce = BlockForceOf<double>;
@@ -88,6 +95,12 @@ struct MotionOf {
     Number spin{};   // rad/s
     Number angle{};  // rad, anticlockwise
 };
+
+// m/s; no point of a block is faster. `radius`: of its farthest corner.
+template <class Number>
+DELABOLE_INLINED Number fastest_point(const MotionOf<Number>& motion, const Number& radius) {
+    return absolute(motion.vx) + absolute(motion.vy) + absolute(motion.spin) * radius;
+}
 
 struct alignas(64) Motion : MotionOf<double> {
     // Displacement of a point of the block by rotation alone.

@@ -213,14 +213,8 @@ void Bonds::sum() {
     std::fill(force_on_block_.begin(), force_on_block_.end(), BlockForce{});
     for (std::size_t index = 0; index < bond_.size(); ++index) {
         const ForceOnCorner& force = force_[index];
-        BlockForce& own = force_on_block_[bond_[index].face.block];
-        own.x += force.x;
-        own.y += force.y;
-        own.moment += force.moment;
-        BlockForce& other = force_on_block_[bond_[index].face.other];
-        other.x -= force.x;
-        other.y -= force.y;
-        other.moment += force.other_moment;
+        force_on_block_[bond_[index].face.block] += force.on_block();
+        force_on_block_[bond_[index].face.other] += force.on_other();
     }
 }
 
@@ -280,7 +274,7 @@ double hand_over(const Bond& bond, const Bodies& bodies, const std::vector<Motio
     };
     std::vector<Taker> takers;
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const RelaxationContact& contact = list.contact[index];
+        const RelaxationContact contact = list.contact[index];
         const bool own = contact.block == face.block && contact.edge == face.other_edge;
         if (!own && !(contact.block == face.other && contact.edge == face.edge)) {
             continue;
@@ -297,9 +291,9 @@ double hand_over(const Bond& bond, const Bodies& bodies, const std::vector<Motio
     }
     double held = 0;
     for (const Taker& taker : takers) {
-        RelaxationContact& contact = list.contact[taker.contact];
-        const ContactLaw& law = list.law_of(contact);
-        ContactMemory& memory = list.memory[taker.contact];
+        RelaxationContact contact = list.contact[taker.contact];
+        const ContactLaw law = list.law_of(contact);
+        ContactMemory memory = list.memory[taker.contact];
         const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
         const double force = pressing[taker.end] / weights[taker.end];
         const double overlap = force / law.normal_stiffness;
@@ -310,7 +304,6 @@ double hand_over(const Bond& bond, const Bodies& bodies, const std::vector<Motio
         contact.gap += memory.shortened;
         memory.beneath = false;
         memory.touching = force > 0;
-        memory.overlap = overlap;
         memory.place = place.slide;
         if (memory.touching) {
             const double share = shear * pressing[taker.end] / (pressing[0] + pressing[1]) / weights[taker.end];
@@ -319,6 +312,8 @@ double hand_over(const Bond& bond, const Bodies& bodies, const std::vector<Motio
             memory.shear = -std::clamp(share, -most, most) / law.shear_stiffness;
             held += elastic_energy(law, contact, memory, motion[contact.block], motion[contact.other]);
         }
+        list.contact.set_shape(taker.contact, contact);
+        list.memory.set(taker.contact, memory);
     }
     return held;
 }

@@ -3,6 +3,7 @@
 #include "dynamic_relaxation/outcome.hpp"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace delabole {
@@ -54,11 +55,13 @@ bool fits(const RelaxationState& state, const RelaxationScene& scene) {
         begin = pair.begin;
     }
     return list.memory.size() == contacts && list.force.size() == contacts && list.open_until.size() == contacts &&
-           std::all_of(list.contact.begin(), list.contact.end(),
-                       [&](const RelaxationContact& contact) {
-                           return is_of(contact.corner, contact.block) && is_of(contact.edge, contact.other) &&
-                                  (contact.twin == no_twin || contact.twin < contacts) && contact.law < list.law.size();
-                       }) &&
+           std::ranges::all_of(std::views::iota(std::size_t{0}, contacts),
+                               [&](std::size_t index) {
+                                   const RelaxationContact contact = list.contact[index];
+                                   return is_of(contact.corner, contact.block) && is_of(contact.edge, contact.other) &&
+                                          (contact.twin == no_twin || contact.twin < contacts) &&
+                                          contact.ends < list.ends.size() && contact.joint < list.joint.size();
+                               }) &&
            state.outcome < enum_names(RelaxationOutcome{}).size();
 }
 

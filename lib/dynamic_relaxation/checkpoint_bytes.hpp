@@ -7,6 +7,7 @@
 
 #include <array>
 #include <bit>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -39,6 +40,10 @@ struct OpenedCheckpoint {
 
 OpenedCheckpoint open_checkpoint(std::string_view sealed, std::uint64_t hash);
 
+// Of which items are copies put together.
+template <class T>
+concept IsPutTogether = std::same_as<T, ContactArray> || std::same_as<T, MemoryArray>;
+
 class CheckpointWriter {
   public:
     std::string take() { return std::move(bytes_); }
@@ -67,6 +72,13 @@ class CheckpointWriter {
         put(static_cast<std::uint64_t>(items.size()));
         for (const T& item : items) {
             put(item);
+        }
+    }
+    template <IsPutTogether T>
+    void put(const T& items) {
+        put(static_cast<std::uint64_t>(items.size()));
+        for (std::size_t index = 0; index < items.size(); ++index) {
+            put(items[index]);
         }
     }
     template <HasMembers T>
@@ -148,16 +160,19 @@ class CheckpointReader {
     }
     template <class T, class Allocator>
     void get(std::vector<T, Allocator>& items) {
-        std::uint64_t count = 0;
-        get(count);
-        // Before anything is allocated.
-        if (!good_ || count > rest_.size() / smallest_size<T>()) {
-            good_ = false;
-            return;
-        }
-        items.resize(count);
+        items.resize(get_count<T>());
         for (T& item : items) {
             get(item);
+        }
+    }
+    template <IsPutTogether T>
+    void get(T& items) {
+        using Item = decltype(items[0]);
+        items = {};
+        for (std::uint64_t left = get_count<Item>(); left > 0 && good_; --left) {
+            Item item;
+            get(item);
+            items.push_back(item);
         }
     }
     template <HasMembers T>
@@ -169,6 +184,14 @@ class CheckpointReader {
     bool ask_for(std::size_t size) {
         good_ = good_ && rest_.size() >= size;
         return good_;
+    }
+    // Before anything is allocated.
+    template <class T>
+    std::uint64_t get_count() {
+        std::uint64_t count = 0;
+        get(count);
+        good_ = good_ && count <= rest_.size() / smallest_size<T>();
+        return good_ ? count : 0;
     }
     template <class T>
     void get_low_byte_first(T& value) {

@@ -24,14 +24,31 @@ concept IsMaybeConst = std::same_as<std::remove_const_t<T>, Struct>;
     }
 
 DELABOLE_MEMBERS(Motion, x, y, sine, versine, vx, vy, spin, angle)
-DELABOLE_MEMBERS(ContactLaw, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, normal_stiffness,
-                 shear_stiffness, normal_dashpot, shear_dashpot, friction, residual_friction, cohesion, tension)
-DELABOLE_MEMBERS(RelaxationContact, arm, other_arm, along, gap, from_start, to_end, block, other, corner, edge, twin,
-                 law)
-DELABOLE_MEMBERS(ContactMemory, shear, place, damping, overlap, normal_drag, shear_drag, slip, friction, shortened,
-                 touching, sliding, broken, beneath)
+DELABOLE_MEMBERS(EdgeEnds, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine)
+DELABOLE_MEMBERS(JointLaw, normal_stiffness, shear_stiffness, normal_dashpot, shear_dashpot, friction,
+                 residual_friction, cohesion, tension)
+DELABOLE_MEMBERS(ContactBlocks, block, other, ends, joint)
+DELABOLE_MEMBERS(ContactCorner, corner, edge, twin)
+DELABOLE_MEMBERS(ContactShapeOf<double>, arm_x, arm_y, other_arm_x, other_arm_y, along_x, along_y, gap, from_start,
+                 to_end)
+DELABOLE_MEMBERS(ContactNumbersOf<double>, shear, place, damping, normal_drag, shear_drag, slip, friction, shortened)
+DELABOLE_MEMBERS(ContactFlagsOf<bool>, touching, sliding, broken, beneath)
+// Of structs that have others as bases: these.
+template <class Object, class... Bases>
+auto bases_of(Object& object) {
+    return std::tie(static_cast<std::conditional_t<std::is_const_v<Object>, const Bases, Bases>&>(object)...);
+}
+template <IsMaybeConst<RelaxationContact> Object>
+auto members_of(Object& object) {
+    return bases_of<Object, ContactBlocks, ContactCorner, ContactShapeOf<double>>(object);
+}
+template <IsMaybeConst<ContactMemory> Object>
+auto members_of(Object& object) {
+    return bases_of<Object, ContactNumbersOf<double>, ContactFlagsOf<bool>>(object);
+}
+
 DELABOLE_MEMBERS(ForceOnCorner, x, y, moment, other_moment)
-DELABOLE_MEMBERS(ContactList, contact, law, memory, force, open_until)
+DELABOLE_MEMBERS(ContactList, contact, ends, joint, memory, force, open_until)
 DELABOLE_MEMBERS(WatchedPair, first, second, begin, x, y, first_angle, second_angle, holds)
 DELABOLE_MEMBERS(WatchState, pair, way, due, neighbours_until, step_until, stable_step, step, searches, looks)
 DELABOLE_MEMBERS(SeenPose, x, y, angle)

@@ -12,6 +12,7 @@ namespace delabole {
 ContactForces::ContactForces(const Bodies& bodies, std::vector<double> unnoticed, Team& team)
     : bodies_(bodies),
       team_(team),
+      loop_(contact_loops().front()),
       unnoticed_(std::move(unnoticed)),
       force_(bodies.size()),
       moved_(bodies.size(), 0),
@@ -22,8 +23,8 @@ void ContactForces::index(const ContactList& list) {
     if (!std::exchange(list_is_new_, false)) {
         return;
     }
-    const auto blocks_of = [](const RelaxationContact& contact) { return contact.pair(); };
-    index_by_block(bodies_.size(), list.contact, blocks_of, begin_, of_block_);
+    const auto blocks_of = [](const ContactBlocks& contact) { return contact.pair(); };
+    index_by_block(bodies_.size(), list.contact.blocks(), blocks_of, begin_, of_block_);
     evaluated_.assign(list.contact.size(), round_ - 1);
     divide(list);
     sum_all(list);
@@ -33,9 +34,7 @@ void ContactForces::index(const ContactList& list) {
 // in one part.
 void ContactForces::divide(const ContactList& list) {
     const auto same_pair = [&](std::size_t index) {
-        const RelaxationContact& one = list.contact[index - 1];
-        const RelaxationContact& two = list.contact[index];
-        return std::minmax(one.block, one.other) == std::minmax(two.block, two.other);
+        return list.contact.blocks()[index - 1].pair() == list.contact.blocks()[index].pair();
     };
     part_begin_.assign(team_.size() + 1, list.contact.size());
     for (std::size_t part = 0; part < team_.size(); ++part) {
@@ -70,7 +69,7 @@ bool ContactForces::notice(const std::vector<Motion>& motion, std::vector<SeenPo
 std::size_t ContactForces::evaluate_all(const ContactSweep& sweep) {
     std::vector<std::size_t> counts(team_.size(), 0);
     team_.run(
-        [&](std::size_t part) { counts[part] = evaluate_contacts(sweep, part_begin_[part], part_begin_[part + 1]); });
+        [&](std::size_t part) { counts[part] = loop_.evaluate(sweep, part_begin_[part], part_begin_[part + 1]); });
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
@@ -80,20 +79,12 @@ std::size_t ContactForces::apply(const std::vector<Motion>& motion, const std::v
     constexpr std::size_t many = 8;
     ++round_;
     const bool all_moved = notice(motion, seen);
-    const ContactSweep sweep{motion.data(),
-                             way.data(),
-                             all_moved ? nullptr : moved_.data(),
-                             step,
-                             list.contact.data(),
-                             list.law.data(),
-                             list.memory.data(),
-                             list.force.data(),
-                             list.open_until.data()};
+    const ContactSweep sweep = sweep_of(motion, way, all_moved ? nullptr : moved_.data(), step, list);
     std::size_t count = 0;
     if (many * moved_blocks_.size() > bodies_.size()) {
         if (team_.size() == 1) {
             std::fill(force_.begin(), force_.end(), BlockForce{});
-            return evaluate_and_sum_contacts(sweep, 0, list.contact.size(), force_.data());
+            return loop_.evaluate_and_sum(sweep, 0, list.contact.size(), force_.data());
         }
         index(list);
         count = evaluate_all(sweep);
@@ -113,7 +104,7 @@ std::size_t ContactForces::apply(const std::vector<Motion>& motion, const std::v
     for (const std::uint32_t block : moved_blocks_) {
         sum_block(block, list);
         for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
-            const RelaxationContact& contact = list.contact[of_block_[entry]];
+            const ContactBlocks& contact = list.contact.blocks()[of_block_[entry]];
             sum_block(contact.block == block ? contact.other : contact.block, list);
         }
     }
@@ -138,17 +129,9 @@ void ContactForces::sum_block(std::size_t block, const ContactList& list) {
 BlockForce ContactForces::sum_of(std::size_t block, const ContactList& list) const {
     BlockForce sum;
     for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
-        const RelaxationContact& contact = list.contact[of_block_[entry]];
+        const ContactBlocks& contact = list.contact.blocks()[of_block_[entry]];
         const ForceOnCorner& force = list.force[of_block_[entry]];
-        if (contact.block == block) {
-            sum.x += force.x;
-            sum.y += force.y;
-            sum.moment += force.moment;
-        } else {
-            sum.x -= force.x;
-            sum.y -= force.y;
-            sum.moment += force.other_moment;
-        }
+        sum += contact.block == block ? force.on_block() : force.on_other();
     }
     return sum;
 }

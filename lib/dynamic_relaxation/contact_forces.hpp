@@ -50,6 +50,7 @@ class ContactForces {
 
     const Bodies& bodies_;
     Team& team_;
+    ContactLoop loop_;
     std::vector<double> unnoticed_;
     std::vector<BlockForce> force_;
     std::vector<char> moved_;

@@ -15,10 +15,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace delabole {
 
-// Where a corner is over an edge, and how it moves. Number: double, or Lanes for four contacts at once.
+// Where a corner is over an edge, and how it moves. Number: double, or lanes for many contacts at once.
 template <class Number>
 struct ContactPositionOf {
     Number normal_x;
@@ -38,7 +39,7 @@ struct ContactPositionOf {
 using ContactPosition = ContactPositionOf<double>;
 
 template <class Number>
-DELABOLE_INLINED ContactPositionOf<Number> locate(const ContactShape<Number>& contact, const MotionOf<Number>& block,
+DELABOLE_INLINED ContactPositionOf<Number> locate(const ContactShapeOf<Number>& contact, const MotionOf<Number>& block,
                                                   const MotionOf<Number>& other) {
     // Sums are so ordered that nothing has to be negated.
     const Number back_x = block.versine * contact.arm_x + block.sine * contact.arm_y;
@@ -65,42 +66,42 @@ DELABOLE_INLINED ContactPositionOf<Number> locate(const ContactShape<Number>& co
 }
 
 DELABOLE_INLINED ContactPosition locate(const RelaxationContact& contact, const Motion& block, const Motion& other) {
-    return locate<double>(contact.shape(), block, other);
+    return locate<double>(contact, block, other);
 }
 
 template <class Number>
-DELABOLE_INLINED Number contact_weight(const ContactLawOf<Number>& law, const Number& length_to_end,
+DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
                                        const ContactPositionOf<Number>& at) {
     const Number overlap = -at.gap;
     // A ramp is no steeper than the overlap allows: a weight that changed faster would be a stiffer spring. Where a
     // corner does not bear at an end, it begins to bear half as far from it as it is deep: a point on a point holds.
     constexpr double least_rise = 0.5;
-    const bool deep = any(overlap * law.inverse_blend > least_rise);
+    const bool deep = any(overlap * ends.inverse_blend > least_rise);
     const auto ramp = [&](const Number& depth, const Number& rise) {
-        return deep ? select(depth * law.inverse_blend > rise, rise / depth, law.inverse_blend) : law.inverse_blend;
+        return deep ? select(depth * ends.inverse_blend > rise, rise / depth, ends.inverse_blend) : ends.inverse_blend;
     };
     // 1 for a weight that begins at -0.5, and 0.5 for one that begins at 0.5.
     const auto rise_from = [](const Number& least) { return 0.75 - 0.5 * least; };
     const Number to_end = length_to_end - at.slide;
-    const Number at_start = law.start_weight + at.position * ramp(overlap, rise_from(law.start_weight));
-    const Number at_end = law.end_weight + to_end * ramp(overlap, rise_from(law.end_weight));
+    const Number at_start = ends.start_weight + at.position * ramp(overlap, rise_from(ends.start_weight));
+    const Number at_end = ends.end_weight + to_end * ramp(overlap, rise_from(ends.end_weight));
     Number weight = lesser(at_start, at_end);
-    const auto has_rival = law.rival != Number{};
+    const auto has_rival = ends.rival != Number{};
     if (any(has_rival)) {
         // With t the way from the common end, the rival's overlap and the way along it.
-        const Number t = select(law.rival > Number{}, at.position, to_end);
-        const Number other_overlap = t * law.rival_sine - overlap * law.rival_cosine;
-        const Number other_way = t * law.rival_cosine + overlap * law.rival_sine;
+        const Number t = select(ends.rival > Number{}, at.position, to_end);
+        const Number other_overlap = t * ends.rival_sine - overlap * ends.rival_cosine;
+        const Number other_way = t * ends.rival_cosine + overlap * ends.rival_sine;
         const Number half = Number{} + 0.5;
-        const Number against = lesser(
-            weight, half + ramp(lesser(overlap, other_overlap), half) * greater(other_overlap - overlap, -other_way));
-        weight = select(has_rival, against, weight);
+        const Number against =
+            half + ramp(lesser(overlap, other_overlap), half) * greater(other_overlap - overlap, -other_way);
+        weight = lesser(weight, select(has_rival, against, weight));
     }
     return lesser(greater(weight, Number{}), Number{} + 1.0);
 }
 
-inline double contact_weight(const ContactLaw& law, const RelaxationContact& contact, const ContactPosition& at) {
-    return contact_weight<double>(law, contact.to_end, at);
+inline double contact_weight(const EdgeEnds& ends, const RelaxationContact& contact, const ContactPosition& at) {
+    return contact_weight<double>(ends, contact.to_end, at);
 }
 
 // How fast a corner leaves its edge and moves along it, m/s.
@@ -121,13 +122,13 @@ DELABOLE_INLINED ContactVelocity<Number> velocity_of(const ContactPositionOf<Num
 // A corner that bears: slips as far as its strength demands, and its dashpots act. The shear spring has followed the
 // corner already. `damping`: dissipated so far, with what the drags of the last step did up to now.
 template <class Number>
-DELABOLE_INLINED ForceOnCornerOf<Number> bear(const ContactLawOf<Number>& law, const ContactPositionOf<Number>& at,
+DELABOLE_INLINED ForceOnCornerOf<Number> bear(const JointLawOf<Number>& law, const ContactPositionOf<Number>& at,
                                               const ContactVelocity<Number>& velocity, const Number& weight,
                                               const Number& force_before, const Number& damping,
                                               const double& half_step, ContactMemoryOf<Number>& memory) {
     memory.place = at.slide;
-    memory.overlap = -at.gap;
-    const Number normal = law.normal_stiffness * memory.overlap;
+    const Number overlap = -at.gap;
+    const Number normal = law.normal_stiffness * overlap;
     const Number pressing = greater(normal, Number{});
     const Number residual = pressing * law.residual_friction;
     const Number strength = select(memory.broken, residual, pressing * law.friction + law.cohesion);
@@ -140,7 +141,7 @@ DELABOLE_INLINED ForceOnCornerOf<Number> bear(const ContactLawOf<Number>& law, c
         const Number held = with_sign(residual, held_by_spring);
         const Number slipped = (held - held_by_spring) / law.shear_stiffness;
         // A first slip also sets free what the spring held beyond the residual strength.
-        const Number mean_force = (select(memory.broken, lesser(force_before, strength), strength) + residual) * 0.5;
+        const Number mean_force = (lesser(select(memory.broken, force_before, strength), strength) + residual) * 0.5;
         memory.friction =
             select(memory.sliding, memory.friction + weight * mean_force * absolute(slipped), memory.friction);
         memory.slip = select(memory.sliding, memory.slip + slipped, memory.slip);
@@ -164,17 +165,34 @@ DELABOLE_INLINED ForceOnCornerOf<Number> bear(const ContactLawOf<Number>& law, c
 // Dissipated until now, where both drags have acted since the last step. A drag acts half a step on both sides of its
 // moment: the books count half with each velocity.
 template <class Number>
-DELABOLE_INLINED Number damping_until_now(const ContactMemoryOf<Number>& memory,
+DELABOLE_INLINED Number damping_until_now(const ContactNumbersOf<Number>& memory,
                                           const ContactVelocity<Number>& velocity, const double& half_step) {
     return memory.damping - half_step * (memory.normal_drag * velocity.opening + memory.shear_drag * velocity.shearing);
 }
 
+// A corner that leaves its edge. What the springs held is lost: of the shear spring much, where friction is great.
+template <class Number>
+DELABOLE_INLINED void let_go(const JointLawOf<Number>& law, const Number& weight, const Number& damping,
+                             ContactNumbersOf<Number>& memory) {
+    memory.friction += weight * law.shear_stiffness * memory.shear * memory.shear / 2;
+    memory.shear = Number{};
+    memory.damping = damping;
+    memory.normal_drag = memory.shear_drag = Number{};
+}
+
+// Of a twin that touches, what a contact takes over that begins to.
+struct TwinThatTouches {
+    double overlap;
+    double shear;
+};
+
 // Advances the memory by one step and gives the force at its end. Velocities are those that led here, half a step ago.
-// `memories`: of all contacts, among them the twin's. `open_by`, m: how far the corner is from touching, where it has
-// not touched before; else it is left alone.
+// `twin`: if there is one that touches. `open_by`, m: how far the corner is from touching, where it has not touched
+// before; else it is left alone.
 DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const RelaxationContact& contact,
-                                               ContactMemory& memory, const ContactMemory* memories,
-                                               const Motion& block, const Motion& other, double step, double& open_by) {
+                                               const std::optional<TwinThatTouches>& twin, const Motion& block,
+                                               const Motion& other, double step, ContactMemory& memory,
+                                               double& open_by) {
     const ContactPosition at = locate(contact, block, other);
     const double overlap = -at.gap;
     if (!memory.touching) {
@@ -184,8 +202,7 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
             return {};
         }
         // A twin hands over where both are about as deep.
-        const ContactMemory* twin = contact.twin == no_twin ? nullptr : memories + contact.twin;
-        if (memory.beneath && (twin == nullptr || !twin->touching || overlap > 1.5 * twin->overlap)) {
+        if (memory.beneath && (!twin || overlap > 1.5 * twin->overlap)) {
             return {};
         }
         memory.beneath = false;
@@ -195,13 +212,9 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
     const bool bonded = law.tension > 0 && !memory.broken;
     const double weight = contact_weight(law, contact, at);
     const auto open = [&] {
-        // What the springs held is lost: of the shear spring much, where friction is great.
-        memory.friction += weight * law.shear_stiffness * memory.shear * memory.shear / 2;
+        let_go<double>(law, weight, damping, memory);
         memory.touching = memory.sliding = false;
         memory.broken = true;
-        memory.shear = 0;
-        memory.damping = damping;
-        memory.normal_drag = memory.shear_drag = 0;
     };
     if (weight == 0 || (overlap <= 0 && !bonded)) {
         open();
@@ -211,15 +224,13 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
     const double force_before = law.shear_stiffness * std::abs(memory.shear);
     if (!memory.touching) {
         memory.touching = true;
-        const bool taken_over = contact.twin != no_twin && memories[contact.twin].touching;
-        memory.shear = taken_over ? memories[contact.twin].shear : 0;
+        memory.shear = twin ? twin->shear : 0;
     } else {
         memory.shear += at.slide - memory.place;
     }
     const double normal = law.normal_stiffness * overlap;
     if (normal < -law.tension) {
         memory.place = at.slide;
-        memory.overlap = overlap;
         memory.friction += weight * normal * overlap / 2;
         open();
         return {};

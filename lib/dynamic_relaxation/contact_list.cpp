@@ -11,7 +11,7 @@ void shift_twins(std::size_t begin, std::uint32_t shift, ContactList& list) {
     if (shift == 0) {
         return;
     }
-    for (RelaxationContact& contact : std::span(list.contact).subspan(begin)) {
+    for (ContactCorner& contact : std::span(list.contact.corners()).subspan(begin)) {
         contact.twin += contact.twin == no_twin ? 0 : shift;
     }
 }
@@ -19,7 +19,7 @@ void shift_twins(std::size_t begin, std::uint32_t shift, ContactList& list) {
 }  // namespace
 
 ContactRange next_of_pair(const ContactList& list, std::size_t from, const BlockPair& pair) {
-    const auto pair_of = [&](std::size_t index) { return list.contact[index].pair(); };
+    const auto pair_of = [&](std::size_t index) { return list.contact.blocks()[index].pair(); };
     while (from < list.contact.size() && pair_of(from) < pair) {
         ++from;
     }
@@ -42,12 +42,12 @@ ContactList list_like(const ContactList& list) {
 
 void append(const ContactList& from, const ContactRange& range, ContactList& to) {
     const std::size_t begin = to.contact.size();
+    to.contact.append(from.contact, range);
+    to.memory.append(from.memory, range);
     const auto copy = [&](const auto& source, auto& target) {
         const std::span part = part_of(source, range);
         target.insert(target.end(), part.begin(), part.end());
     };
-    copy(from.contact, to.contact);
-    copy(from.memory, to.memory);
     copy(from.force, to.force);
     copy(from.open_until, to.open_until);
     shift_twins(begin, static_cast<std::uint32_t>(begin) - static_cast<std::uint32_t>(range.begin), to);
@@ -57,7 +57,7 @@ void append(const PairContacts& found, const ContactRange& range, ContactLaws& l
     const std::size_t begin = to.contact.size();
     for (std::size_t index = range.begin; index < range.end; ++index) {
         to.contact.push_back(found.contact[index]);
-        to.contact.back().law = laws.number_of(found.law[index], to.law);
+        laws.name(found.law[index], to, to.contact.blocks().back());
         to.memory.push_back(found.memory[index]);
         to.force.emplace_back();
         to.open_until.push_back(not_open);

@@ -11,13 +11,6 @@
 
 namespace delabole {
 
-struct ContactRange {
-    std::size_t begin;
-    std::size_t end;
-
-    std::size_t size() const { return end - begin; }
-};
-
 template <class T, class Allocator>
 std::span<const T> part_of(const std::vector<T, Allocator>& items, const ContactRange& range) {
     return std::span<const T>(items).subspan(range.begin, range.size());

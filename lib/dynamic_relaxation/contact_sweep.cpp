@@ -3,7 +3,10 @@
 #include "dynamic_relaxation/contact_law.hpp"
 #include "dynamic_relaxation/lanes.hpp"
 
+#include <array>
 #include <bit>
+#include <cstring>
+#include <optional>
 
 namespace delabole {
 
@@ -12,295 +15,426 @@ namespace {
 // Leaves alone what is open by so much until its blocks have come half as far: the corner may be farther from the other
 // block's centroid than that block's own corners are, but not twice as far.
 DELABOLE_INLINED void note_opening(const ContactSweep& sweep, std::size_t index, double open_by) {
-    const RelaxationContact& contact = sweep.contact[index];
+    const ContactBlocks& contact = sweep.contact[index];
     sweep.open_until[index] =
         open_by > 0 ? sweep.way[contact.block] + sweep.way[contact.other] + open_by / 2 : not_open;
 }
 
-// Numbers are gathered as late as can be: there are more of them than registers. Rows are members in the order in which
-// bodies.hpp and contacts.hpp declare them.
+// Rows are members in the order in which bodies.hpp and contacts.hpp declare them.
 
-DELABOLE_INLINED void gather_pose(const Rows& rows, MotionOf<Lanes>& motion) {
-    const FourLanes four = gather_four(rows, 0);
-    motion.x = four[0];
-    motion.y = four[1];
-    motion.sine = four[2];
-    motion.versine = four[3];
+template <IsLanes Lanes>
+DELABOLE_INLINED MotionOf<Lanes> gather_motion(const Rows<Lanes>& rows) {
+    const std::array<Lanes, 8> of = gather_eight<Lanes>(rows);
+    return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]};
 }
 
-DELABOLE_INLINED void gather_velocity(const Rows& rows, MotionOf<Lanes>& motion) {
-    const FourLanes four = gather_four(rows, 4);
-    motion.vx = four[0];
-    motion.vy = four[1];
-    motion.spin = four[2];
+template <IsLanes Lanes>
+DELABOLE_INLINED EdgeEndsOf<Lanes> gather_ends(const Rows<Lanes>& rows) {
+    const std::array<Lanes, 8> of = gather_eight<Lanes>(rows);
+    return {of[0], of[1], of[2], of[3], of[4], of[5]};
 }
 
-DELABOLE_INLINED ContactShape<Lanes> gather_shape(const Rows& rows) {
-    const FourLanes one = gather_four(rows, 0);
-    const FourLanes two = gather_four(rows, 4);
-    return {one[0], one[1], one[2], one[3], two[0], two[1], two[2], two[3], gather(rows, 8)};
+// In most groups all have the same.
+template <IsLanes Lanes>
+DELABOLE_INLINED JointLawOf<Lanes> gather_joint(const ContactSweep& sweep, const ContactBlocks* contact) {
+    unsigned differ = 0;
+    for (std::size_t lane = 1; lane < lane_count<Lanes>; ++lane) {
+        differ |= contact[lane].joint ^ contact[0].joint;
+    }
+    const JointLaw& joint = sweep.joint[contact[0].joint];
+    if (differ == 0) {
+        const auto all = [](double number) __attribute__((always_inline)) {
+            return Lanes{} + number;
+        };
+        return {all(joint.normal_stiffness), all(joint.shear_stiffness), all(joint.normal_dashpot),
+                all(joint.shear_dashpot),    all(joint.friction),        all(joint.residual_friction),
+                all(joint.cohesion),         all(joint.tension)};
+    }
+    Rows<Lanes> rows;
+    for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
+        rows[lane] = &sweep.joint[contact[lane].joint].normal_stiffness;
+    }
+    const std::array<Lanes, 8> of = gather_eight<Lanes>(rows);
+    return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]};
 }
 
-DELABOLE_INLINED void gather_weighing(const Rows& rows, ContactLawOf<Lanes>& law) {
-    const FourLanes one = gather_four(rows, 0);
-    law.start_weight = one[0];
-    law.end_weight = one[1];
-    law.inverse_blend = one[2];
-    law.rival = one[3];
-    const FourLanes two = gather_four(rows, 4);
-    law.rival_sine = two[0];
-    law.rival_cosine = two[1];
-    law.normal_stiffness = two[2];
-    law.shear_stiffness = two[3];
-}
+// As many contacts in a row as there are lanes, all of one group.
+template <IsLanes Lanes>
+struct Part {
+    std::size_t first;
+    const ContactBlocks* contact;
+    const ContactShapeOf<NumberGroup>& shape;
+    ContactNumbersOf<NumberGroup>& numbers;
+    ContactFlagsOf<FlagGroup>& flags;
+    ForceOnCorner* force;
 
-DELABOLE_INLINED void gather_strength(const Rows& rows, ContactLawOf<Lanes>& law) {
-    const FourLanes four = gather_four(rows, 8);
-    law.normal_dashpot = four[0];
-    law.shear_dashpot = four[1];
-    law.friction = four[2];
-    law.residual_friction = four[3];
-    law.cohesion = gather(rows, 12);
-}
+    DELABOLE_INLINED Part(const ContactSweep& sweep, std::size_t index)
+        : first(index),
+          contact(sweep.contact + index),
+          shape(sweep.shape[index / packed_size]),
+          numbers(sweep.numbers[index / packed_size]),
+          flags(sweep.flags[index / packed_size]),
+          force(sweep.force + index) {}
 
-DELABOLE_INLINED void gather_memory(const Rows& rows, ContactMemoryOf<Lanes>& memory) {
-    const FourLanes one = gather_four(rows, 0);
-    memory.shear = one[0];
-    memory.place = one[1];
-    memory.damping = one[2];
-    const FourLanes two = gather_four(rows, 4);
-    memory.normal_drag = two[0];
-    memory.shear_drag = two[1];
-    memory.slip = two[2];
-    memory.friction = two[3];
-}
-
-// What four contacts in a row have to do. A bit for each.
-struct Duty {
-    unsigned wake = 0;   // those that cannot be left open
-    unsigned bear = 0;   // of these, those that touch and whose blocks have moved
-    unsigned alone = 0;  // of these, those whose blocks have moved and that may begin to touch
+    DELABOLE_INLINED std::size_t place() const { return lane_count<Lanes> == packed_size ? 0 : first % packed_size; }
+    DELABOLE_INLINED Lanes of(const NumberGroup& group) const { return load_lanes<Lanes>(group.data() + place()); }
+    DELABOLE_INLINED void keep(const Lanes& lanes, NumberGroup& group) const {
+        store_lanes<Lanes>(lanes, group.data() + place());
+    }
+    DELABOLE_INLINED unsigned of(const FlagGroup& group) const {
+        std::uint64_t bytes = 0;
+        std::memcpy(&bytes, group.data() + place(), lane_count<Lanes>);
+        return bits_of(bytes);
+    }
+    DELABOLE_INLINED void keep(unsigned lanes, FlagGroup& group) const {
+        for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
+            group[place() + lane] = (lanes >> lane & 1U) != 0;
+        }
+    }
+    DELABOLE_INLINED ContactShapeOf<Lanes> gather_shape() const {
+        return {of(shape.arm_x),   of(shape.arm_y), of(shape.other_arm_x), of(shape.other_arm_y), of(shape.along_x),
+                of(shape.along_y), of(shape.gap),   of(shape.from_start),  of(shape.to_end)};
+    }
 };
 
-DELABOLE_INLINED Duty duty_of_four(const ContactSweep& sweep, std::size_t first) {
-    const bool all_touch = sweep.memory[first].touching && sweep.memory[first + 1].touching &&
-                           sweep.memory[first + 2].touching && sweep.memory[first + 3].touching;
-    if (all_touch && sweep.moved == nullptr) {
-        return {all_lanes, all_lanes, 0};
+// What the contacts of a part have to do. A bit for each.
+struct Duty {
+    unsigned bear = 0;   // those that touch and whose blocks have moved
+    unsigned alone = 0;  // those whose blocks have moved and that may begin to touch
+    bool wake = false;   // not all can be left open
+};
+
+template <IsLanes Lanes>
+DELABOLE_INLINED Duty duty_of(const ContactSweep& sweep, const Part<Lanes>& part) {
+    const unsigned touching = part.of(part.flags.touching);
+    if (touching == all_lanes<Lanes> && sweep.moved == nullptr) {
+        return {all_lanes<Lanes>, 0, true};
     }
-    Duty duty;
-    const auto look_at = [&](unsigned lane) __attribute__((always_inline)) {
-        const std::size_t index = first + lane;
-        if (sweep.stays_open(index)) {
-            return;
+    unsigned may_touch = 0;
+    for (unsigned left = all_lanes<Lanes> & ~touching; left != 0; left &= left - 1) {
+        const auto lane = static_cast<unsigned>(std::countr_zero(left));
+        may_touch |= sweep.stays_open(part.first + lane) ? 0 : 1U << lane;
+    }
+    unsigned concerned = all_lanes<Lanes>;
+    if (sweep.moved != nullptr) {
+        for (unsigned lane = 0; lane < lane_count<Lanes>; ++lane) {
+            concerned &= ~(sweep.concerned(part.first + lane) ? 0 : 1U << lane);
         }
-        duty.wake |= 1U << lane;
-        if (sweep.concerned(index)) {
-            (sweep.memory[index].touching ? duty.bear : duty.alone) |= 1U << lane;
-        }
-    };
-    look_at(0);
-    look_at(1);
-    look_at(2);
-    look_at(3);
-    return duty;
+    }
+    return {touching & concerned, may_touch & concerned, (touching | may_touch) != 0};
+}
+
+DELABOLE_INLINED bool touches(const ContactSweep& sweep, std::size_t index) {
+    return sweep.flags[index / packed_size].touching[index % packed_size];
+}
+
+DELABOLE_INLINED RelaxationContact contact_of(const ContactSweep& sweep, std::size_t index) {
+    return {sweep.contact[index], sweep.corner[index],
+            taken_from<ContactShapeOf, double>(sweep.shape[index / packed_size], index % packed_size)};
 }
 
 // As advance_contact leaves a contact that does not touch yet.
 DELABOLE_INLINED void stay_open(const ContactSweep& sweep, std::size_t index, double gap) {
-    sweep.memory[index].beneath = false;
     sweep.force[index] = {};
     note_opening(sweep, index, gap);
 }
 
-// Whether a contact that begins to touch may take over from one of the four, whose order counts then.
-bool may_take_over(const ContactSweep& sweep, std::size_t first, unsigned alone) {
-    for (std::size_t lane = 0; lane < lane_count; ++lane) {
-        const std::uint32_t twin = sweep.contact[first + lane].twin;
-        if ((alone >> lane & 1U) != 0 && twin != no_twin && twin - first < lane_count) {
-            return true;
-        }
-    }
-    return false;
+// As advance_contact leaves a contact that opens.
+void open_up(const ContactSweep& sweep, std::size_t index, double weight, double damping, bool beneath) {
+    const std::size_t place = index % packed_size;
+    ContactNumbersOf<NumberGroup>& numbers = sweep.numbers[index / packed_size];
+    ContactFlagsOf<FlagGroup>& flags = sweep.flags[index / packed_size];
+    ContactNumbersOf<double> kept = taken_from<ContactNumbersOf, double>(numbers, place);
+    let_go<double>(sweep.joint[sweep.contact[index].joint], weight, damping, kept);
+    put_into<ContactNumbersOf, double>(numbers, place, kept);
+    put_into<ContactFlagsOf, bool>(flags, place, {false, false, true, beneath});
+    sweep.force[index] = {};
+    sweep.open_until[index] = not_open;
 }
 
-// Those of four contacts in a row that go on bearing and those that stay open, at once. Returns which they were.
-DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, std::size_t first, const Duty& duty) {
-    const RelaxationContact* const contact = sweep.contact + first;
-    ContactMemory* const kept = sweep.memory + first;
-    ForceOnCorner* const force_of = sweep.force + first;
-    const auto motion_of = [&](std::uint32_t block) __attribute__((always_inline)) {
-        return &sweep.motion[block].x;
-    };
-    const auto law_of = [&](std::size_t lane) __attribute__((always_inline)) {
-        return &sweep.law[contact[lane].law].start_weight;
-    };
-    const Rows blocks{motion_of(contact[0].block), motion_of(contact[1].block), motion_of(contact[2].block),
-                      motion_of(contact[3].block)};
-    const Rows others{motion_of(contact[0].other), motion_of(contact[1].other), motion_of(contact[2].other),
-                      motion_of(contact[3].other)};
-    const Rows laws{law_of(0), law_of(1), law_of(2), law_of(3)};
-    const Rows memories{&kept[0].shear, &kept[1].shear, &kept[2].shear, &kept[3].shear};
-    const ContactShape<Lanes> shape =
-        gather_shape({contact[0].arm.data(), contact[1].arm.data(), contact[2].arm.data(), contact[3].arm.data()});
-    MotionOf<Lanes> block;
-    MotionOf<Lanes> other;
-    gather_pose(blocks, block);
-    gather_pose(others, other);
+// Of contacts that begin to touch.
+struct Beginning {
+    unsigned simply = 0;    // with nothing to take over
+    unsigned not_yet = 0;   // they are beneath their edges
+    bool in_order = false;  // one may take over from another of the part, whose order counts then
+};
+
+template <IsLanes Lanes>
+DELABOLE_INLINED Beginning beginning_of(const ContactSweep& sweep, const Part<Lanes>& part, unsigned begins) {
+    Beginning beginning;
+    const unsigned beneath = part.of(part.flags.beneath);
+    for (unsigned left = begins; left != 0; left &= left - 1) {
+        const unsigned lane = left & -left;
+        const std::uint32_t twin = sweep.corner[part.first + static_cast<std::size_t>(std::countr_zero(left))].twin;
+        if (twin != no_twin) {
+            beginning.in_order |= twin - part.first < lane_count<Lanes>;
+            if (touches(sweep, twin)) {
+                continue;
+            }
+        }
+        ((beneath & lane) != 0 ? beginning.not_yet : beginning.simply) |= lane;
+    }
+    return beginning;
+}
+
+// Contacts of a part, all at once except those that take something over or are held by a bond. Returns which are left.
+template <IsLanes Lanes>
+DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Part<Lanes>& part, const Duty& duty) {
+    Rows<Lanes> blocks;
+    Rows<Lanes> others;
+    for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
+        blocks[lane] = &sweep.motion[part.contact[lane].block].x;
+        others[lane] = &sweep.motion[part.contact[lane].other].x;
+    }
+    const ContactShapeOf<Lanes> shape = part.gather_shape();
+    const MotionOf<Lanes> block = gather_motion<Lanes>(blocks);
+    const MotionOf<Lanes> other = gather_motion<Lanes>(others);
     const ContactPositionOf<Lanes> at = locate<Lanes>(shape, block, other);
     const unsigned apart = bits(at.gap >= 0.0);
-    const unsigned open = duty.alone & apart;
-    if (duty.alone != open && may_take_over(sweep, first, duty.alone & ~apart)) {
-        return 0;
-    }
-    for (std::size_t lane = 0; open >> lane != 0; ++lane) {
-        if ((open >> lane & 1U) != 0) {
-            stay_open(sweep, first + lane, at.gap[lane]);
+    Beginning begins;
+    if (duty.alone != 0) {
+        begins = beginning_of<Lanes>(sweep, part, duty.alone & ~apart);
+        if (begins.in_order) {
+            return duty.bear | duty.alone;
         }
+        for (unsigned left = (duty.alone & apart) | begins.not_yet; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            stay_open(sweep, part.first + lane, at.gap[lane]);
+        }
+        part.keep(part.of(part.flags.beneath) & ~(duty.alone & apart), part.flags.beneath);
     }
-    ContactLawOf<Lanes> law;
-    gather_weighing(laws, law);
-    const Lanes weight = contact_weight<Lanes>(law, shape.to_end, at);
-    const unsigned bearing = duty.bear & ~apart & ~bits(weight == 0.0);
-    if (bearing == 0) {
-        return open;
+    Rows<Lanes> ends_rows;
+    for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
+        ends_rows[lane] = &sweep.ends[part.contact[lane].ends].start_weight;
     }
-    gather_velocity(blocks, block);
-    gather_velocity(others, other);
+    const EdgeEndsOf<Lanes> ends = gather_ends<Lanes>(ends_rows);
+    const Lanes weight = contact_weight<Lanes>(ends, shape.to_end, at);
+    const unsigned without_weight = bits(weight == 0.0);
+    const unsigned bearing = (duty.bear | begins.simply) & ~apart & ~without_weight;
+    const unsigned opening = (duty.bear | begins.simply) & (apart | without_weight);
+    unsigned left_alone = duty.alone & ~apart & ~begins.simply & ~begins.not_yet;
+    if ((bearing | opening) == 0) {
+        return left_alone;
+    }
     const ContactVelocity<Lanes> velocity = velocity_of<Lanes>(at, block, other);
-    ContactMemoryOf<Lanes> memory;
-    gather_memory(memories, memory);
-    const auto broken = [&](std::size_t lane) __attribute__((always_inline)) {
-        return kept[lane].broken ? -1 : 0;
-    };
-    memory.broken = LaneMask{broken(0), broken(1), broken(2), broken(3)};
+    ContactNumbersOf<NumberGroup>& kept = part.numbers;
+    const unsigned broken = part.of(part.flags.broken);
+    const ContactMemoryOf<Lanes> before{
+        {part.of(kept.shear), part.of(kept.place), part.of(kept.damping), part.of(kept.normal_drag),
+         part.of(kept.shear_drag), part.of(kept.slip), part.of(kept.friction), Lanes{}},
+        {{}, {}, mask_of<Lanes>(broken), {}}};
+    ContactMemoryOf<Lanes> memory = before;
     const double half_step = sweep.step / 2;
     const Lanes damping = damping_until_now<Lanes>(memory, velocity, half_step);
-    const Lanes force_before = law.shear_stiffness * absolute(memory.shear);
+    const JointLawOf<Lanes> joint = gather_joint<Lanes>(sweep, part.contact);
+    const Lanes force_before = joint.shear_stiffness * absolute(memory.shear);
     memory.shear += at.slide - memory.place;
-    gather_strength(laws, law);
+    if (begins.simply != 0) {
+        memory.shear = select(mask_of<Lanes>(begins.simply), Lanes{}, memory.shear);
+    }
     const ForceOnCornerOf<Lanes> force =
-        bear<Lanes>(law, at, velocity, weight, force_before, damping, half_step, memory);
-    const FourLanes forces = transposed(force.x, force.y, force.moment, force.other_moment);
-    const FourLanes first_half = transposed(memory.shear, memory.place, memory.damping, memory.overlap);
-    const FourLanes second_half = transposed(memory.normal_drag, memory.shear_drag, memory.slip, memory.friction);
-    const unsigned sliding = bits(memory.sliding);
-    const auto keep = [&](std::size_t lane) __attribute__((always_inline)) {
-        store_lanes(forces[lane], &force_of[lane].x);
-        store_lanes(first_half[lane], &kept[lane].shear);
-        store_lanes(second_half[lane], &kept[lane].normal_drag);
-        kept[lane].sliding = (sliding >> lane & 1U) != 0;
-        kept[lane].broken = kept[lane].broken || kept[lane].sliding;
+        bear<Lanes>(joint, at, velocity, weight, force_before, damping, half_step, memory);
+    const auto which = mask_of<Lanes>(bearing);
+    const auto keep = [&](const Lanes& now, const Lanes& then, NumberGroup& group) __attribute__((always_inline)) {
+        part.keep(select(which, now, then), group);
     };
-    if (bearing == all_lanes && sliding == 0) {
-        const auto keep_held = [&](std::size_t lane) __attribute__((always_inline)) {
-            store_lanes(forces[lane], &force_of[lane].x);
-            store_lanes(first_half[lane], &kept[lane].shear);
-            store_lanes(second_half[lane], &kept[lane].normal_drag);
-            kept[lane].sliding = false;
-        };
-        keep_held(0);
-        keep_held(1);
-        keep_held(2);
-        keep_held(3);
+    keep(memory.shear, before.shear, kept.shear);
+    keep(memory.place, before.place, kept.place);
+    keep(memory.damping, before.damping, kept.damping);
+    keep(memory.normal_drag, before.normal_drag, kept.normal_drag);
+    keep(memory.shear_drag, before.shear_drag, kept.shear_drag);
+    const unsigned sliding = bits(memory.sliding) & bearing;
+    const unsigned slid = part.of(part.flags.sliding);
+    if ((sliding | begins.simply | (slid & bearing)) != 0) {
+        keep(memory.slip, before.slip, kept.slip);
+        keep(memory.friction, before.friction, kept.friction);
+        part.keep(broken | sliding, part.flags.broken);
+        part.keep((slid & ~bearing) | sliding, part.flags.sliding);
+        part.keep(part.of(part.flags.touching) | begins.simply, part.flags.touching);
+        for (unsigned left = begins.simply; left != 0; left &= left - 1) {
+            sweep.open_until[part.first + static_cast<std::size_t>(std::countr_zero(left))] = not_open;
+        }
+    }
+    const FourOf<Lanes> forces = transposed<Lanes>(force.x, force.y, force.moment, force.other_moment);
+    if (bearing == all_lanes<Lanes>) {
+        for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
+            store_row<Lanes>(forces, lane, &part.force[lane].x);
+        }
     } else {
-        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
             if ((bearing >> lane & 1U) != 0) {
-                keep(lane);
+                store_row<Lanes>(forces, lane, &part.force[lane].x);
             }
         }
     }
-    return bearing | open;
-}
-
-void evaluate_marked(const ContactSweep& sweep, std::size_t first, unsigned marked) {
-    for (std::size_t lane = 0; lane < lane_count; ++lane) {
-        if ((marked >> lane & 1U) != 0) {
-            evaluate_contact(sweep, first + lane);
+    if (opening != 0) {
+        const unsigned bonded = opening & ~without_weight & ~broken & bits(joint.tension > 0.0);
+        const unsigned has_rival = bits(ends.rival != 0.0);
+        for (unsigned left = opening & ~bonded; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            open_up(sweep, part.first + lane, weight[lane], damping[lane], (~(apart | has_rival) >> lane & 1U) != 0);
         }
+        left_alone |= bonded;
     }
+    return left_alone;
 }
 
-// Into the nearest cache, before they are wanted: of each array what four contacts take, in lines of 64 bytes. Past the
-// end it does nothing.
+// Into the nearest cache, before they are wanted. Past the end it does nothing.
 DELABOLE_INLINED void fetch_ahead(const ContactSweep& sweep, std::size_t index) {
-    constexpr std::size_t ahead = 4 * lane_count;
-    const auto fetch = [&](const auto* first) __attribute__((always_inline)) {
+    constexpr std::size_t ahead = 2 * packed_size;
+    const auto fetch = [](const auto* first, std::size_t bytes) __attribute__((always_inline)) {
         constexpr std::size_t line = 64;
-        const auto* const bytes = reinterpret_cast<const char*>(first + index + ahead);
-        for (std::size_t at = 0; at < lane_count * sizeof(*first); at += line) {
-            __builtin_prefetch(bytes + at);
+        for (std::size_t at = 0; at < bytes; at += line) {
+            __builtin_prefetch(reinterpret_cast<const char*>(first) + at);
         }
     };
-    fetch(sweep.contact);
-    fetch(sweep.memory);
-    fetch(sweep.force);
+    const std::size_t group = (index + ahead) / packed_size;
+    fetch(sweep.contact + index + ahead, packed_size * sizeof(ContactBlocks));
+    fetch(sweep.shape + group, sizeof(*sweep.shape));
+    fetch(sweep.numbers + group, offsetof(ContactNumbersOf<NumberGroup>, slip));
+    fetch(sweep.force + index + ahead, packed_size * sizeof(ForceOnCorner));
 }
 
 // `after`: what is done with each contact that may have a force, in their order.
-template <class AfterOne>
+template <IsLanes Lanes, class AfterOne>
 DELABOLE_INLINED std::size_t go_through(const ContactSweep& sweep, std::size_t begin, std::size_t end,
                                         const AfterOne& after) {
     std::size_t count = 0;
     std::size_t index = begin;
-    for (; index + lane_count <= end; index += lane_count) {
-        fetch_ahead(sweep, index);
-        const Duty duty = duty_of_four(sweep, index);
-        if (duty.wake == 0) {
+    const auto one_by_one_up_to = [&](std::size_t last) __attribute__((always_inline)) {
+        for (; index < last; ++index) {
+            if (sweep.stays_open(index)) {
+                continue;
+            }
+            if (sweep.concerned(index)) {
+                evaluate_contact(sweep, index);
+                ++count;
+            }
+            after(index);
+        }
+    };
+    constexpr std::size_t lanes = lane_count<Lanes>;
+    one_by_one_up_to(std::min((begin + lanes - 1) / lanes * lanes, end));
+    for (; index + lanes <= end; index += lanes) {
+        if (index % packed_size == 0) {
+            fetch_ahead(sweep, index);
+        }
+        const Part<Lanes> part(sweep, index);
+        const Duty duty = duty_of<Lanes>(sweep, part);
+        if (!duty.wake) {
             continue;
         }
         unsigned left = duty.bear | duty.alone;
         count += static_cast<std::size_t>(std::popcount(left));
-        if (duty.bear != 0) {
-            left &= ~evaluate_together(sweep, index, duty);
-        }
         if (left != 0) {
-            evaluate_marked(sweep, index, left);
+            left = evaluate_together<Lanes>(sweep, part, duty);
         }
-        after(index);
-        after(index + 1);
-        after(index + 2);
-        after(index + 3);
+        for (; left != 0; left &= left - 1) {
+            evaluate_contact(sweep, index + static_cast<std::size_t>(std::countr_zero(left)));
+        }
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            after(index + lane);
+        }
     }
-    for (; index < end; ++index) {
-        if (sweep.stays_open(index)) {
-            continue;
-        }
-        if (sweep.concerned(index)) {
-            evaluate_contact(sweep, index);
-            ++count;
-        }
-        after(index);
-    }
+    one_by_one_up_to(end);
     return count;
 }
 
+template <IsLanes Lanes>
+DELABOLE_INLINED std::size_t evaluate(const ContactSweep& sweep, std::size_t begin, std::size_t end) {
+    return go_through<Lanes>(sweep, begin, end, [](std::size_t /*index*/) __attribute__((always_inline)){});
+}
+
+template <IsLanes Lanes>
+DELABOLE_INLINED std::size_t evaluate_and_sum(const ContactSweep& sweep, std::size_t begin, std::size_t end,
+                                              BlockForce* sum) {
+    return go_through<Lanes>(
+        sweep, begin, end, [&](std::size_t index) __attribute__((always_inline)) {
+            const ContactBlocks& contact = sweep.contact[index];
+            const FourLanes force = load_lanes<FourLanes>(&sweep.force[index].x);
+            double* const own = &sum[contact.block].x;
+            store_lanes<FourLanes>(load_lanes<FourLanes>(own) + force, own);
+            double* const other = &sum[contact.other].x;
+            store_lanes<FourLanes>(load_lanes<FourLanes>(other) + opposite(force), other);
+        });
+}
+
+#define DELABOLE_CONTACT_LOOP(name, Lanes, target)                                                     \
+    target std::size_t evaluate_##name(ContactSweep sweep, std::size_t begin, std::size_t end) {       \
+        return evaluate<Lanes>(sweep, begin, end);                                                     \
+    }                                                                                                  \
+    target std::size_t evaluate_and_sum_##name(ContactSweep sweep, std::size_t begin, std::size_t end, \
+                                               BlockForce* sum) {                                      \
+        return evaluate_and_sum<Lanes>(sweep, begin, end, sum);                                        \
+    }                                                                                                  \
+    constexpr ContactLoop name##_loop{#name, evaluate_##name, evaluate_and_sum_##name};
+
+DELABOLE_CONTACT_LOOP(any_processor, FourLanes, )
+#ifdef DELABOLE_PROCESSORS_DIFFER
+DELABOLE_CONTACT_LOOP(avx2, FourLanes, __attribute__((target("avx2"))))
+DELABOLE_CONTACT_LOOP(avx512, EightLanes, __attribute__((target("arch=x86-64-v4"))))
+
+constexpr std::array all_loops{avx512_loop, avx2_loop, any_processor_loop};
+
+std::size_t first_that_runs() {
+    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+        __builtin_cpu_supports("avx512cd") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+        __builtin_cpu_supports("avx512vl") != 0) {
+        return 0;
+    }
+    return __builtin_cpu_supports("avx2") != 0 ? 1 : 2;
+}
+#else
+constexpr std::array all_loops{any_processor_loop};
+
+std::size_t first_that_runs() {
+    return 0;
+}
+#endif
+
 }  // namespace
 
+std::span<const ContactLoop> contact_loops() {
+    static const std::size_t first = first_that_runs();
+    return std::span(all_loops).subspan(first);
+}
+
+ContactSweep sweep_of(const std::vector<Motion>& motion, const std::vector<double>& way, const char* moved, double step,
+                      ContactList& list) {
+    return {motion.data(),
+            way.data(),
+            moved,
+            step,
+            list.contact.blocks().data(),
+            list.contact.corners().data(),
+            list.contact.shapes(),
+            list.ends.data(),
+            list.joint.data(),
+            list.memory.numbers(),
+            list.memory.flags(),
+            list.force.data(),
+            list.open_until.data()};
+}
+
 void evaluate_contact(const ContactSweep& sweep, std::size_t index) {
-    const RelaxationContact& contact = sweep.contact[index];
+    const RelaxationContact contact = contact_of(sweep, index);
+    const std::size_t group = index / packed_size;
+    const std::size_t place = index % packed_size;
+    ContactMemory memory{taken_from<ContactNumbersOf, double>(sweep.numbers[group], place),
+                         taken_from<ContactFlagsOf, bool>(sweep.flags[group], place)};
+    std::optional<TwinThatTouches> twin;
+    if (!memory.touching && contact.twin != no_twin && touches(sweep, contact.twin)) {
+        const RelaxationContact other = contact_of(sweep, contact.twin);
+        twin = TwinThatTouches{-locate(other, sweep.motion[other.block], sweep.motion[other.other]).gap,
+                               sweep.numbers[contact.twin / packed_size].shear[contact.twin % packed_size]};
+    }
     double open_by = 0;
-    sweep.force[index] = advance_contact(sweep.law[contact.law], contact, sweep.memory[index], sweep.memory,
-                                         sweep.motion[contact.block], sweep.motion[contact.other], sweep.step, open_by);
+    sweep.force[index] =
+        advance_contact({sweep.ends[contact.ends], sweep.joint[contact.joint]}, contact, twin,
+                        sweep.motion[contact.block], sweep.motion[contact.other], sweep.step, memory, open_by);
+    put_into<ContactNumbersOf, double>(sweep.numbers[group], place, memory);
+    put_into<ContactFlagsOf, bool>(sweep.flags[group], place, memory);
     note_opening(sweep, index, open_by);
-}
-
-DELABOLE_FOR_EACH_PROCESSOR
-std::size_t evaluate_contacts(ContactSweep sweep, std::size_t begin, std::size_t end) {
-    return go_through(sweep, begin, end, [](std::size_t /*index*/) __attribute__((always_inline)){});
-}
-
-DELABOLE_FOR_EACH_PROCESSOR
-std::size_t evaluate_and_sum_contacts(ContactSweep sweep, std::size_t begin, std::size_t end, BlockForce* sum) {
-    return go_through(
-        sweep, begin, end, [&](std::size_t index) __attribute__((always_inline)) {
-            const RelaxationContact& contact = sweep.contact[index];
-            const Lanes force = load_lanes(&sweep.force[index].x);
-            double* const own = &sum[contact.block].x;
-            store_lanes(load_lanes(own) + force, own);
-            double* const other = &sum[contact.other].x;
-            store_lanes(load_lanes(other) + opposite(force), other);
-        });
 }
 
 }  // namespace delabole

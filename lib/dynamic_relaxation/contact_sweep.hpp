@@ -1,10 +1,13 @@
-// Contacts one after the other, four at a time where they bear: what a step spends its time on.
+// Contacts one after the other, many at a time where they bear: what a step spends its time on.
 #pragma once
 
 #include "dynamic_relaxation/bodies.hpp"
 #include "dynamic_relaxation/contacts.hpp"
 
 #include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
 
 namespace delabole {
 
@@ -14,9 +17,13 @@ struct ContactSweep {
     const double* way;  // of each block, since the start; no point of it has come farther
     const char* moved;  // since its contacts were last evaluated; null: all have
     double step;
-    const RelaxationContact* contact;
-    const ContactLaw* law;
-    ContactMemory* memory;
+    const ContactBlocks* contact;
+    const ContactCorner* corner;
+    const ContactShapeOf<NumberGroup>* shape;
+    const EdgeEnds* ends;
+    const JointLaw* joint;
+    ContactNumbersOf<NumberGroup>* numbers;
+    ContactFlagsOf<FlagGroup>* flags;
     ForceOnCorner* force;
     double* open_until;
 
@@ -29,14 +36,23 @@ struct ContactSweep {
     }
 };
 
+ContactSweep sweep_of(const std::vector<Motion>& motion, const std::vector<double>& way, const char* moved, double step,
+                      ContactList& list);
+
 void evaluate_contact(const ContactSweep& sweep, std::size_t index);
 
-// Evaluates contacts of blocks that have moved, except those that stay open. Returns how many. The same bits come out
-// wherever ranges begin and end, if contacts of a pair of blocks are in one.
-std::size_t evaluate_contacts(ContactSweep sweep, std::size_t begin, std::size_t end);
+// A loop over contacts from `begin` to `end`, for processors of one kind. All give the same bits, wherever ranges begin
+// and end, if contacts of a pair of blocks are in one.
+struct ContactLoop {
+    std::string_view name;
+    // Evaluates contacts of blocks that have moved, except those that stay open. Returns how many.
+    std::size_t (*evaluate)(ContactSweep sweep, std::size_t begin, std::size_t end);
+    // Adds up all forces besides, in the order of the list: what has been read need not be read again for it. `sum`: of
+    // each block, zero at first.
+    std::size_t (*evaluate_and_sum)(ContactSweep sweep, std::size_t begin, std::size_t end, BlockForce* sum);
+};
 
-// Adds up all forces besides, in the order of the list: what has been read need not be read again for it. `sum`: of
-// each block, zero at first.
-std::size_t evaluate_and_sum_contacts(ContactSweep sweep, std::size_t begin, std::size_t end, BlockForce* sum);
+// Those that this processor can run, the fastest one first.
+std::span<const ContactLoop> contact_loops();
 
 }  // namespace delabole

@@ -43,10 +43,6 @@ double middling_radius(const Bodies& bodies) {
     return *middle;
 }
 
-double speed_of(const Motion& motion, double radius) {
-    return std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * radius;
-}
-
 }  // namespace
 
 ContactWatch::ContactWatch(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping)
@@ -76,7 +72,7 @@ void ContactWatch::prepare_for(double step, WatchState& state) {
 }
 
 void ContactWatch::resume(const WatchState& state, const ContactList& list) {
-    laws_.resume(list.law);
+    laws_.resume(list);
     index_pairs(state);
 }
 
@@ -174,8 +170,7 @@ void ContactWatch::look(std::size_t number, double margin, const MovingScene& sc
                         const ContactList& list) {
     WatchedPair& pair = state.pair[number];
     const ContactRange before = contacts_of(number, state, list);
-    pair_search_.find({pair.first, pair.second}, scene.motion, margin, first_, part_of(list.contact, before),
-                      part_of(list.memory, before), now_);
+    pair_search_.find({pair.first, pair.second}, scene.motion, margin, first_, list, before, now_);
     ++state.looks;
     const Motion& first = scene.motion[pair.first];
     const Motion& second = scene.motion[pair.second];
@@ -202,7 +197,7 @@ bool ContactWatch::is_as_before(const ContactRange& before, const ContactList& l
         return false;
     }
     for (std::size_t index = 0; index < before.size(); ++index) {
-        const RelaxationContact& then = list.contact[before.begin + index];
+        const RelaxationContact then = list.contact[before.begin + index];
         const RelaxationContact& now = now_.contact[index];
         const bool same_twin = now.twin == no_twin ? then.twin == no_twin : then.twin == before.begin + now.twin;
         if (now.corner != then.corner || now.edge != then.edge || !same_twin ||
@@ -218,7 +213,7 @@ void ContactWatch::search(const MovingScene& scene, const std::vector<BlockPair>
                           ContactList& list) {
     std::vector<double> reach = reach_at_rest_;
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        const double speed = speed_of(scene.motion[block], bodies_.radius[block]);
+        const double speed = fastest_point<double>(scene.motion[block], bodies_.radius[block]);
         reach[block] = std::max(reach[block], steps_between_searches * speed * state.step);
         // The other half is left for margins.
         state.neighbours_until[block] = state.way[block] + reach[block] / 2;
@@ -226,7 +221,7 @@ void ContactWatch::search(const MovingScene& scene, const std::vector<BlockPair>
     }
     const auto drop = [&](std::size_t begin, std::size_t end) {
         for (std::size_t index = begin; index < end; ++index) {
-            const RelaxationContact& contact = list.contact[index];
+            const RelaxationContact contact = list.contact[index];
             dropped_.push_back({contact, list.memory[index]});
             changed_blocks_.push_back(contact.block);
             changed_blocks_.push_back(contact.other);
@@ -254,8 +249,8 @@ void ContactWatch::search(const MovingScene& scene, const std::vector<BlockPair>
     list_changed_ = list_changed_ || !dropped_.empty();
     // Laws that no contact has any more go.
     laws_.clear();
-    for (RelaxationContact& contact : kept.contact) {
-        contact.law = laws_.number_of(list.law_of(contact), kept.law);
+    for (ContactBlocks& contact : kept.contact.blocks()) {
+        laws_.name(list.law_of(contact), kept, contact);
     }
     list = std::move(kept);
     index_pairs(state);
@@ -266,7 +261,8 @@ void ContactWatch::assemble(WatchState& state, ContactList& list) {
     std::sort(replacement_.begin(), replacement_.end(),
               [](const Replacement& one, const Replacement& two) { return one.pair < two.pair; });
     ContactList renewed = list_like(list);
-    renewed.law = std::move(list.law);
+    renewed.ends = std::move(list.ends);
+    renewed.joint = std::move(list.joint);
     // Contacts between those that are replaced go over in one piece.
     std::size_t taken = 0;
     std::uint32_t shift = 0;  // modulo 2^32
@@ -296,7 +292,7 @@ void ContactWatch::replace(const Replacement& by, const ContactRange& range, con
                            ContactList& renewed) {
     const std::span<const RelaxationContact> now = part_of(found_.contact, by.found);
     for (std::size_t index = range.begin; index < range.end; ++index) {
-        const RelaxationContact& then = list.contact[index];
+        const RelaxationContact then = list.contact[index];
         if (std::none_of(now.begin(), now.end(), [&](const RelaxationContact& one) {
                 return one.corner == then.corner && one.edge == then.edge;
             })) {
@@ -313,7 +309,8 @@ void ContactWatch::renew_stable_steps(const MovingScene& scene, const Bonds& bon
         SpringsOnBlock springs(bodies_, block);
         for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
             const ContactRange range = contacts_of(of_block_[entry], state, list);
-            for (const RelaxationContact& contact : part_of(list.contact, range)) {
+            for (std::size_t index = range.begin; index < range.end; ++index) {
+                const RelaxationContact contact = list.contact[index];
                 springs.add(contact, list.law_of(contact), scene.motion);
             }
         }

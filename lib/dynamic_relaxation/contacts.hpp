@@ -6,9 +6,11 @@
 // another, which is what made the thesis's program blow up (5.3.2, cycle 677).
 #pragma once
 
+#include "dynamic_relaxation/bodies.hpp"
 #include "dynamic_relaxation/lanes.hpp"
 #include "dynamic_relaxation/large_array.hpp"
 #include "dynamic_relaxation/neighbours.hpp"
+#include "dynamic_relaxation/packed_array.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,10 +23,17 @@ namespace delabole {
 constexpr double not_open = -1;
 constexpr std::uint32_t no_twin = static_cast<std::uint32_t>(-1);
 
-// What many contacts have in common, so that a step has less to read: a pack of bricks has a handful of laws. Of a size
-// by which numbers of laws are multiplied at once.
+struct ContactRange {
+    std::size_t begin;
+    std::size_t end;
+
+    std::size_t size() const { return end - begin; }
+};
+
+// Of an edge, as a corner of another block comes over its ends. Many contacts have it in common, so that a step has
+// less to read: a pack of bricks has a handful. Of a size by which numbers are multiplied at once.
 template <class Number>
-struct alignas(16 * sizeof(double)) ContactLawOf {
+struct alignas(8 * sizeof(double)) EdgeEndsOf {
     Number start_weight;  // weight of the contact where the corner is at the edge's start
     Number end_weight;
     Number inverse_blend;  // 1 / length over which the weight changes
@@ -33,6 +42,13 @@ struct alignas(16 * sizeof(double)) ContactLawOf {
     Number rival;
     Number rival_sine;  // of the interior angle between the two
     Number rival_cosine;
+
+    bool operator==(const EdgeEndsOf&) const = default;
+};
+
+// What a contact bears, in common with more contacts still.
+template <class Number>
+struct alignas(8 * sizeof(double)) JointLawOf {
     Number normal_stiffness;
     Number shear_stiffness;
     Number normal_dashpot;
@@ -42,66 +58,78 @@ struct alignas(16 * sizeof(double)) ContactLawOf {
     Number cohesion;           // N/m: over half the shared length
     Number tension;            // N/m
 
+    bool operator==(const JointLawOf&) const = default;
+};
+
+template <class Number>
+struct ContactLawOf : EdgeEndsOf<Number>, JointLawOf<Number> {
     bool operator==(const ContactLawOf&) const = default;
 };
 
+using EdgeEnds = EdgeEndsOf<double>;
+using JointLaw = JointLawOf<double>;
 using ContactLaw = ContactLawOf<double>;
 
-// Of a contact, in the drawing, as the loop over contacts wants it.
+// In the drawing.
 template <class Number>
-struct ContactShape {
-    Number arm_x;
-    Number arm_y;
-    Number other_arm_x;
-    Number other_arm_y;
-    Number along_x;
-    Number along_y;
-    Number gap;
-    Number from_start;
-    Number to_end;
+struct ContactShapeOf {
+    Number arm_x{};  // of the corner, about its block's centroid
+    Number arm_y{};
+    Number other_arm_x{};  // of the corner, about the other block's centroid
+    Number other_arm_y{};
+    Number along_x{};  // of the edge
+    Number along_y{};
+    Number gap{};         // from the edge to the corner
+    Number from_start{};  // of the edge to the corner, along the edge
+    Number to_end{};      // from the corner to the edge's end, likewise
 };
 
-struct RelaxationContact {
-    // In the drawing:
-    PlanePoint<> arm = PlanePoint<>::Zero();        // of the corner, about its block's centroid
-    PlanePoint<> other_arm = PlanePoint<>::Zero();  // of the corner, about the other block's centroid
-    PlanePoint<> along = PlanePoint<>::Zero();      // of the edge
-    double gap;                                     // from the edge to the corner
-    double from_start;                              // of the edge to the corner, along the edge
-    double to_end;                                  // from the corner to the edge's end, likewise
-    std::uint32_t block;                            // of the corner
-    std::uint32_t other;                            // of the edge
-    std::uint32_t corner;
-    std::uint32_t edge;
-    std::uint32_t twin;
-    std::uint32_t law;  // in the list's laws
+// What every step asks for.
+struct ContactBlocks {
+    std::uint32_t block;  // of the corner
+    std::uint32_t other;  // of the edge
+    std::uint32_t ends;   // in the list's ends and joints
+    std::uint32_t joint;
 
-    ContactShape<double> shape() const {
-        return {arm.x(), arm.y(), other_arm.x(), other_arm.y(), along.x(), along.y(), gap, from_start, to_end};
-    }
-    double edge_length() const { return from_start + to_end; }
     BlockPair pair() const { return {block < other ? block : other, block < other ? other : block}; }
 };
 
+struct ContactCorner {
+    std::uint32_t corner;
+    std::uint32_t edge;
+    std::uint32_t twin;
+};
+
+struct RelaxationContact : ContactBlocks, ContactCorner, ContactShapeOf<double> {
+    double edge_length() const { return from_start + to_end; }
+};
+
 template <class Number>
-struct ContactMemoryOf {
+struct ContactNumbersOf {
     Number shear{};        // displacement of the shear spring, along the edge
     Number place{};        // of the corner along the edge when last evaluated, since the drawing
     Number damping{};      // J/m, dissipated so far
-    Number overlap{};      // m, when last evaluated while touching
     Number normal_drag{};  // N/m, of the dashpots when last evaluated, along the normal
     Number shear_drag{};   // N/m, along the edge
-    Number slip{};         // sum of plastic displacement along the edge, with its sign
-    Number friction{};     // J/m, dissipated so far, with broken bonds
+    // Most contacts do not slide: these are seldom read.
+    Number slip{};      // sum of plastic displacement along the edge, with its sign
+    Number friction{};  // J/m, dissipated so far, with broken bonds
     // m; a joint that was a bond is as much shorter as the rock was under its load when the bond broke (bonds.hpp).
     Number shortened{};
-    MaskOf<Number> touching{};
-    MaskOf<Number> sliding{};
-    MaskOf<Number> broken{};  // peak strength, cohesion and tensile strength are gone
+};
+
+template <class Flag>
+struct ContactFlagsOf {
+    Flag touching{};
+    Flag sliding{};
+    Flag broken{};  // peak strength, cohesion and tensile strength are gone
     // Below the line of the edge without having come there over the edge, for instance past its end: no overlap of this
     // edge, and none to bear with, until the corner has been above.
-    MaskOf<Number> beneath{};
+    Flag beneath{};
 };
+
+template <class Number>
+struct ContactMemoryOf : ContactNumbersOf<Number>, ContactFlagsOf<MaskOf<Number>> {};
 
 using ContactMemory = ContactMemoryOf<double>;
 
@@ -111,20 +139,87 @@ struct ForceOnCornerOf {
     Number y{};
     Number moment{};        // N, about the centroid of the corner's block
     Number other_moment{};  // N, of the opposite force about the other's centroid
+
+    BlockForceOf<Number> on_block() const { return {x, y, moment}; }
+    BlockForceOf<Number> on_other() const { return {-x, -y, other_moment}; }
 };
 
 using ForceOnCorner = ForceOnCornerOf<double>;
 
+class ContactArray {
+  public:
+    std::size_t size() const { return blocks_.size(); }
+    bool empty() const { return blocks_.empty(); }
+    RelaxationContact operator[](std::size_t index) const { return {blocks_[index], corners_[index], shapes_[index]}; }
+    void set_shape(std::size_t index, const ContactShapeOf<double>& shape) { shapes_.set(index, shape); }
+    void push_back(const RelaxationContact& contact) {
+        blocks_.push_back(contact);
+        corners_.push_back(contact);
+        shapes_.push_back(contact);
+    }
+    void append(const ContactArray& from, const ContactRange& range) {
+        blocks_.insert(blocks_.end(), from.blocks_.data() + range.begin, from.blocks_.data() + range.end);
+        corners_.insert(corners_.end(), from.corners_.data() + range.begin, from.corners_.data() + range.end);
+        shapes_.append(from.shapes_, range.begin, range.end);
+    }
+    void reserve(std::size_t count) {
+        blocks_.reserve(count);
+        corners_.reserve(count);
+        shapes_.reserve(count);
+    }
+
+    LargeArray<ContactBlocks>& blocks() { return blocks_; }
+    const LargeArray<ContactBlocks>& blocks() const { return blocks_; }
+    LargeArray<ContactCorner>& corners() { return corners_; }
+    const LargeArray<ContactCorner>& corners() const { return corners_; }
+    const ContactShapeOf<NumberGroup>* shapes() const { return shapes_.groups(); }
+
+  private:
+    LargeArray<ContactBlocks> blocks_ = {};
+    LargeArray<ContactCorner> corners_ = {};
+    PackedArray<ContactShapeOf, NumberGroup> shapes_ = {};
+};
+
+class MemoryArray {
+  public:
+    std::size_t size() const { return numbers_.size(); }
+    ContactMemory operator[](std::size_t index) const { return {numbers_[index], flags_[index]}; }
+    void set(std::size_t index, const ContactMemory& memory) {
+        numbers_.set(index, memory);
+        flags_.set(index, memory);
+    }
+    void push_back(const ContactMemory& memory) {
+        numbers_.push_back(memory);
+        flags_.push_back(memory);
+    }
+    void append(const MemoryArray& from, const ContactRange& range) {
+        numbers_.append(from.numbers_, range.begin, range.end);
+        flags_.append(from.flags_, range.begin, range.end);
+    }
+    void reserve(std::size_t count) {
+        numbers_.reserve(count);
+        flags_.reserve(count);
+    }
+
+    ContactNumbersOf<NumberGroup>* numbers() { return numbers_.groups(); }
+    ContactFlagsOf<FlagGroup>* flags() { return flags_.groups(); }
+
+  private:
+    PackedArray<ContactNumbersOf, NumberGroup> numbers_ = {};
+    PackedArray<ContactFlagsOf, FlagGroup> flags_ = {};
+};
+
 // In the order of their pairs.
 struct ContactList {
-    LargeArray<RelaxationContact> contact = {};
-    std::vector<ContactLaw> law = {};
-    LargeArray<ContactMemory> memory = {};
+    ContactArray contact = {};
+    std::vector<EdgeEnds> ends = {};
+    std::vector<JointLaw> joint = {};
+    MemoryArray memory = {};
     LargeArray<ForceOnCorner> force = {};  // when last evaluated
     // m; an open contact stays open while its blocks' ways since the start do not sum up to more. Negative: not open.
     LargeArray<double> open_until = {};
 
-    const ContactLaw& law_of(const RelaxationContact& one) const { return law[one.law]; }
+    ContactLaw law_of(const ContactBlocks& one) const { return {ends[one.ends], joint[one.joint]}; }
 };
 
 struct SearchOptions {

@@ -1,9 +1,11 @@
-// Four numbers worked on at once: formulas written for `Number` are compiled for double and for Lanes, and each lane
+// Several numbers worked on at once: formulas written for `Number` are compiled for double and for lanes, and each lane
 // gets the same bits as the number alone. Comparisons give a mask, which `select` and `any` take, for either.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -19,6 +21,7 @@
 // the start of the program. All give the same bits: multiplications and additions are never contracted.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
+#define DELABOLE_PROCESSORS_DIFFER
 #define DELABOLE_FOR_EACH_PROCESSOR __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
 #else
 #define DELABOLE_FOR_EACH_PROCESSOR
@@ -29,13 +32,16 @@
 
 namespace delabole {
 
-constexpr std::size_t lane_count = 4;
-
 // Registers of 32 bytes, or pairs of half as long ones, as the function they are inlined into has them.
-using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
-using LaneMask = decltype(Lanes{} < Lanes{});
+using FourLanes = double __attribute__((vector_size(4 * sizeof(double))));
+// Registers of 64 bytes.
+using EightLanes = double __attribute__((vector_size(8 * sizeof(double))));
 
-using LaneBits = std::int64_t __attribute__((vector_size(lane_count * sizeof(double))));
+template <class T>
+concept IsLanes = std::same_as<T, FourLanes> || std::same_as<T, EightLanes>;
+
+template <IsLanes Lanes>
+constexpr std::size_t lane_count = sizeof(Lanes) / sizeof(double);
 
 template <class Number>
 using MaskOf = decltype(Number{} < Number{});
@@ -43,58 +49,81 @@ using MaskOf = decltype(Number{} < Number{});
 DELABOLE_INLINED double select(bool first, const double& one, const double& two) {
     return first ? one : two;
 }
-DELABOLE_INLINED Lanes select(const LaneMask& first, const Lanes& one, const Lanes& two) {
+template <IsLanes Lanes>
+DELABOLE_INLINED Lanes select(const MaskOf<Lanes>& first, const Lanes& one, const Lanes& two) {
     return first ? one : two;
 }
 
 // One for each lane, the first one lowest.
-constexpr unsigned all_lanes = (1U << lane_count) - 1;
+template <IsLanes Lanes>
+constexpr unsigned all_lanes = (1U << lane_count<Lanes>)-1;
 
-DELABOLE_INLINED unsigned bits(const LaneMask& mask) {
+// Bytes 0 or 1 as bits, the first byte lowest.
+DELABOLE_INLINED unsigned bits_of(std::uint64_t bytes) {
+    return static_cast<unsigned>(bytes * 0x0102040810204080U >> 56U);
+}
+
+DELABOLE_INLINED unsigned bits(const MaskOf<FourLanes>& mask) {
 #ifdef __SSE2__
     const auto low = (__m128d)__builtin_shufflevector(mask, mask, 0, 1);
     const auto high = (__m128d)__builtin_shufflevector(mask, mask, 2, 3);
     return static_cast<unsigned>(_mm_movemask_pd(low) | _mm_movemask_pd(high) << 2);
 #else
-    const LaneMask one = mask & LaneMask{1, 2, 4, 8};
+    const auto one = mask & MaskOf<FourLanes>{1, 2, 4, 8};
     return static_cast<unsigned>(one[0] | one[1] | one[2] | one[3]);
 #endif
+}
+DELABOLE_INLINED unsigned bits(const MaskOf<EightLanes>& mask) {
+    using Bytes = signed char __attribute__((vector_size(8)));
+    const auto bytes = __builtin_convertvector(mask, Bytes);
+    return bits_of(std::bit_cast<std::uint64_t>(bytes) & 0x0101010101010101U);
+}
+
+template <IsLanes Lanes>
+DELABOLE_INLINED MaskOf<Lanes> mask_of(unsigned bits) {
+    if constexpr (std::same_as<Lanes, FourLanes>) {
+        return ((MaskOf<Lanes>{} + bits) & MaskOf<Lanes>{1, 2, 4, 8}) != 0;
+    } else {
+        return ((MaskOf<Lanes>{} + bits) & MaskOf<Lanes>{1, 2, 4, 8, 16, 32, 64, 128}) != 0;
+    }
 }
 
 DELABOLE_INLINED bool any(bool mask) {
     return mask;
 }
-DELABOLE_INLINED bool any(const LaneMask& mask) {
+template <class Mask>
+DELABOLE_INLINED bool any(const Mask& mask) {
     return bits(mask) != 0;
 }
 
 DELABOLE_INLINED double absolute(const double& value) {
     return std::abs(value);
 }
+template <IsLanes Lanes>
 DELABOLE_INLINED Lanes absolute(const Lanes& value) {
-    constexpr std::int64_t all_but_sign = INT64_MAX;
-    return (Lanes)((LaneBits)value & all_but_sign);
+    return (Lanes)((MaskOf<Lanes>)value & INT64_MAX);
 }
 
 // As std::copysign.
 DELABOLE_INLINED double with_sign(const double& value, const double& sign) {
     return std::copysign(value, sign);
 }
+template <IsLanes Lanes>
 DELABOLE_INLINED Lanes with_sign(const Lanes& value, const Lanes& sign) {
-    constexpr std::int64_t all_but_sign = INT64_MAX;
-    return (Lanes)(((LaneBits)value & all_but_sign) | ((LaneBits)sign & ~all_but_sign));
+    using Bits = MaskOf<Lanes>;
+    return (Lanes)(((Bits)value & INT64_MAX) | ((Bits)sign & INT64_MIN));
 }
 
 DELABOLE_INLINED double square_root(const double& value) {
     return std::sqrt(value);
 }
-DELABOLE_INLINED Lanes square_root(const Lanes& value) {
+DELABOLE_INLINED FourLanes square_root(const FourLanes& value) {
 #ifdef __SSE2__
     const __m128d low = _mm_sqrt_pd(__builtin_shufflevector(value, value, 0, 1));
     const __m128d high = _mm_sqrt_pd(__builtin_shufflevector(value, value, 2, 3));
     return __builtin_shufflevector(low, high, 0, 1, 2, 3);
 #else
-    return Lanes{std::sqrt(value[0]), std::sqrt(value[1]), std::sqrt(value[2]), std::sqrt(value[3])};
+    return FourLanes{std::sqrt(value[0]), std::sqrt(value[1]), std::sqrt(value[2]), std::sqrt(value[3])};
 #endif
 }
 
@@ -109,49 +138,151 @@ DELABOLE_INLINED Number greater(const Number& one, const Number& two) {
 }
 
 // The first two with the other sign, the last two exchanged.
-DELABOLE_INLINED Lanes opposite(const Lanes& value) {
-    constexpr LaneBits signs{INT64_MIN, INT64_MIN, 0, 0};
-    return (Lanes)((LaneBits)__builtin_shufflevector(value, value, 0, 1, 3, 2) ^ signs);
+DELABOLE_INLINED FourLanes opposite(const FourLanes& value) {
+    constexpr MaskOf<FourLanes> signs{INT64_MIN, INT64_MIN, 0, 0};
+    return (FourLanes)((MaskOf<FourLanes>)__builtin_shufflevector(value, value, 0, 1, 3, 2) ^ signs);
 }
 
-using FourLanes = std::array<Lanes, lane_count>;
-
-// Anywhere in memory.
-using LanesInMemory __attribute__((aligned(sizeof(double)), may_alias)) = Lanes;
-
+template <IsLanes Lanes>
 DELABOLE_INLINED Lanes load_lanes(const double* from) {
-    return *reinterpret_cast<const LanesInMemory*>(from);
+    // Anywhere in memory.
+    using InMemory __attribute__((aligned(sizeof(double)), may_alias)) = Lanes;
+    return *reinterpret_cast<const InMemory*>(from);
 }
+template <IsLanes Lanes>
 DELABOLE_INLINED void store_lanes(const Lanes& lanes, double* to) {
-    *reinterpret_cast<LanesInMemory*>(to) = lanes;
+    using InMemory __attribute__((aligned(sizeof(double)), may_alias)) = Lanes;
+    *reinterpret_cast<InMemory*>(to) = lanes;
 }
 
-// Four by four: what was a row becomes a column.
-DELABOLE_INLINED FourLanes transposed(const Lanes& one, const Lanes& two, const Lanes& three, const Lanes& four) {
-    const Lanes low_12 = __builtin_shufflevector(one, two, 0, 4, 2, 6);
-    const Lanes high_12 = __builtin_shufflevector(one, two, 1, 5, 3, 7);
-    const Lanes low_34 = __builtin_shufflevector(three, four, 0, 4, 2, 6);
-    const Lanes high_34 = __builtin_shufflevector(three, four, 1, 5, 3, 7);
-    return {__builtin_shufflevector(low_12, low_34, 0, 1, 4, 5), __builtin_shufflevector(high_12, high_34, 0, 1, 4, 5),
-            __builtin_shufflevector(low_12, low_34, 2, 3, 6, 7), __builtin_shufflevector(high_12, high_34, 2, 3, 6, 7)};
+// Four numbers each of as many rows as there are lanes.
+template <IsLanes Lanes>
+using FourOf = std::array<Lanes, 4>;
+
+// Four by four: what was a row becomes a column. Of eight lanes, each half by itself.
+template <IsLanes Lanes>
+DELABOLE_INLINED FourOf<Lanes> transposed(const Lanes& one, const Lanes& two, const Lanes& three, const Lanes& four) {
+    const auto low = [](const Lanes& first, const Lanes& second) __attribute__((always_inline)) {
+        if constexpr (std::same_as<Lanes, FourLanes>) {
+            return __builtin_shufflevector(first, second, 0, 4, 2, 6);
+        } else {
+            return __builtin_shufflevector(first, second, 0, 8, 2, 10, 4, 12, 6, 14);
+        }
+    };
+    const auto high = [](const Lanes& first, const Lanes& second) __attribute__((always_inline)) {
+        if constexpr (std::same_as<Lanes, FourLanes>) {
+            return __builtin_shufflevector(first, second, 1, 5, 3, 7);
+        } else {
+            return __builtin_shufflevector(first, second, 1, 9, 3, 11, 5, 13, 7, 15);
+        }
+    };
+    const auto first_halves = [](const Lanes& first, const Lanes& second) __attribute__((always_inline)) {
+        if constexpr (std::same_as<Lanes, FourLanes>) {
+            return __builtin_shufflevector(first, second, 0, 1, 4, 5);
+        } else {
+            return __builtin_shufflevector(first, second, 0, 1, 8, 9, 4, 5, 12, 13);
+        }
+    };
+    const auto second_halves = [](const Lanes& first, const Lanes& second) __attribute__((always_inline)) {
+        if constexpr (std::same_as<Lanes, FourLanes>) {
+            return __builtin_shufflevector(first, second, 2, 3, 6, 7);
+        } else {
+            return __builtin_shufflevector(first, second, 2, 3, 10, 11, 6, 7, 14, 15);
+        }
+    };
+    const Lanes low_12 = low(one, two);
+    const Lanes high_12 = high(one, two);
+    const Lanes low_34 = low(three, four);
+    const Lanes high_34 = high(three, four);
+    return {first_halves(low_12, low_34), first_halves(high_12, high_34), second_halves(low_12, low_34),
+            second_halves(high_12, high_34)};
 }
 
-// What stands in the same place of four rows, side by side: four places from `place` on, and one.
-using Rows = std::array<const double*, lane_count>;
+template <IsLanes Lanes>
+using Rows = std::array<const double*, lane_count<Lanes>>;
 
-DELABOLE_INLINED FourLanes gather_four(const Rows& rows, std::size_t place) {
-    return transposed(load_lanes(rows[0] + place), load_lanes(rows[1] + place), load_lanes(rows[2] + place),
-                      load_lanes(rows[3] + place));
+// What stands in the same place of all rows, side by side: four places from `place` on, and one.
+template <IsLanes Lanes>
+DELABOLE_INLINED FourOf<Lanes> gather_four(const Rows<Lanes>& rows, std::size_t place) {
+    const auto row = [&](std::size_t number) __attribute__((always_inline)) {
+        const FourLanes first = load_lanes<FourLanes>(rows[number] + place);
+        if constexpr (std::same_as<Lanes, FourLanes>) {
+            return first;
+        } else {
+            return __builtin_shufflevector(first, load_lanes<FourLanes>(rows[number + 4] + place), 0, 1, 2, 3, 4, 5, 6,
+                                           7);
+        }
+    };
+    return transposed<Lanes>(row(0), row(1), row(2), row(3));
 }
-DELABOLE_INLINED Lanes gather(const Rows& rows, std::size_t place) {
-    return Lanes{rows[0][place], rows[1][place], rows[2][place], rows[3][place]};
+template <IsLanes Lanes>
+DELABOLE_INLINED Lanes gather(const Rows<Lanes>& rows, std::size_t place) {
+    if constexpr (std::same_as<Lanes, FourLanes>) {
+        return Lanes{rows[0][place], rows[1][place], rows[2][place], rows[3][place]};
+    } else {
+        return Lanes{rows[0][place], rows[1][place], rows[2][place], rows[3][place],
+                     rows[4][place], rows[5][place], rows[6][place], rows[7][place]};
+    }
 }
 
-DELABOLE_INLINED void store_rows(const FourLanes& rows, const std::array<double*, lane_count>& to) {
-    store_lanes(rows[0], to[0]);
-    store_lanes(rows[1], to[1]);
-    store_lanes(rows[2], to[2]);
-    store_lanes(rows[3], to[3]);
+// The first eight places of all rows.
+template <IsLanes Lanes>
+DELABOLE_INLINED std::array<Lanes, 8> gather_eight(const Rows<Lanes>& rows) {
+    if constexpr (std::same_as<Lanes, FourLanes>) {
+        const FourOf<Lanes> one = gather_four<Lanes>(rows, 0);
+        const FourOf<Lanes> two = gather_four<Lanes>(rows, 4);
+        return {one[0], one[1], one[2], one[3], two[0], two[1], two[2], two[3]};
+    } else {
+        const auto row = [&](std::size_t number) __attribute__((always_inline)) {
+            return load_lanes<Lanes>(rows[number]);
+        };
+        // Of each pair of rows, even and odd places; of each half of the rows, places two by two.
+        const auto even = [&](std::size_t number) __attribute__((always_inline)) {
+            return __builtin_shufflevector(row(number), row(number + 1), 0, 8, 2, 10, 4, 12, 6, 14);
+        };
+        const auto odd = [&](std::size_t number) __attribute__((always_inline)) {
+            return __builtin_shufflevector(row(number), row(number + 1), 1, 9, 3, 11, 5, 13, 7, 15);
+        };
+        const auto low = [](const Lanes& one, const Lanes& two) __attribute__((always_inline)) {
+            return __builtin_shufflevector(one, two, 0, 1, 8, 9, 4, 5, 12, 13);
+        };
+        const auto high = [](const Lanes& one, const Lanes& two) __attribute__((always_inline)) {
+            return __builtin_shufflevector(one, two, 2, 3, 10, 11, 6, 7, 14, 15);
+        };
+        const auto first_half = [](const Lanes& one, const Lanes& two) __attribute__((always_inline)) {
+            return __builtin_shufflevector(one, two, 0, 1, 2, 3, 8, 9, 10, 11);
+        };
+        const auto second_half = [](const Lanes& one, const Lanes& two) __attribute__((always_inline)) {
+            return __builtin_shufflevector(one, two, 4, 5, 6, 7, 12, 13, 14, 15);
+        };
+        const std::array<Lanes, 4> evens{even(0), even(2), even(4), even(6)};
+        const std::array<Lanes, 4> odds{odd(0), odd(2), odd(4), odd(6)};
+        const Lanes even_low = low(evens[0], evens[1]);
+        const Lanes even_low_2 = low(evens[2], evens[3]);
+        const Lanes even_high = high(evens[0], evens[1]);
+        const Lanes even_high_2 = high(evens[2], evens[3]);
+        const Lanes odd_low = low(odds[0], odds[1]);
+        const Lanes odd_low_2 = low(odds[2], odds[3]);
+        const Lanes odd_high = high(odds[0], odds[1]);
+        const Lanes odd_high_2 = high(odds[2], odds[3]);
+        return {first_half(even_low, even_low_2),    first_half(odd_low, odd_low_2),
+                first_half(even_high, even_high_2),  first_half(odd_high, odd_high_2),
+                second_half(even_low, even_low_2),   second_half(odd_low, odd_low_2),
+                second_half(even_high, even_high_2), second_half(odd_high, odd_high_2)};
+    }
+}
+
+// The row of a lane, of four numbers that have been transposed.
+template <IsLanes Lanes>
+DELABOLE_INLINED void store_row(const FourOf<Lanes>& rows, std::size_t lane, double* to) {
+    if constexpr (std::same_as<Lanes, FourLanes>) {
+        store_lanes<FourLanes>(rows[lane], to);
+    } else {
+        const Lanes& two = rows[lane % 4];
+        store_lanes<FourLanes>(
+            lane < 4 ? __builtin_shufflevector(two, two, 0, 1, 2, 3) : __builtin_shufflevector(two, two, 4, 5, 6, 7),
+            to);
+    }
 }
 
 }  // namespace delabole

@@ -64,7 +64,7 @@ void add_base_slip(const Bodies& bodies, const std::vector<Motion>& motion, cons
         return;
     }
     // Slip is counted along the edge, of the corner's block against the other.
-    const double forward = motion[contact.other].turned(contact.along).x();
+    const double forward = motion[contact.other].turned({contact.along_x, contact.along_y}).x();
     const double slip = (block_fixed ? -1 : 1) * memory.slip * (forward < 0 ? -1 : 1);
     // Both corners of a base slip alike; each contact stands for half of it.
     base_slip[block_fixed ? contact.other : contact.block] += slip / 2;
@@ -97,7 +97,7 @@ std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const RelaxationS
 std::optional<ContactName> deepest_contact(const Bodies& bodies, const RelaxationState& state) {
     std::optional<ContactName> deepest;
     for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
-        const RelaxationContact& contact = state.contacts.contact[index];
+        const RelaxationContact contact = state.contacts.contact[index];
         const ContactPosition at = locate(contact, state.motion[contact.block], state.motion[contact.other]);
         if (!state.contacts.memory[index].beneath && contact_weight(state.contacts.law_of(contact), contact, at) > 0 &&
             -at.gap > (deepest ? deepest->overlap : 0)) {

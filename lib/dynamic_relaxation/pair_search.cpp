@@ -59,7 +59,8 @@ bool beside(const Bodies& bodies, const RelaxationContact& contact, double short
     const PlanePoint<> between = bodies.centroid[contact.block] - bodies.centroid[contact.other];
     const CornerRange& range = bodies.range[contact.other];
     for (std::size_t edge = range.begin; edge < range.end; ++edge) {
-        if (bodies.normal(edge).dot(between + (contact.arm - bodies.corner[edge])) > blend_way * shortest) {
+        if (bodies.normal(edge).dot(between + (bodies.corner[contact.corner] - bodies.corner[edge])) >
+            blend_way * shortest) {
             return true;
         }
     }
@@ -126,14 +127,13 @@ double PairSearch::measure(const Side& block, const Side& other, Gaps& gaps) {
 }
 
 void PairSearch::find(const BlockPair& pair, const std::vector<Motion>& motion, double margin, bool first,
-                      std::span<const RelaxationContact> before, std::span<const ContactMemory> memory,
-                      PairContacts& found) {
+                      const ContactList& list, const ContactRange& before, PairContacts& found) {
     found.clear();
     margin_ = margin;
     shortest_ = std::min(bodies_.shortest_edge[pair.first], bodies_.shortest_edge[pair.second]);
     first_ = first;
+    list_ = &list;
     before_ = before;
-    memory_ = memory;
     place(pair.first, motion, side_[0]);
     place(pair.second, motion, side_[1]);
     const double distance = std::max(measure(side_[0], side_[1], gaps_[0]), measure(side_[1], side_[0], gaps_[1]));
@@ -208,7 +208,7 @@ bool PairSearch::can_bear(const Side& block, std::size_t corner, const Side& oth
         return dips <= lean;
     }
     const std::size_t before = known(block.begin + corner, other.begin + edge);
-    return before != unknown && memory_[before].touching;
+    return before != unknown && list_->memory[before].touching;
 }
 
 // Where a joint comes out of a face at an acute angle, the corners of both blocks coincide in the drawing: they bear on
@@ -242,11 +242,17 @@ RelaxationContact PairSearch::contact_of(std::size_t corner, std::size_t edge) c
     contact.twin = no_twin;
     const PlanePoint<> offset =
         (bodies_.centroid[block] - bodies_.centroid[other]) + (bodies_.corner[corner] - bodies_.corner[edge]);
-    contact.arm = bodies_.corner[corner];
-    contact.other_arm = bodies_.corner[edge] + offset;
-    contact.along = bodies_.along[edge];
+    const PlanePoint<>& arm = bodies_.corner[corner];
+    const PlanePoint<> other_arm = bodies_.corner[edge] + offset;
+    const PlanePoint<>& along = bodies_.along[edge];
+    contact.arm_x = arm.x();
+    contact.arm_y = arm.y();
+    contact.other_arm_x = other_arm.x();
+    contact.other_arm_y = other_arm.y();
+    contact.along_x = along.x();
+    contact.along_y = along.y();
     contact.gap = bodies_.normal(edge).dot(offset);
-    contact.from_start = contact.along.dot(offset);
+    contact.from_start = along.dot(offset);
     contact.to_end = bodies_.length[edge] - contact.from_start;
     return contact;
 }
@@ -323,7 +329,7 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
         memory = {};
         const std::size_t before = known(contact.corner, contact.edge);
         if (before != unknown) {
-            memory = memory_[before];
+            memory = list_->memory[before];
             contact.gap += memory.shortened;
         } else {
             memory.broken = !(first_ && contact.gap <= closed * shortest_);
@@ -344,8 +350,9 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
 }
 
 std::size_t PairSearch::known(std::size_t corner, std::size_t edge) const {
-    for (std::size_t index = 0; index < before_.size(); ++index) {
-        if (before_[index].corner == corner && before_[index].edge == edge) {
+    const LargeArray<ContactCorner>& corners = list_->contact.corners();
+    for (std::size_t index = before_.begin; index < before_.end; ++index) {
+        if (corners[index].corner == corner && corners[index].edge == edge) {
             return index;
         }
     }

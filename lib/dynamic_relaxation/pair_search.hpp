@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace delabole {
@@ -32,9 +31,9 @@ class PairSearch {
     PairSearch(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping);
 
     // Contacts of corners of the first block on edges of the second, then the other way round. `first` as in
-    // SearchOptions. Those that were contacts already keep their memory.
+    // SearchOptions. Those that were contacts already, in this range of the list, keep their memory.
     void find(const BlockPair& pair, const std::vector<Motion>& motion, double margin, bool first,
-              std::span<const RelaxationContact> before, std::span<const ContactMemory> memory, PairContacts& found);
+              const ContactList& list, const ContactRange& before, PairContacts& found);
 
   private:
     // A block where it is now; its corners and edges counted from its first.
@@ -83,8 +82,8 @@ class PairSearch {
     double margin_ = 0;
     double shortest_ = 0;
     bool first_ = false;
-    std::span<const RelaxationContact> before_ = {};
-    std::span<const ContactMemory> memory_ = {};
+    const ContactList* list_ = nullptr;
+    ContactRange before_{0, 0};
 };
 
 }  // namespace delabole

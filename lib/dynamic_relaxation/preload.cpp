@@ -40,7 +40,6 @@ Response respond(const ContactLaw& law, const RelaxationContact& contact, const 
     const bool bonded = law.tension > 0 && !memory.broken && memory.touching;
     memory.shear += at.slide - memory.place;
     memory.place = at.slide;
-    memory.overlap = overlap;
     memory.touching = (overlap > 0 && !memory.beneath) || bonded;
     memory.sliding = false;
     if (memory.beneath || (overlap < -hair && !bonded)) {
@@ -106,7 +105,7 @@ class Preload {
         if (free_blocks_.empty()) {
             return {0, motion, 0};
         }
-        const LargeArray<ContactMemory> memory = list.memory;
+        const MemoryArray memory = list.memory;
         std::vector<Motion> start = motion;
         Preloaded found = approach(start, motion, list);
         constexpr std::size_t few_blocks = 400;  // many settle in the run for less
@@ -126,12 +125,12 @@ class Preload {
     // Slender bonded columns lean far on each other before the full load is in balance, and rounds go astray on the
     // way. Under a load that grows they follow. (Without bonds it would not help: what friction cannot hold, it cannot
     // hold in part either.) Where this fails, too, all is left as it was.
-    void approach_in_steps(const std::vector<Motion>& start, const LargeArray<ContactMemory>& memory, Preloaded& found,
+    void approach_in_steps(const std::vector<Motion>& start, const MemoryArray& memory, Preloaded& found,
                            std::vector<Motion>& motion, ContactList& list) {
         constexpr int steps = 8;
         constexpr double astray = 0.3;  // of a load: not to be made good by the steps after it
         std::vector<Motion> stepped = start;
-        LargeArray<ContactMemory> memory_found = std::exchange(list.memory, memory);
+        MemoryArray memory_found = std::exchange(list.memory, memory);
         Preloaded last{0, start, 0};
         for (int step = 1; step <= steps && last.ratio <= astray; ++step) {
             load_share_ = static_cast<double>(step) / steps;
@@ -151,15 +150,16 @@ class Preload {
         constexpr double nearly = 1 - 1e-9;
         bool any = false;
         for (std::size_t index = 0; index < list.contact.size(); ++index) {
-            const RelaxationContact& contact = list.contact[index];
-            const ContactLaw& law = list.law_of(contact);
-            ContactMemory& memory = list.memory[index];
+            const RelaxationContact contact = list.contact[index];
+            const ContactLaw law = list.law_of(contact);
+            ContactMemory memory = list.memory[index];
             if (!memory.touching || memory.broken || (law.cohesion == 0 && law.friction == law.residual_friction)) {
                 continue;
             }
             const double overlap = -locate(contact, motion[contact.block], motion[contact.other]).gap;
             const double strength = law.normal_stiffness * std::max(overlap, 0.0) * law.friction + law.cohesion;
             memory.broken = law.shear_stiffness * std::abs(memory.shear) >= nearly * strength;
+            list.memory.set(index, memory);
             any |= memory.broken;
         }
         return any;
@@ -180,7 +180,7 @@ class Preload {
         double resistance = 1;
         double ratio = assemble(motion, list);
         Preloaded best{ratio, motion, 0};
-        LargeArray<ContactMemory> best_memory = list.memory;
+        MemoryArray best_memory = list.memory;
         bool improves = true;
         for (int round = 0; round < most_rounds(); ++round) {
             if (best.ratio <= settings_.finest || (best.ratio <= settings_.tolerance && !improves)) {
@@ -191,7 +191,7 @@ class Preload {
                 break;
             }
             const std::vector<Motion> motion_before = motion;
-            const LargeArray<ContactMemory> memory_before = list.memory;
+            const MemoryArray memory_before = list.memory;
             const double ratio_before = ratio;
             const double come = share_of_limits(start, best.most_balanced, motion);
             move(change, motion);
@@ -238,7 +238,7 @@ class Preload {
 
     double stiffest_joint(const ContactList& list) const {
         double stiffest = 0;
-        for (const ContactLaw& law : list.law) {
+        for (const JointLaw& law : list.joint) {
             stiffest = std::max(stiffest, law.normal_stiffness);
         }
         for (const Bond& bond : bonds_.list()) {
@@ -267,12 +267,14 @@ class Preload {
         entries_.clear();
         contacts_evaluated_ += list.contact.size();
         for (std::size_t index = 0; index < list.contact.size(); ++index) {
-            const RelaxationContact& contact = list.contact[index];
+            const RelaxationContact contact = list.contact[index];
             const double touching =
                 hair * std::min(bodies_.shortest_edge[contact.block], bodies_.shortest_edge[contact.other]);
+            ContactMemory memory = list.memory[index];
             const Response response =
                 respond(list.law_of(contact), contact, locate(contact, motion[contact.block], motion[contact.other]),
-                        list.memory[index], list.memory[index].touching ? 0 : touching);
+                        memory, memory.touching ? 0 : touching);
+            list.memory.set(index, memory);
             add(contact.block, contact.other, response);
         }
         for (std::size_t index = 0; index < bonds_.list().size(); ++index) {

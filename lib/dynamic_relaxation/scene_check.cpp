@@ -338,7 +338,7 @@ SceneFault check_start(const RelaxationScene& scene) {
     };
     const ContactList list = find_contacts(scene, bodies, unmoved, none_removed, {margin, 0, true}, {});
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const RelaxationContact& contact = list.contact[index];
+        const RelaxationContact contact = list.contact[index];
         const ContactPosition at = locate(contact, unmoved[contact.block], unmoved[contact.other]);
         if (!list.memory[index].beneath && contact_weight(list.law_of(contact), contact, at) > 0 &&
             -at.gap > allowed(contact.block, contact.other, list.law_of(contact).normal_stiffness)) {

@@ -163,7 +163,7 @@ void Simulation::begin() {
     state_.ledger.bonds = 0;
     state_.elastic_at_start = bonds_.elastic_energy(state_.motion, state_.bond);
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
-        const RelaxationContact& contact = state_.contacts.contact[index];
+        const RelaxationContact contact = state_.contacts.contact[index];
         ContactMemory memory = state_.contacts.memory[index];
         if (settings_.start != RelaxationStart::preloaded && contact.gap < 0) {
             memory.touching = true;  // drawn with an overlap: its spring is compressed before the first step
@@ -223,7 +223,7 @@ void Simulation::follow_schedules() {
 
 void Simulation::book_springs_of_removed(std::size_t block) {
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
-        const RelaxationContact& contact = state_.contacts.contact[index];
+        const RelaxationContact contact = state_.contacts.contact[index];
         if (contact.block == block || contact.other == block) {
             state_.ledger.friction +=
                 elastic_energy(state_.contacts.law_of(contact), contact, state_.contacts.memory[index],
@@ -256,9 +256,7 @@ void Simulation::break_bonds() {
 double Simulation::fastest() const {
     double speed = 0;
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        const Motion& motion = state_.motion[block];
-        speed =
-            std::max(speed, std::abs(motion.vx) + std::abs(motion.vy) + std::abs(motion.spin) * bodies_.radius[block]);
+        speed = std::max(speed, fastest_point<double>(state_.motion[block], bodies_.radius[block]));
     }
     return speed;
 }
@@ -367,7 +365,8 @@ void Simulation::integrate() {
                            looks_before_rest,
                            state_.motion.data(),
                            state_.watch.way.data(),
-                           state_.calm.data()};
+                           state_.calm.data(),
+                           bodies_.turned_base ? state_.motion[*bodies_.turned_base] : Motion{}};
     const auto move_groups = [&](std::size_t part) {
         for (std::size_t group = part_begin(groups, part, team_.size());
              group < part_begin(groups, part + 1, team_.size()); ++group) {

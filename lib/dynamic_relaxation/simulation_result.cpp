@@ -33,8 +33,8 @@ EnergyLedger Simulation::ledger() const {
         ledger.dashpots += memory.damping;
     }
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
-        const RelaxationContact& contact = state_.contacts.contact[index];
-        const ContactMemory& memory = state_.contacts.memory[index];
+        const RelaxationContact contact = state_.contacts.contact[index];
+        const ContactMemory memory = state_.contacts.memory[index];
         ledger.friction += memory.friction;
         ledger.dashpots += memory.damping;
         ledger.elastic += elastic_energy(state_.contacts.law_of(contact), contact, memory, state_.motion[contact.block],

@@ -153,7 +153,8 @@ TEST(ContactWatch, KeepsEveryContactThatTouches) {
             const ContactList& kept = state.contacts;
             const ContactList fresh = find_contacts(simulation.scene(), simulation.bodies(), state.motion,
                                                     state.removed, {1e-6, 0.2, false, {}}, kept);
-            for (const RelaxationContact& contact : fresh.contact) {
+            for (std::size_t index = 0; index < fresh.contact.size(); ++index) {
+                const RelaxationContact contact = fresh.contact[index];
                 const ContactPosition at = locate(contact, state.motion[contact.block], state.motion[contact.other]);
                 const double shortest = std::min(simulation.bodies().shortest_edge[contact.block],
                                                  simulation.bodies().shortest_edge[contact.other]);
@@ -162,10 +163,9 @@ TEST(ContactWatch, KeepsEveryContactThatTouches) {
                     continue;
                 }
                 ++touching;
-                EXPECT_TRUE(std::ranges::any_of(kept.contact,
-                                                [&](const RelaxationContact& one) {
-                                                    return one.corner == contact.corner && one.edge == contact.edge;
-                                                }))
+                EXPECT_TRUE(std::ranges::any_of(
+                    kept.contact.corners(),
+                    [&](const ContactCorner& one) { return one.corner == contact.corner && one.edge == contact.edge; }))
                     << "seed " << seed << " step " << state.steps << " corner " << contact.corner << " edge "
                     << contact.edge << " gap " << at.gap / shortest;
             }

@@ -29,7 +29,8 @@ double weight_on(const RelaxationScene& scene, std::uint32_t corner, std::uint32
     const std::vector<Motion> motion(bodies.size());
     const ContactList list =
         find_contacts(scene, bodies, motion, std::vector<char>(bodies.size(), 0), {0.002, 0.2, false, {}}, {});
-    for (const RelaxationContact& contact : list.contact) {
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const RelaxationContact contact = list.contact[index];
         if (contact.corner == corner && contact.edge == edge) {
             return contact_weight(list.law_of(contact), contact, locate(contact, motion[0], motion[1]));
         }

@@ -149,27 +149,22 @@ TEST(RelaxationCheckpoint, PaddingDoesNotShow) {
     Simulation run(one.scene, one.settings);
     advance(run, 500);
     const RelaxationState& state = run.state();
-    ASSERT_FALSE(state.contacts.memory.empty());
-    static_assert(sizeof(ContactMemory) > 9 * sizeof(double) + 4 * sizeof(bool), "it has padding");
+    ASSERT_FALSE(state.watch.pair.empty());
+    static_assert(sizeof(WatchedPair) > 5 * sizeof(double) + 3 * sizeof(std::uint32_t), "it has padding");
     RelaxationState copy = state;
-    for (std::size_t index = 0; index < copy.contacts.memory.size(); ++index) {
-        const ContactMemory& from = state.contacts.memory[index];
-        void* to = &copy.contacts.memory[index];
-        std::memset(to, 0x5a, sizeof(ContactMemory));
-        auto* memory = new (to) ContactMemory;
-        memory->shear = from.shear;
-        memory->overlap = from.overlap;
-        memory->slip = from.slip;
-        memory->friction = from.friction;
-        memory->damping = from.damping;
-        memory->place = from.place;
-        memory->normal_drag = from.normal_drag;
-        memory->shear_drag = from.shear_drag;
-        memory->shortened = from.shortened;
-        memory->touching = from.touching;
-        memory->sliding = from.sliding;
-        memory->broken = from.broken;
-        memory->beneath = from.beneath;
+    for (std::size_t index = 0; index < copy.watch.pair.size(); ++index) {
+        const WatchedPair& from = state.watch.pair[index];
+        void* to = &copy.watch.pair[index];
+        std::memset(to, 0x5a, sizeof(WatchedPair));
+        auto* pair = new (to) WatchedPair;
+        pair->first = from.first;
+        pair->second = from.second;
+        pair->begin = from.begin;
+        pair->x = from.x;
+        pair->y = from.y;
+        pair->first_angle = from.first_angle;
+        pair->second_angle = from.second_angle;
+        pair->holds = from.holds;
     }
     EXPECT_EQ(checkpoint_of(one.scene, one.settings, copy), saved(run));
 }

@@ -1,4 +1,4 @@
-// Contacts and blocks taken four at a time do to the last bit what they do one by one.
+// Contacts and blocks taken many at a time do to the last bit what they do one by one.
 #include "dynamic_relaxation/block_sweep.hpp"
 #include "dynamic_relaxation/contact_sweep.hpp"
 #include "tests/support/brick_pack.hpp"
@@ -12,6 +12,7 @@
 #include <cstring>
 #include <limits>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -38,9 +39,8 @@ bool same_bytes(const Array& one, const Array& other) {
 bool same_memory(const ContactList& one, const ContactList& other) {
     for (std::size_t index = 0; index < one.memory.size(); ++index) {
         const auto bits = [](const ContactMemory& memory) {
-            const std::array<double, 9> numbers{memory.shear,   memory.place,       memory.damping,
-                                                memory.overlap, memory.normal_drag, memory.shear_drag,
-                                                memory.slip,    memory.friction,    memory.shortened};
+            const std::array<double, 8> numbers{memory.shear,      memory.place, memory.damping,  memory.normal_drag,
+                                                memory.shear_drag, memory.slip,  memory.friction, memory.shortened};
             return std::pair(numbers, std::array{memory.touching, memory.sliding, memory.broken, memory.beneath});
         };
         const auto [numbers, flags] = bits(one.memory[index]);
@@ -50,19 +50,6 @@ bool same_memory(const ContactList& one, const ContactList& other) {
         }
     }
     return true;
-}
-
-ContactSweep sweep_of(ContactList& list, const std::vector<Motion>& motion, const std::vector<double>& way,
-                      const char* moved) {
-    return {motion.data(),
-            way.data(),
-            moved,
-            step,
-            list.contact.data(),
-            list.law.data(),
-            list.memory.data(),
-            list.force.data(),
-            list.open_until.data()};
 }
 
 class Shaken : public testing::Test {
@@ -101,7 +88,9 @@ class Shaken : public testing::Test {
         find_contacts(scene, bodies, motion, std::vector<char>(bodies.size(), 0), {0.01, 0.2, true, {}}, {});
 };
 
-TEST_F(Shaken, ContactsTakenFourAtATimeGiveTheSameBitsAsOneByOne) {
+class ContactLoops : public Shaken, public testing::WithParamInterface<ContactLoop> {};
+
+TEST_P(ContactLoops, GiveTheSameBitsAsOneByOne) {
     ContactList one_by_one = list;
     std::size_t sliding = 0;
     std::size_t opened = 0;
@@ -112,11 +101,11 @@ TEST_F(Shaken, ContactsTakenFourAtATimeGiveTheSameBitsAsOneByOne) {
         const char* const all = round % 2 == 0 ? nullptr : moved.data();
         std::vector<BlockForce> sum(bodies.size());
         const std::size_t count =
-            evaluate_and_sum_contacts(sweep_of(list, motion, way, all), 0, list.contact.size(), sum.data());
+            GetParam().evaluate_and_sum(sweep_of(motion, way, all, step, list), 0, list.contact.size(), sum.data());
 
         std::size_t expected = 0;
         std::vector<BlockForce> expected_sum(bodies.size());
-        const ContactSweep alone = sweep_of(one_by_one, motion, way, all);
+        const ContactSweep alone = sweep_of(motion, way, all, step, one_by_one);
         for (std::size_t index = 0; index < one_by_one.contact.size(); ++index) {
             if (!alone.stays_open(index) && alone.concerned(index)) {
                 const bool touched = one_by_one.memory[index].touching;
@@ -126,16 +115,10 @@ TEST_F(Shaken, ContactsTakenFourAtATimeGiveTheSameBitsAsOneByOne) {
                 sliding += one_by_one.memory[index].sliding ? 1 : 0;
                 bearing += touched && one_by_one.memory[index].touching ? 1 : 0;
             }
-            const RelaxationContact& contact = one_by_one.contact[index];
+            const RelaxationContact contact = one_by_one.contact[index];
             const ForceOnCorner& force = one_by_one.force[index];
-            BlockForce& own = expected_sum[contact.block];
-            own.x += force.x;
-            own.y += force.y;
-            own.moment += force.moment;
-            BlockForce& other = expected_sum[contact.other];
-            other.x -= force.x;
-            other.y -= force.y;
-            other.moment += force.other_moment;
+            expected_sum[contact.block] += force.on_block();
+            expected_sum[contact.other] += force.on_other();
         }
         ASSERT_EQ(count, expected) << round;
         ASSERT_TRUE(same_memory(list, one_by_one)) << round;
@@ -153,16 +136,17 @@ TEST_F(Shaken, ContactsTakenFourAtATimeGiveTheSameBitsAsOneByOne) {
     EXPECT_GT(bearing, 10000U);
 }
 
-TEST_F(Shaken, PartsOfAListGiveTheSameBitsAsTheWhole) {
+TEST_P(ContactLoops, GiveTheSameBitsPartByPart) {
     ContactList in_parts = list;
     for (int round = 0; round < 50; ++round) {
         shake();
-        evaluate_contacts(sweep_of(list, motion, way, nullptr), 0, list.contact.size());
+        GetParam().evaluate(sweep_of(motion, way, nullptr, step, list), 0, list.contact.size());
         // Pairs of blocks stay together.
         std::size_t begin = 0;
         for (std::size_t index = 1; index <= list.contact.size(); ++index) {
-            if (index == list.contact.size() || list.contact[index].pair() != list.contact[index - 1].pair()) {
-                evaluate_contacts(sweep_of(in_parts, motion, way, nullptr), begin, index);
+            if (index == list.contact.size() ||
+                list.contact.blocks()[index].pair() != list.contact.blocks()[index - 1].pair()) {
+                GetParam().evaluate(sweep_of(motion, way, nullptr, step, in_parts), begin, index);
                 begin = index;
             }
         }
@@ -170,6 +154,9 @@ TEST_F(Shaken, PartsOfAListGiveTheSameBitsAsTheWhole) {
         ASSERT_TRUE(same_bytes(list.force, in_parts.force)) << round;
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(, ContactLoops, testing::ValuesIn(contact_loops().begin(), contact_loops().end()),
+                         [](const testing::TestParamInfo<ContactLoop>& loop) { return std::string(loop.param.name); });
 
 TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
     BlockScales scales;
