@@ -274,11 +274,13 @@ double hand_over(const Bond& bond, const Bodies& bodies, const std::vector<Motio
     };
     std::vector<Taker> takers;
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const RelaxationContact contact = list.contact[index];
-        const bool own = contact.block == face.block && contact.edge == face.other_edge;
-        if (!own && !(contact.block == face.other && contact.edge == face.edge)) {
+        const std::size_t block = list.contact.blocks()[index].block;
+        const std::size_t edge = list.contact.corners()[index].edge;
+        const bool own = block == face.block && edge == face.other_edge;
+        if (!own && !(block == face.other && edge == face.edge)) {
             continue;
         }
+        const RelaxationContact contact = list.contact[index];
         const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
         ContactPosition level = place;
         level.gap = 0;

@@ -60,7 +60,8 @@ bool fits(const RelaxationState& state, const RelaxationScene& scene) {
                                    const RelaxationContact contact = list.contact[index];
                                    return is_of(contact.corner, contact.block) && is_of(contact.edge, contact.other) &&
                                           (contact.twin == no_twin || contact.twin < contacts) &&
-                                          contact.ends < list.ends.size() && contact.joint < list.joint.size();
+                                          contact.ends < list.ends.size() && contact.joint < list.joint.size() &&
+                                          (!list.memory[index].touching || list.open_until[index] == not_open);
                                }) &&
            state.outcome < enum_names(RelaxationOutcome{}).size();
 }

@@ -170,7 +170,7 @@ class CheckpointReader {
         using Item = decltype(items[0]);
         items = {};
         for (std::uint64_t left = get_count<Item>(); left > 0 && good_; --left) {
-            Item item;
+            Item item{};
             get(item);
             items.push_back(item);
         }
@@ -185,7 +185,7 @@ class CheckpointReader {
         good_ = good_ && rest_.size() >= size;
         return good_;
     }
-    // Before anything is allocated.
+    // How many items follow; where the rest cannot hold so many, none, and it is not good.
     template <class T>
     std::uint64_t get_count() {
         std::uint64_t count = 0;

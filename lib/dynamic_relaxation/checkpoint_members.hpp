@@ -27,11 +27,11 @@ DELABOLE_MEMBERS(Motion, x, y, sine, versine, vx, vy, spin, angle)
 DELABOLE_MEMBERS(EdgeEnds, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine)
 DELABOLE_MEMBERS(JointLaw, normal_stiffness, shear_stiffness, normal_dashpot, shear_dashpot, friction,
                  residual_friction, cohesion, tension)
-DELABOLE_MEMBERS(ContactBlocks, block, other, ends, joint)
-DELABOLE_MEMBERS(ContactCorner, corner, edge, twin)
+DELABOLE_MEMBERS(ContactBlocks, block, other, twin, ends, joint)
+DELABOLE_MEMBERS(ContactCorner, corner, edge)
 DELABOLE_MEMBERS(ContactShapeOf<double>, arm_x, arm_y, other_arm_x, other_arm_y, along_x, along_y, gap, from_start,
                  to_end)
-DELABOLE_MEMBERS(ContactNumbersOf<double>, shear, place, damping, normal_drag, shear_drag, slip, friction, shortened)
+DELABOLE_MEMBERS(ContactNumbersOf<double>, shear, place, damping, normal_drag, shear_drag, slip, friction)
 DELABOLE_MEMBERS(ContactFlagsOf<bool>, touching, sliding, broken, beneath)
 // Of structs that have others as bases: these.
 template <class Object, class... Bases>
@@ -44,8 +44,12 @@ auto members_of(Object& object) {
 }
 template <IsMaybeConst<ContactMemory> Object>
 auto members_of(Object& object) {
-    return bases_of<Object, ContactNumbersOf<double>, ContactFlagsOf<bool>>(object);
+    return std::tuple_cat(bases_of<Object, ContactNumbersOf<double>, ContactFlagsOf<bool>>(object),
+                          std::tie(object.shortened));
 }
+static_assert(sizeof(RelaxationContact) == 9 * sizeof(double) + 8 * sizeof(std::uint32_t) &&
+                  sizeof(ContactMemory) == 9 * sizeof(double),
+              "a member has come: it is to be saved, too");
 
 DELABOLE_MEMBERS(ForceOnCorner, x, y, moment, other_moment)
 DELABOLE_MEMBERS(ContactList, contact, ends, joint, memory, force, open_until)

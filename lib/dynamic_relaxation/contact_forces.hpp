@@ -50,7 +50,7 @@ class ContactForces {
 
     const Bodies& bodies_;
     Team& team_;
-    ContactLoop loop_;
+    ContactLoop loop_;  // the fastest one that this processor runs
     std::vector<double> unnoticed_;
     std::vector<BlockForce> force_;
     std::vector<char> moved_;

@@ -171,19 +171,17 @@ DELABOLE_INLINED Number damping_until_now(const ContactNumbersOf<Number>& memory
 }
 
 // A corner that leaves its edge. What the springs held is lost: of the shear spring much, where friction is great.
-template <class Number>
-DELABOLE_INLINED void let_go(const JointLawOf<Number>& law, const Number& weight, const Number& damping,
-                             ContactNumbersOf<Number>& memory) {
+DELABOLE_INLINED void let_go(const JointLaw& law, double weight, double damping, ContactNumbersOf<double>& memory) {
     memory.friction += weight * law.shear_stiffness * memory.shear * memory.shear / 2;
-    memory.shear = Number{};
+    memory.shear = 0;
     memory.damping = damping;
-    memory.normal_drag = memory.shear_drag = Number{};
+    memory.normal_drag = memory.shear_drag = 0;
 }
 
-// Of a twin that touches, what a contact takes over that begins to.
+// A twin that touches, as a contact finds it that begins to.
 struct TwinThatTouches {
-    double overlap;
-    double shear;
+    double overlap;  // decides whether the contact takes over
+    double shear;    // taken over
 };
 
 // Advances the memory by one step and gives the force at its end. Velocities are those that led here, half a step ago.
@@ -212,7 +210,7 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
     const bool bonded = law.tension > 0 && !memory.broken;
     const double weight = contact_weight(law, contact, at);
     const auto open = [&] {
-        let_go<double>(law, weight, damping, memory);
+        let_go(law, weight, damping, memory);
         memory.touching = memory.sliding = false;
         memory.broken = true;
     };

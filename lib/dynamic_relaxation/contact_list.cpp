@@ -11,7 +11,7 @@ void shift_twins(std::size_t begin, std::uint32_t shift, ContactList& list) {
     if (shift == 0) {
         return;
     }
-    for (ContactCorner& contact : std::span(list.contact.corners()).subspan(begin)) {
+    for (ContactBlocks& contact : list.contact.blocks().subspan(begin)) {
         contact.twin += contact.twin == no_twin ? 0 : shift;
     }
 }

@@ -3,8 +3,10 @@
 #include "dynamic_relaxation/contact_law.hpp"
 #include "dynamic_relaxation/lanes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstring>
 #include <optional>
 
@@ -21,6 +23,8 @@ DELABOLE_INLINED void note_opening(const ContactSweep& sweep, std::size_t index,
 }
 
 // Rows are members in the order in which bodies.hpp and contacts.hpp declare them.
+static_assert(sizeof(Motion) == 8 * sizeof(double) && sizeof(EdgeEnds) == sizeof(Motion) &&
+              sizeof(JointLaw) == sizeof(Motion));
 
 template <IsLanes Lanes>
 DELABOLE_INLINED MotionOf<Lanes> gather_motion(const Rows<Lanes>& rows) {
@@ -87,9 +91,8 @@ struct Part {
         return bits_of(bytes);
     }
     DELABOLE_INLINED void keep(unsigned lanes, FlagGroup& group) const {
-        for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
-            group[place() + lane] = (lanes >> lane & 1U) != 0;
-        }
+        const std::uint64_t bytes = bytes_of(lanes);
+        std::memcpy(group.data() + place(), &bytes, lane_count<Lanes>);
     }
     DELABOLE_INLINED ContactShapeOf<Lanes> gather_shape() const {
         return {of(shape.arm_x),   of(shape.arm_y), of(shape.other_arm_x), of(shape.other_arm_y), of(shape.along_x),
@@ -99,9 +102,9 @@ struct Part {
 
 // What the contacts of a part have to do. A bit for each.
 struct Duty {
-    unsigned bear = 0;   // those that touch and whose blocks have moved
-    unsigned alone = 0;  // those whose blocks have moved and that may begin to touch
-    bool wake = false;   // not all can be left open
+    unsigned bear = 0;       // those that touch and whose blocks have moved
+    unsigned may_begin = 0;  // those whose blocks have moved and that do not touch and can have come to
+    bool wake = false;       // not all can be left open
 };
 
 template <IsLanes Lanes>
@@ -130,7 +133,7 @@ DELABOLE_INLINED bool touches(const ContactSweep& sweep, std::size_t index) {
 
 DELABOLE_INLINED RelaxationContact contact_of(const ContactSweep& sweep, std::size_t index) {
     return {sweep.contact[index], sweep.corner[index],
-            taken_from<ContactShapeOf, double>(sweep.shape[index / packed_size], index % packed_size)};
+            taken_from(sweep.shape[index / packed_size], index % packed_size)};
 }
 
 // As advance_contact leaves a contact that does not touch yet.
@@ -144,10 +147,10 @@ void open_up(const ContactSweep& sweep, std::size_t index, double weight, double
     const std::size_t place = index % packed_size;
     ContactNumbersOf<NumberGroup>& numbers = sweep.numbers[index / packed_size];
     ContactFlagsOf<FlagGroup>& flags = sweep.flags[index / packed_size];
-    ContactNumbersOf<double> kept = taken_from<ContactNumbersOf, double>(numbers, place);
-    let_go<double>(sweep.joint[sweep.contact[index].joint], weight, damping, kept);
-    put_into<ContactNumbersOf, double>(numbers, place, kept);
-    put_into<ContactFlagsOf, bool>(flags, place, {false, false, true, beneath});
+    ContactNumbersOf<double> kept = taken_from(numbers, place);
+    let_go(sweep.joint[sweep.contact[index].joint], weight, damping, kept);
+    put_into<ContactNumbersOf>(numbers, place, kept);
+    put_into<ContactFlagsOf>(flags, place, {false, false, true, beneath});
     sweep.force[index] = {};
     sweep.open_until[index] = not_open;
 }
@@ -165,7 +168,7 @@ DELABOLE_INLINED Beginning beginning_of(const ContactSweep& sweep, const Part<La
     const unsigned beneath = part.of(part.flags.beneath);
     for (unsigned left = begins; left != 0; left &= left - 1) {
         const unsigned lane = left & -left;
-        const std::uint32_t twin = sweep.corner[part.first + static_cast<std::size_t>(std::countr_zero(left))].twin;
+        const std::uint32_t twin = part.contact[std::countr_zero(left)].twin;
         if (twin != no_twin) {
             beginning.in_order |= twin - part.first < lane_count<Lanes>;
             if (touches(sweep, twin)) {
@@ -191,17 +194,22 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     const MotionOf<Lanes> other = gather_motion<Lanes>(others);
     const ContactPositionOf<Lanes> at = locate<Lanes>(shape, block, other);
     const unsigned apart = bits(at.gap >= 0.0);
+    const unsigned below = bits(at.gap < 0.0);
     Beginning begins;
-    if (duty.alone != 0) {
-        begins = beginning_of<Lanes>(sweep, part, duty.alone & ~apart);
+    if (duty.may_begin != 0) {
+        begins = beginning_of<Lanes>(sweep, part, duty.may_begin & ~apart);
         if (begins.in_order) {
-            return duty.bear | duty.alone;
+            return duty.bear | duty.may_begin;
         }
-        for (unsigned left = (duty.alone & apart) | begins.not_yet; left != 0; left &= left - 1) {
+        for (unsigned left = (duty.may_begin & apart) | begins.not_yet; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             stay_open(sweep, part.first + lane, at.gap[lane]);
         }
-        part.keep(part.of(part.flags.beneath) & ~(duty.alone & apart), part.flags.beneath);
+        part.keep(part.of(part.flags.beneath) & ~(duty.may_begin & apart), part.flags.beneath);
+    }
+    unsigned one_by_one = duty.may_begin & ~apart & ~begins.simply & ~begins.not_yet;
+    if ((duty.bear | begins.simply) == 0) {
+        return one_by_one;
     }
     Rows<Lanes> ends_rows;
     for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
@@ -212,16 +220,15 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     const unsigned without_weight = bits(weight == 0.0);
     const unsigned bearing = (duty.bear | begins.simply) & ~apart & ~without_weight;
     const unsigned opening = (duty.bear | begins.simply) & (apart | without_weight);
-    unsigned left_alone = duty.alone & ~apart & ~begins.simply & ~begins.not_yet;
     if ((bearing | opening) == 0) {
-        return left_alone;
+        return one_by_one;
     }
     const ContactVelocity<Lanes> velocity = velocity_of<Lanes>(at, block, other);
     ContactNumbersOf<NumberGroup>& kept = part.numbers;
     const unsigned broken = part.of(part.flags.broken);
     const ContactMemoryOf<Lanes> before{
         {part.of(kept.shear), part.of(kept.place), part.of(kept.damping), part.of(kept.normal_drag),
-         part.of(kept.shear_drag), part.of(kept.slip), part.of(kept.friction), Lanes{}},
+         part.of(kept.shear_drag), part.of(kept.slip), part.of(kept.friction)},
         {{}, {}, mask_of<Lanes>(broken), {}}};
     ContactMemoryOf<Lanes> memory = before;
     const double half_step = sweep.step / 2;
@@ -272,11 +279,11 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
         const unsigned has_rival = bits(ends.rival != 0.0);
         for (unsigned left = opening & ~bonded; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-            open_up(sweep, part.first + lane, weight[lane], damping[lane], (~(apart | has_rival) >> lane & 1U) != 0);
+            open_up(sweep, part.first + lane, weight[lane], damping[lane], ((below & ~has_rival) >> lane & 1U) != 0);
         }
-        left_alone |= bonded;
+        one_by_one |= bonded;
     }
-    return left_alone;
+    return one_by_one;
 }
 
 // Into the nearest cache, before they are wanted. Past the end it does nothing.
@@ -324,7 +331,7 @@ DELABOLE_INLINED std::size_t go_through(const ContactSweep& sweep, std::size_t b
         if (!duty.wake) {
             continue;
         }
-        unsigned left = duty.bear | duty.alone;
+        unsigned left = duty.bear | duty.may_begin;
         count += static_cast<std::size_t>(std::popcount(left));
         if (left != 0) {
             left = evaluate_together<Lanes>(sweep, part, duty);
@@ -377,9 +384,7 @@ DELABOLE_CONTACT_LOOP(avx512, EightLanes, __attribute__((target("arch=x86-64-v4"
 constexpr std::array all_loops{avx512_loop, avx2_loop, any_processor_loop};
 
 std::size_t first_that_runs() {
-    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
-        __builtin_cpu_supports("avx512cd") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-        __builtin_cpu_supports("avx512vl") != 0) {
+    if (__builtin_cpu_supports("x86-64-v4") != 0) {
         return 0;
     }
     return __builtin_cpu_supports("avx2") != 0 ? 1 : 2;
@@ -420,8 +425,7 @@ void evaluate_contact(const ContactSweep& sweep, std::size_t index) {
     const RelaxationContact contact = contact_of(sweep, index);
     const std::size_t group = index / packed_size;
     const std::size_t place = index % packed_size;
-    ContactMemory memory{taken_from<ContactNumbersOf, double>(sweep.numbers[group], place),
-                         taken_from<ContactFlagsOf, bool>(sweep.flags[group], place)};
+    ContactMemory memory{taken_from(sweep.numbers[group], place), taken_from(sweep.flags[group], place)};
     std::optional<TwinThatTouches> twin;
     if (!memory.touching && contact.twin != no_twin && touches(sweep, contact.twin)) {
         const RelaxationContact other = contact_of(sweep, contact.twin);
@@ -432,8 +436,8 @@ void evaluate_contact(const ContactSweep& sweep, std::size_t index) {
     sweep.force[index] =
         advance_contact({sweep.ends[contact.ends], sweep.joint[contact.joint]}, contact, twin,
                         sweep.motion[contact.block], sweep.motion[contact.other], sweep.step, memory, open_by);
-    put_into<ContactNumbersOf, double>(sweep.numbers[group], place, memory);
-    put_into<ContactFlagsOf, bool>(sweep.flags[group], place, memory);
+    put_into<ContactNumbersOf>(sweep.numbers[group], place, memory);
+    put_into<ContactFlagsOf>(sweep.flags[group], place, memory);
     note_opening(sweep, index, open_by);
 }
 

@@ -1,4 +1,4 @@
-// Contacts one after the other, many at a time where they bear: what a step spends its time on.
+// Contacts one after the other, as many at a time as a register holds: what a step spends its time on.
 #pragma once
 
 #include "dynamic_relaxation/bodies.hpp"

@@ -14,7 +14,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,7 +30,7 @@ struct ContactRange {
 };
 
 // Of an edge, as a corner of another block comes over its ends. Many contacts have it in common, so that a step has
-// less to read: a pack of bricks has a handful. Of a size by which numbers are multiplied at once.
+// less to read: a pack of bricks has a handful. Read as rows of eight numbers.
 template <class Number>
 struct alignas(8 * sizeof(double)) EdgeEndsOf {
     Number start_weight;  // weight of the contact where the corner is at the edge's start
@@ -88,8 +87,9 @@ struct ContactShapeOf {
 struct ContactBlocks {
     std::uint32_t block;  // of the corner
     std::uint32_t other;  // of the edge
-    std::uint32_t ends;   // in the list's ends and joints
-    std::uint32_t joint;
+    std::uint32_t twin;
+    std::uint32_t ends;   // in the list's ends
+    std::uint32_t joint;  // in the list's joints
 
     BlockPair pair() const { return {block < other ? block : other, block < other ? other : block}; }
 };
@@ -97,7 +97,6 @@ struct ContactBlocks {
 struct ContactCorner {
     std::uint32_t corner;
     std::uint32_t edge;
-    std::uint32_t twin;
 };
 
 struct RelaxationContact : ContactBlocks, ContactCorner, ContactShapeOf<double> {
@@ -114,8 +113,6 @@ struct ContactNumbersOf {
     // Most contacts do not slide: these are seldom read.
     Number slip{};      // sum of plastic displacement along the edge, with its sign
     Number friction{};  // J/m, dissipated so far, with broken bonds
-    // m; a joint that was a bond is as much shorter as the rock was under its load when the bond broke (bonds.hpp).
-    Number shortened{};
 };
 
 template <class Flag>
@@ -131,7 +128,10 @@ struct ContactFlagsOf {
 template <class Number>
 struct ContactMemoryOf : ContactNumbersOf<Number>, ContactFlagsOf<MaskOf<Number>> {};
 
-using ContactMemory = ContactMemoryOf<double>;
+struct ContactMemory : ContactMemoryOf<double> {
+    // m; a joint that was a bond is as much shorter as the rock was under its load when the bond broke (bonds.hpp).
+    double shortened = 0;
+};
 
 template <class Number>
 struct ForceOnCornerOf {
@@ -153,14 +153,14 @@ class ContactArray {
     RelaxationContact operator[](std::size_t index) const { return {blocks_[index], corners_[index], shapes_[index]}; }
     void set_shape(std::size_t index, const ContactShapeOf<double>& shape) { shapes_.set(index, shape); }
     void push_back(const RelaxationContact& contact) {
+        shapes_.push_back(size(), contact);
         blocks_.push_back(contact);
         corners_.push_back(contact);
-        shapes_.push_back(contact);
     }
     void append(const ContactArray& from, const ContactRange& range) {
-        blocks_.insert(blocks_.end(), from.blocks_.data() + range.begin, from.blocks_.data() + range.end);
-        corners_.insert(corners_.end(), from.corners_.data() + range.begin, from.corners_.data() + range.end);
-        shapes_.append(from.shapes_, range.begin, range.end);
+        for (std::size_t index = range.begin; index < range.end; ++index) {
+            push_back(from[index]);
+        }
     }
     void reserve(std::size_t count) {
         blocks_.reserve(count);
@@ -168,10 +168,9 @@ class ContactArray {
         shapes_.reserve(count);
     }
 
-    LargeArray<ContactBlocks>& blocks() { return blocks_; }
-    const LargeArray<ContactBlocks>& blocks() const { return blocks_; }
-    LargeArray<ContactCorner>& corners() { return corners_; }
-    const LargeArray<ContactCorner>& corners() const { return corners_; }
+    std::span<ContactBlocks> blocks() { return blocks_; }
+    std::span<const ContactBlocks> blocks() const { return blocks_; }
+    std::span<const ContactCorner> corners() const { return corners_; }
     const ContactShapeOf<NumberGroup>* shapes() const { return shapes_.groups(); }
 
   private:
@@ -182,23 +181,27 @@ class ContactArray {
 
 class MemoryArray {
   public:
-    std::size_t size() const { return numbers_.size(); }
-    ContactMemory operator[](std::size_t index) const { return {numbers_[index], flags_[index]}; }
+    std::size_t size() const { return shortened_.size(); }
+    ContactMemory operator[](std::size_t index) const { return {{numbers_[index], flags_[index]}, shortened_[index]}; }
     void set(std::size_t index, const ContactMemory& memory) {
         numbers_.set(index, memory);
         flags_.set(index, memory);
+        shortened_[index] = memory.shortened;
     }
     void push_back(const ContactMemory& memory) {
-        numbers_.push_back(memory);
-        flags_.push_back(memory);
+        numbers_.push_back(size(), memory);
+        flags_.push_back(size(), memory);
+        shortened_.push_back(memory.shortened);
     }
     void append(const MemoryArray& from, const ContactRange& range) {
-        numbers_.append(from.numbers_, range.begin, range.end);
-        flags_.append(from.flags_, range.begin, range.end);
+        for (std::size_t index = range.begin; index < range.end; ++index) {
+            push_back(from[index]);
+        }
     }
     void reserve(std::size_t count) {
         numbers_.reserve(count);
         flags_.reserve(count);
+        shortened_.reserve(count);
     }
 
     ContactNumbersOf<NumberGroup>* numbers() { return numbers_.groups(); }
@@ -207,6 +210,7 @@ class MemoryArray {
   private:
     PackedArray<ContactNumbersOf, NumberGroup> numbers_ = {};
     PackedArray<ContactFlagsOf, FlagGroup> flags_ = {};
+    LargeArray<double> shortened_ = {};
 };
 
 // In the order of their pairs.
@@ -216,7 +220,8 @@ struct ContactList {
     std::vector<JointLaw> joint = {};
     MemoryArray memory = {};
     LargeArray<ForceOnCorner> force = {};  // when last evaluated
-    // m; an open contact stays open while its blocks' ways since the start do not sum up to more. Negative: not open.
+    // m; an open contact stays open while its blocks' ways since the start do not sum up to more. not_open where it
+    // touches.
     LargeArray<double> open_until = {};
 
     ContactLaw law_of(const ContactBlocks& one) const { return {ends[one.ends], joint[one.joint]}; }

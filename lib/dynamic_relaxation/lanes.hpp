@@ -21,7 +21,7 @@
 // the start of the program. All give the same bits: multiplications and additions are never contracted.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
-#define DELABOLE_PROCESSORS_DIFFER
+#define DELABOLE_PROCESSORS_DIFFER  // functions can have targets of their own
 #define DELABOLE_FOR_EACH_PROCESSOR __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
 #else
 #define DELABOLE_FOR_EACH_PROCESSOR
@@ -58,7 +58,13 @@ DELABOLE_INLINED Lanes select(const MaskOf<Lanes>& first, const Lanes& one, cons
 template <IsLanes Lanes>
 constexpr unsigned all_lanes = (1U << lane_count<Lanes>)-1;
 
-// Bytes 0 or 1 as bits, the first byte lowest.
+// Bits as bytes 0 or 1, the lowest bit first.
+DELABOLE_INLINED std::uint64_t bytes_of(unsigned bits) {
+    const std::uint64_t one_in_each = bits * 0x0101010101010101U & 0x8040201008040201U;
+    return (one_in_each + 0x7f7f7f7f7f7f7f7fU) >> 7U & 0x0101010101010101U;
+}
+
+// The other way round.
 DELABOLE_INLINED unsigned bits_of(std::uint64_t bytes) {
     return static_cast<unsigned>(bytes * 0x0102040810204080U >> 56U);
 }
@@ -143,16 +149,24 @@ DELABOLE_INLINED FourLanes opposite(const FourLanes& value) {
     return (FourLanes)((MaskOf<FourLanes>)__builtin_shufflevector(value, value, 0, 1, 3, 2) ^ signs);
 }
 
+// Anywhere in memory.
+using FourInMemory __attribute__((aligned(sizeof(double)), may_alias)) = FourLanes;
+using EightInMemory __attribute__((aligned(sizeof(double)), may_alias)) = EightLanes;
 template <IsLanes Lanes>
 DELABOLE_INLINED Lanes load_lanes(const double* from) {
-    // Anywhere in memory.
-    using InMemory __attribute__((aligned(sizeof(double)), may_alias)) = Lanes;
-    return *reinterpret_cast<const InMemory*>(from);
+    if constexpr (std::same_as<Lanes, FourLanes>) {
+        return *reinterpret_cast<const FourInMemory*>(from);
+    } else {
+        return *reinterpret_cast<const EightInMemory*>(from);
+    }
 }
 template <IsLanes Lanes>
 DELABOLE_INLINED void store_lanes(const Lanes& lanes, double* to) {
-    using InMemory __attribute__((aligned(sizeof(double)), may_alias)) = Lanes;
-    *reinterpret_cast<InMemory*>(to) = lanes;
+    if constexpr (std::same_as<Lanes, FourLanes>) {
+        *reinterpret_cast<FourInMemory*>(to) = lanes;
+    } else {
+        *reinterpret_cast<EightInMemory*>(to) = lanes;
+    }
 }
 
 // Four numbers each of as many rows as there are lanes.
@@ -201,7 +215,7 @@ DELABOLE_INLINED FourOf<Lanes> transposed(const Lanes& one, const Lanes& two, co
 template <IsLanes Lanes>
 using Rows = std::array<const double*, lane_count<Lanes>>;
 
-// What stands in the same place of all rows, side by side: four places from `place` on, and one.
+// What stands in the same places of all rows, side by side: four places from `place` on.
 template <IsLanes Lanes>
 DELABOLE_INLINED FourOf<Lanes> gather_four(const Rows<Lanes>& rows, std::size_t place) {
     const auto row = [&](std::size_t number) __attribute__((always_inline)) {
@@ -215,16 +229,6 @@ DELABOLE_INLINED FourOf<Lanes> gather_four(const Rows<Lanes>& rows, std::size_t 
     };
     return transposed<Lanes>(row(0), row(1), row(2), row(3));
 }
-template <IsLanes Lanes>
-DELABOLE_INLINED Lanes gather(const Rows<Lanes>& rows, std::size_t place) {
-    if constexpr (std::same_as<Lanes, FourLanes>) {
-        return Lanes{rows[0][place], rows[1][place], rows[2][place], rows[3][place]};
-    } else {
-        return Lanes{rows[0][place], rows[1][place], rows[2][place], rows[3][place],
-                     rows[4][place], rows[5][place], rows[6][place], rows[7][place]};
-    }
-}
-
 // The first eight places of all rows.
 template <IsLanes Lanes>
 DELABOLE_INLINED std::array<Lanes, 8> gather_eight(const Rows<Lanes>& rows) {

@@ -1,5 +1,5 @@
-// Structs of numbers in groups of eight: of each member, the numbers of a group stand side by side in a line of 64
-// bytes, as loops over lanes want them.
+// Structs of numbers, or of flags, in groups of eight: of each member, those of a group stand side by side, numbers in
+// a line of 64 bytes, as loops over lanes want them.
 #pragma once
 
 #include "dynamic_relaxation/large_array.hpp"
@@ -16,9 +16,10 @@ constexpr std::size_t packed_size = 8;
 struct alignas(packed_size * sizeof(double)) NumberGroup : std::array<double, packed_size> {};
 using FlagGroup = std::array<bool, packed_size>;
 
-// One member after the other, by their places: `Struct` has members of this type alone.
-template <template <class> class Struct, class Number, class Group>
-Struct<Number> taken_from(const Struct<Group>& group, std::size_t place) {
+// Of all members the number, or flag, at a place of a group. `Struct` has members of this type alone.
+template <template <class> class Struct, class Group>
+Struct<typename Group::value_type> taken_from(const Struct<Group>& group, std::size_t place) {
+    using Number = typename Group::value_type;
     constexpr std::size_t members = sizeof(Struct<Number>) / sizeof(Number);
     static_assert(sizeof(Struct<Group>) == members * sizeof(Group) && std::is_trivially_copyable_v<Struct<Group>>);
     Struct<Number> one;
@@ -29,8 +30,9 @@ Struct<Number> taken_from(const Struct<Group>& group, std::size_t place) {
     }
     return one;
 }
-template <template <class> class Struct, class Number, class Group>
-void put_into(Struct<Group>& group, std::size_t place, const Struct<Number>& one) {
+template <template <class> class Struct, class Group>
+void put_into(Struct<Group>& group, std::size_t place, const Struct<typename Group::value_type>& one) {
+    using Number = typename Group::value_type;
     constexpr std::size_t members = sizeof(Struct<Number>) / sizeof(Number);
     static_assert(sizeof(Struct<Group>) == members * sizeof(Group) && std::is_trivially_copyable_v<Struct<Group>>);
     auto* const to = reinterpret_cast<std::byte*>(&group) + place * sizeof(Number);
@@ -40,29 +42,23 @@ void put_into(Struct<Group>& group, std::size_t place, const Struct<Number>& one
     }
 }
 
-// Group: NumberGroup for structs of double, FlagGroup for structs of bool.
+// Group: NumberGroup for structs of double, FlagGroup for structs of bool. How many there are is known to whoever keeps
+// arrays side by side.
 template <template <class> class Struct, class Group>
 class PackedArray {
   public:
-    using Number = typename Group::value_type;
+    using Item = Struct<typename Group::value_type>;
 
-    std::size_t size() const { return size_; }
-    Struct<Number> operator[](std::size_t index) const {
-        return taken_from<Struct, Number, Group>(group_[index / packed_size], index % packed_size);
+    Item operator[](std::size_t index) const {
+        return taken_from<Struct, Group>(group_[index / packed_size], index % packed_size);
     }
-    void set(std::size_t index, const Struct<Number>& one) {
-        put_into<Struct, Number, Group>(group_[index / packed_size], index % packed_size, one);
+    void set(std::size_t index, const Item& one) {
+        put_into<Struct, Group>(group_[index / packed_size], index % packed_size, one);
     }
-    void push_back(const Struct<Number>& one) {
-        if (size_ % packed_size == 0) {
-            group_.emplace_back();
-        }
-        set(size_++, one);
-    }
-    void append(const PackedArray& from, std::size_t begin, std::size_t end) {
-        for (std::size_t index = begin; index < end; ++index) {
-            push_back(from[index]);
-        }
+    // `size`: how many there are so far.
+    void push_back(std::size_t size, const Item& one) {
+        group_.resize(size / packed_size + 1);
+        set(size, one);
     }
     void reserve(std::size_t count) { group_.reserve(count / packed_size + 1); }
 
@@ -71,7 +67,6 @@ class PackedArray {
 
   private:
     LargeArray<Struct<Group>> group_ = {};
-    std::size_t size_ = 0;
 };
 
 }  // namespace delabole

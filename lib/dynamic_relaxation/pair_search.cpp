@@ -350,7 +350,7 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
 }
 
 std::size_t PairSearch::known(std::size_t corner, std::size_t edge) const {
-    const LargeArray<ContactCorner>& corners = list_->contact.corners();
+    const std::span<const ContactCorner> corners = list_->contact.corners();
     for (std::size_t index = before_.begin; index < before_.end; ++index) {
         if (corners[index].corner == corner && corners[index].edge == edge) {
             return index;

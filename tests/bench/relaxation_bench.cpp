@@ -47,7 +47,7 @@ void step_moving(benchmark::State& state) {
     settings.start = RelaxationStart::dropped;
     settings.threads = static_cast<std::size_t>(state.range(1));
     Simulation simulation(pack(state.range(0)), settings);
-    const int steps_for_a_row = 7;
+    const int steps_for_a_row = 14;
     for (int left = std::max(300, steps_for_a_row * rows_of(state.range(0))); left > 0; --left) {
         simulation.step();
     }
