@@ -159,7 +159,7 @@ void open_up(const ContactSweep& sweep, std::size_t index, double weight, double
 struct Beginning {
     unsigned simply = 0;    // with nothing to take over
     unsigned not_yet = 0;   // they are beneath their edges
-    bool in_order = false;  // one may take over from another of the part, whose order counts then
+    bool in_order = false;  // one may take over what another of the part has before it is evaluated, or only after
 };
 
 template <IsLanes Lanes>
@@ -170,8 +170,12 @@ DELABOLE_INLINED Beginning beginning_of(const ContactSweep& sweep, const Part<La
         const unsigned lane = left & -left;
         const std::uint32_t twin = part.contact[std::countr_zero(left)].twin;
         if (twin != no_twin) {
-            beginning.in_order |= twin - part.first < lane_count<Lanes>;
-            if (touches(sweep, twin)) {
+            const bool touching = touches(sweep, twin);
+            if (twin - part.first < lane_count<Lanes>) {
+                const unsigned of_twin = 1U << (twin - part.first);
+                beginning.in_order |= (begins & of_twin) != 0 || (touching && of_twin > lane);
+            }
+            if (touching) {
                 continue;
             }
         }
