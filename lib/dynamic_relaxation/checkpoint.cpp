@@ -2,8 +2,6 @@
 
 #include "dynamic_relaxation/outcome.hpp"
 
-#include <algorithm>
-#include <ranges>
 #include <utility>
 
 namespace delabole {
@@ -54,16 +52,18 @@ bool fits(const RelaxationState& state, const RelaxationScene& scene) {
         }
         begin = pair.begin;
     }
-    return list.memory.size() == contacts && list.force.size() == contacts && list.open_until.size() == contacts &&
-           std::ranges::all_of(std::views::iota(std::size_t{0}, contacts),
-                               [&](std::size_t index) {
-                                   const RelaxationContact contact = list.contact[index];
-                                   return is_of(contact.corner, contact.block) && is_of(contact.edge, contact.other) &&
-                                          (contact.twin == no_twin || contact.twin < contacts) &&
-                                          contact.ends < list.ends.size() && contact.joint < list.joint.size() &&
-                                          (!list.memory[index].touching || list.open_until[index] == not_open);
-                               }) &&
-           state.outcome < enum_names(RelaxationOutcome{}).size();
+    if (list.memory.size() != contacts || list.force.size() != contacts || list.open_until.size() != contacts) {
+        return false;
+    }
+    for (std::size_t index = 0; index < contacts; ++index) {
+        const RelaxationContact contact = list.contact[index];
+        if (!is_of(contact.corner, contact.block) || !is_of(contact.edge, contact.other) ||
+            (contact.twin != no_twin && contact.twin >= contacts) || contact.ends >= list.ends.size() ||
+            contact.joint >= list.joint.size() || (list.memory[index].touching && list.open_until[index] != not_open)) {
+            return false;
+        }
+    }
+    return state.outcome < enum_names(RelaxationOutcome{}).size();
 }
 
 std::string checkpoint_of(const RelaxationScene& scene, const RelaxationSettings& settings,

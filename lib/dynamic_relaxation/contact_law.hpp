@@ -189,7 +189,7 @@ struct TwinThatTouches {
 // before; else it is left alone.
 DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const RelaxationContact& contact,
                                                const std::optional<TwinThatTouches>& twin, const Motion& block,
-                                               const Motion& other, double step, ContactMemory& memory,
+                                               const Motion& other, double step, ContactMemoryOf<double>& memory,
                                                double& open_by) {
     const ContactPosition at = locate(contact, block, other);
     const double overlap = -at.gap;

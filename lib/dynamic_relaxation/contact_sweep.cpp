@@ -429,7 +429,7 @@ void evaluate_contact(const ContactSweep& sweep, std::size_t index) {
     const RelaxationContact contact = contact_of(sweep, index);
     const std::size_t group = index / packed_size;
     const std::size_t place = index % packed_size;
-    ContactMemory memory{taken_from(sweep.numbers[group], place), taken_from(sweep.flags[group], place)};
+    ContactMemoryOf<double> memory{taken_from(sweep.numbers[group], place), taken_from(sweep.flags[group], place)};
     std::optional<TwinThatTouches> twin;
     if (!memory.touching && contact.twin != no_twin && touches(sweep, contact.twin)) {
         const RelaxationContact other = contact_of(sweep, contact.twin);
