@@ -141,7 +141,7 @@ void move_block(const BlockSweep& sweep, std::size_t block, StepSums& sums) {
 }
 
 DELABOLE_INLINED BlockForceOf<FourLanes> gather_forces(const BlockForce* first) {
-    const FourOf<FourLanes> four = gather_four<FourLanes>({&first[0].x, &first[1].x, &first[2].x, &first[3].x}, 0);
+    const FourOf<FourLanes> four = gather_four({&first[0].x, &first[1].x, &first[2].x, &first[3].x}, 0);
     return {four[0], four[1], four[2], four[3]};
 }
 
@@ -168,8 +168,8 @@ DELABOLE_INLINED void move_four(const BlockSweep& sweep, std::size_t first, Wide
                                             load_lanes<FourLanes>(&sweep.scales.inverse_weight[first])};
     const Imbalance<FourLanes> imbalance = imbalance_of(net, measures);
     sums.unbalanced = greater(sums.unbalanced, imbalance.ratio);
-    const FourOf<FourLanes> pose = gather_four<FourLanes>(rows, 0);
-    const FourOf<FourLanes> rest = gather_four<FourLanes>(rows, 4);
+    const FourOf<FourLanes> pose = gather_four(rows, 0);
+    const FourOf<FourLanes> rest = gather_four(rows, 4);
     MotionOf<FourLanes> motion{pose[0], pose[1], pose[2], pose[3], rest[0], rest[1], rest[2], rest[3]};
     const KickWork<FourLanes> work = kick<FourLanes>(net, imbalance.force, load, {motion.vx, motion.vy, motion.spin},
                                                      measures, sweep.local_damping, sweep.kick, motion);

@@ -216,63 +216,34 @@ template <IsLanes Lanes>
 using Rows = std::array<const double*, lane_count<Lanes>>;
 
 // What stands in the same places of all rows, side by side: four places from `place` on.
-template <IsLanes Lanes>
-DELABOLE_INLINED FourOf<Lanes> gather_four(const Rows<Lanes>& rows, std::size_t place) {
-    const auto row = [&](std::size_t number) __attribute__((always_inline)) {
-        const FourLanes first = load_lanes<FourLanes>(rows[number] + place);
-        if constexpr (std::same_as<Lanes, FourLanes>) {
-            return first;
-        } else {
-            return __builtin_shufflevector(first, load_lanes<FourLanes>(rows[number + 4] + place), 0, 1, 2, 3, 4, 5, 6,
-                                           7);
-        }
-    };
-    return transposed<Lanes>(row(0), row(1), row(2), row(3));
+DELABOLE_INLINED FourOf<FourLanes> gather_four(const Rows<FourLanes>& rows, std::size_t place) {
+    return transposed<FourLanes>(load_lanes<FourLanes>(rows[0] + place), load_lanes<FourLanes>(rows[1] + place),
+                                 load_lanes<FourLanes>(rows[2] + place), load_lanes<FourLanes>(rows[3] + place));
 }
-// The first eight places of all rows.
+
+// Likewise the first eight places.
 template <IsLanes Lanes>
 DELABOLE_INLINED std::array<Lanes, 8> gather_eight(const Rows<Lanes>& rows) {
     if constexpr (std::same_as<Lanes, FourLanes>) {
-        const FourOf<Lanes> one = gather_four<Lanes>(rows, 0);
-        const FourOf<Lanes> two = gather_four<Lanes>(rows, 4);
+        const FourOf<Lanes> one = gather_four(rows, 0);
+        const FourOf<Lanes> two = gather_four(rows, 4);
         return {one[0], one[1], one[2], one[3], two[0], two[1], two[2], two[3]};
     } else {
-        const auto row = [&](std::size_t number) __attribute__((always_inline)) {
-            return load_lanes<Lanes>(rows[number]);
+        // Four rows each: places from 0 on in the first half, from 4 on in the second.
+        const auto four_from = [&](std::size_t row) __attribute__((always_inline)) {
+            return transposed<Lanes>(load_lanes<Lanes>(rows[row]), load_lanes<Lanes>(rows[row + 1]),
+                                     load_lanes<Lanes>(rows[row + 2]), load_lanes<Lanes>(rows[row + 3]));
         };
-        // Of each pair of rows, even and odd places; of each half of the rows, places two by two.
-        const auto even = [&](std::size_t number) __attribute__((always_inline)) {
-            return __builtin_shufflevector(row(number), row(number + 1), 0, 8, 2, 10, 4, 12, 6, 14);
+        const FourOf<Lanes> one = four_from(0);
+        const FourOf<Lanes> two = four_from(4);
+        const auto first_half = [&](std::size_t place) __attribute__((always_inline)) {
+            return __builtin_shufflevector(one[place], two[place], 0, 1, 2, 3, 8, 9, 10, 11);
         };
-        const auto odd = [&](std::size_t number) __attribute__((always_inline)) {
-            return __builtin_shufflevector(row(number), row(number + 1), 1, 9, 3, 11, 5, 13, 7, 15);
+        const auto second_half = [&](std::size_t place) __attribute__((always_inline)) {
+            return __builtin_shufflevector(one[place], two[place], 4, 5, 6, 7, 12, 13, 14, 15);
         };
-        const auto low = [](const Lanes& one, const Lanes& two) __attribute__((always_inline)) {
-            return __builtin_shufflevector(one, two, 0, 1, 8, 9, 4, 5, 12, 13);
-        };
-        const auto high = [](const Lanes& one, const Lanes& two) __attribute__((always_inline)) {
-            return __builtin_shufflevector(one, two, 2, 3, 10, 11, 6, 7, 14, 15);
-        };
-        const auto first_half = [](const Lanes& one, const Lanes& two) __attribute__((always_inline)) {
-            return __builtin_shufflevector(one, two, 0, 1, 2, 3, 8, 9, 10, 11);
-        };
-        const auto second_half = [](const Lanes& one, const Lanes& two) __attribute__((always_inline)) {
-            return __builtin_shufflevector(one, two, 4, 5, 6, 7, 12, 13, 14, 15);
-        };
-        const std::array<Lanes, 4> evens{even(0), even(2), even(4), even(6)};
-        const std::array<Lanes, 4> odds{odd(0), odd(2), odd(4), odd(6)};
-        const Lanes even_low = low(evens[0], evens[1]);
-        const Lanes even_low_2 = low(evens[2], evens[3]);
-        const Lanes even_high = high(evens[0], evens[1]);
-        const Lanes even_high_2 = high(evens[2], evens[3]);
-        const Lanes odd_low = low(odds[0], odds[1]);
-        const Lanes odd_low_2 = low(odds[2], odds[3]);
-        const Lanes odd_high = high(odds[0], odds[1]);
-        const Lanes odd_high_2 = high(odds[2], odds[3]);
-        return {first_half(even_low, even_low_2),    first_half(odd_low, odd_low_2),
-                first_half(even_high, even_high_2),  first_half(odd_high, odd_high_2),
-                second_half(even_low, even_low_2),   second_half(odd_low, odd_low_2),
-                second_half(even_high, even_high_2), second_half(odd_high, odd_high_2)};
+        return {first_half(0),  first_half(1),  first_half(2),  first_half(3),
+                second_half(0), second_half(1), second_half(2), second_half(3)};
     }
 }
 
