@@ -42,8 +42,10 @@ ContactList list_like(const ContactList& list) {
 
 void append(const ContactList& from, const ContactRange& range, ContactList& to) {
     const std::size_t begin = to.contact.size();
-    to.contact.append(from.contact, range);
-    to.memory.append(from.memory, range);
+    for (std::size_t index = range.begin; index < range.end; ++index) {
+        to.contact.push_back(from.contact[index]);
+        to.memory.push_back(from.memory[index]);
+    }
     const auto copy = [&](const auto& source, auto& target) {
         const std::span part = part_of(source, range);
         target.insert(target.end(), part.begin(), part.end());

@@ -118,11 +118,9 @@ DELABOLE_INLINED Duty duty_of(const ContactSweep& sweep, const Part<Lanes>& part
         const auto lane = static_cast<unsigned>(std::countr_zero(left));
         may_touch |= sweep.stays_open(part.first + lane) ? 0 : 1U << lane;
     }
-    unsigned concerned = all_lanes<Lanes>;
-    if (sweep.moved != nullptr) {
-        for (unsigned lane = 0; lane < lane_count<Lanes>; ++lane) {
-            concerned &= ~(sweep.concerned(part.first + lane) ? 0 : 1U << lane);
-        }
+    unsigned concerned = 0;
+    for (unsigned lane = 0; lane < lane_count<Lanes>; ++lane) {
+        concerned |= sweep.concerned(part.first + lane) ? 1U << lane : 0;
     }
     return {touching & concerned, may_touch & concerned, (touching | may_touch) != 0};
 }
@@ -198,7 +196,6 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     const MotionOf<Lanes> other = gather_motion<Lanes>(others);
     const ContactPositionOf<Lanes> at = locate<Lanes>(shape, block, other);
     const unsigned apart = bits(at.gap >= 0.0);
-    const unsigned below = bits(at.gap < 0.0);
     Beginning begins;
     if (duty.may_begin != 0) {
         begins = beginning_of<Lanes>(sweep, part, duty.may_begin & ~apart);
@@ -212,7 +209,8 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
         part.keep(part.of(part.flags.beneath) & ~(duty.may_begin & apart), part.flags.beneath);
     }
     unsigned one_by_one = duty.may_begin & ~apart & ~begins.simply & ~begins.not_yet;
-    if ((duty.bear | begins.simply) == 0) {
+    const unsigned acting = duty.bear | begins.simply;
+    if (acting == 0) {
         return one_by_one;
     }
     Rows<Lanes> ends_rows;
@@ -222,11 +220,8 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     const EdgeEndsOf<Lanes> ends = gather_ends<Lanes>(ends_rows);
     const Lanes weight = contact_weight<Lanes>(ends, shape.to_end, at);
     const unsigned without_weight = bits(weight == 0.0);
-    const unsigned bearing = (duty.bear | begins.simply) & ~apart & ~without_weight;
-    const unsigned opening = (duty.bear | begins.simply) & (apart | without_weight);
-    if ((bearing | opening) == 0) {
-        return one_by_one;
-    }
+    const unsigned bearing = acting & ~apart & ~without_weight;
+    const unsigned opening = acting & ~bearing;
     const ContactVelocity<Lanes> velocity = velocity_of<Lanes>(at, block, other);
     ContactNumbersOf<NumberGroup>& kept = part.numbers;
     const unsigned broken = part.of(part.flags.broken);
@@ -280,10 +275,10 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     }
     if (opening != 0) {
         const unsigned bonded = opening & ~without_weight & ~broken & bits(joint.tension > 0.0);
-        const unsigned has_rival = bits(ends.rival != 0.0);
+        const unsigned beneath = bits(at.gap < 0.0) & ~bits(ends.rival != 0.0);
         for (unsigned left = opening & ~bonded; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-            open_up(sweep, part.first + lane, weight[lane], damping[lane], ((below & ~has_rival) >> lane & 1U) != 0);
+            open_up(sweep, part.first + lane, weight[lane], damping[lane], (beneath >> lane & 1U) != 0);
         }
         one_by_one |= bonded;
     }

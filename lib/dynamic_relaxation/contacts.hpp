@@ -157,11 +157,6 @@ class ContactArray {
         blocks_.push_back(contact);
         corners_.push_back(contact);
     }
-    void append(const ContactArray& from, const ContactRange& range) {
-        for (std::size_t index = range.begin; index < range.end; ++index) {
-            push_back(from[index]);
-        }
-    }
     void reserve(std::size_t count) {
         blocks_.reserve(count);
         corners_.reserve(count);
@@ -192,11 +187,6 @@ class MemoryArray {
         numbers_.push_back(size(), memory);
         flags_.push_back(size(), memory);
         shortened_.push_back(memory.shortened);
-    }
-    void append(const MemoryArray& from, const ContactRange& range) {
-        for (std::size_t index = range.begin; index < range.end; ++index) {
-            push_back(from[index]);
-        }
     }
     void reserve(std::size_t count) {
         numbers_.reserve(count);
