@@ -3,6 +3,7 @@
 #include "dynamic_relaxation/lanes.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace delabole {
 
@@ -96,6 +97,20 @@ BlockVelocity<double> velocity_on_base(const BlockSweep& sweep, std::size_t bloc
             motion.spin - base.spin};
 }
 
+template <class Number>
+struct PoseOf {
+    Number x;
+    Number y;
+    Number angle;
+};
+
+// Not a number is noticed.
+template <class Number>
+DELABOLE_INLINED MaskOf<Number> is_unnoticed(const MotionOf<Number>& now, const PoseOf<Number>& then,
+                                             const Number& radius, const Number& limit) {
+    return absolute(now.x - then.x) + absolute(now.y - then.y) + absolute(now.angle - then.angle) * radius <= limit;
+}
+
 // False for a block at rest.
 bool kick_block(const BlockSweep& sweep, std::size_t block, StepSums& sums) {
     Motion& motion = sweep.motion[block];
@@ -125,6 +140,8 @@ bool kick_block(const BlockSweep& sweep, std::size_t block, StepSums& sums) {
 
 void move_block(const BlockSweep& sweep, std::size_t block, StepSums& sums) {
     Motion& motion = sweep.motion[block];
+    NoticedMotion& noticed = sweep.noticed;
+    noticed.moved[block] = 0;
     if (sweep.held[block] != 0) {
         const BlockForce force = force_of_joints(sweep, block);
         // What the others do to a moved block, it does to them.
@@ -137,7 +154,14 @@ void move_block(const BlockSweep& sweep, std::size_t block, StepSums& sums) {
     if (motion.spin != 0) {
         motion.set_angle(motion.angle + motion.spin * sweep.step);
     }
-    sweep.way[block] += fastest_point<double>(motion, sweep.bodies.radius[block]) * sweep.step;
+    const double radius = sweep.bodies.radius[block];
+    const double fastest = fastest_point<double>(motion, radius);
+    sums.fastest = std::max(sums.fastest, fastest);
+    sweep.way[block] += fastest * sweep.step;
+    const PoseOf<double> then{noticed.x[block], noticed.y[block], noticed.angle[block]};
+    if (!is_unnoticed<double>(motion, then, radius, sweep.scales.unnoticed[block])) {
+        noticed.notice(block, motion);
+    }
 }
 
 DELABOLE_INLINED BlockForceOf<FourLanes> gather_forces(const BlockForce* first) {
@@ -150,7 +174,22 @@ struct WideSums {
     FourLanes unbalanced{};
     FourLanes applied{};
     FourLanes damped{};
+    FourLanes fastest{};
 };
+
+DELABOLE_INLINED void notice_four(const BlockSweep& sweep, std::size_t first, const MotionOf<FourLanes>& now,
+                                  const FourLanes& radius) {
+    NoticedMotion& noticed = sweep.noticed;
+    const PoseOf<FourLanes> then{load_lanes<FourLanes>(&noticed.x[first]), load_lanes<FourLanes>(&noticed.y[first]),
+                                 load_lanes<FourLanes>(&noticed.angle[first])};
+    const MaskOf<FourLanes> unnoticed =
+        is_unnoticed<FourLanes>(now, then, radius, load_lanes<FourLanes>(&sweep.scales.unnoticed[first]));
+    const auto moved = static_cast<std::uint32_t>(bytes_of(all_lanes<FourLanes> & ~bits(unnoticed)));
+    std::memcpy(&noticed.moved[first], &moved, lane_count<FourLanes>);
+    store_lanes<FourLanes>(select(unnoticed, then.x, now.x), &noticed.x[first]);
+    store_lanes<FourLanes>(select(unnoticed, then.y, now.y), &noticed.y[first]);
+    store_lanes<FourLanes>(select(unnoticed, then.angle, now.angle), &noticed.angle[first]);
+}
 
 // Free blocks that are not at rest, on a base that does not turn.
 DELABOLE_INLINED void move_four(const BlockSweep& sweep, std::size_t first, WideSums& sums) {
@@ -175,7 +214,9 @@ DELABOLE_INLINED void move_four(const BlockSweep& sweep, std::size_t first, Wide
                                                      measures, sweep.local_damping, sweep.kick, motion);
     sums.applied += work.applied;
     sums.damped -= work.damped;
-    const FourLanes fastest = fastest_point<FourLanes>(motion, load_lanes<FourLanes>(&sweep.bodies.radius[first]));
+    const FourLanes radius = load_lanes<FourLanes>(&sweep.bodies.radius[first]);
+    const FourLanes fastest = fastest_point<FourLanes>(motion, radius);
+    sums.fastest = greater(sums.fastest, fastest);
     const unsigned not_calm =
         bits((imbalance.ratio > sweep.rest_ratio) | (fastest > load_lanes<FourLanes>(&sweep.scales.calm_speed[first])));
     for (std::size_t lane = 0; lane < lane_count<FourLanes>; ++lane) {
@@ -184,25 +225,25 @@ DELABOLE_INLINED void move_four(const BlockSweep& sweep, std::size_t first, Wide
     motion.x += motion.vx * sweep.step;
     motion.y += motion.vy * sweep.step;
     const MaskOf<FourLanes> turns = motion.spin != 0.0;
-    const FourLanes angle = motion.angle + motion.spin * sweep.step;
+    motion.angle = select(turns, motion.angle + motion.spin * sweep.step, motion.angle);
     FourLanes sine;
     FourLanes versine;
-    const unsigned large = bits(turns) & ~bits(small_turn(angle, sine, versine));
+    const unsigned large = bits(turns) & ~bits(small_turn(motion.angle, sine, versine));
     const FourOf<FourLanes> poses = transposed<FourLanes>(motion.x, motion.y, select(turns, sine, motion.sine),
                                                           select(turns, versine, motion.versine));
-    const FourOf<FourLanes> rests =
-        transposed<FourLanes>(motion.vx, motion.vy, motion.spin, select(turns, angle, motion.angle));
+    const FourOf<FourLanes> rests = transposed<FourLanes>(motion.vx, motion.vy, motion.spin, motion.angle);
     for (std::size_t lane = 0; lane < lane_count<FourLanes>; ++lane) {
         store_row<FourLanes>(poses, lane, &moved[lane].x);
         store_row<FourLanes>(rests, lane, &moved[lane].vx);
     }
     for (std::size_t lane = 0; large >> lane != 0; ++lane) {
         if ((large >> lane & 1U) != 0) {
-            moved[lane].set_angle(angle[lane]);
+            moved[lane].set_angle(motion.angle[lane]);
         }
     }
     double* const way = sweep.way + first;
     store_lanes<FourLanes>(load_lanes<FourLanes>(way) + fastest * sweep.step, way);
+    notice_four(sweep, first, motion, radius);
 }
 
 DELABOLE_INLINED bool together(const BlockSweep& sweep, std::size_t first) {
@@ -233,6 +274,7 @@ StepSums move_blocks(const BlockSweep& sweep, std::size_t begin, std::size_t end
         sums.unbalanced = std::max(sums.unbalanced, wide.unbalanced[lane]);
         sums.applied += wide.applied[lane];
         sums.damped += wide.damped[lane];
+        sums.fastest = std::max(sums.fastest, wide.fastest[lane]);
     }
     return sums;
 }

@@ -1,5 +1,5 @@
 // Newton's law for one block after the other, four at a time where they are free: a kick by the forces, then motion
-// with the new velocity.
+// with the new velocity. Whether the contacts of a block have to be evaluated again is noticed on the way.
 #pragma once
 
 #include "dynamic_relaxation/bodies.hpp"
@@ -15,6 +15,29 @@ struct BlockScales {
     std::vector<double> inverse_radius = {};  // 1/m
     std::vector<double> inverse_weight = {};  // m/N
     std::vector<double> calm_speed = {};      // m/s, below which a block may be calm
+    std::vector<double> unnoticed = {};       // m, way that its contacts may disregard
+};
+
+// Of each block. The way is measured from where it was last noticed: the slowest motion is noticed as soon as it
+// matters.
+struct NoticedMotion {
+    std::vector<char> moved = {};  // since its contacts were last evaluated
+    std::vector<double> x = {};    // pose when that was last noticed
+    std::vector<double> y = {};
+    std::vector<double> angle = {};
+
+    void resize(std::size_t blocks) {
+        moved.resize(blocks);
+        x.resize(blocks);
+        y.resize(blocks);
+        angle.resize(blocks);
+    }
+    void notice(std::size_t block, const Motion& motion) {
+        moved[block] = 1;
+        x[block] = motion.x;
+        y[block] = motion.y;
+        angle[block] = motion.angle;
+    }
 };
 
 // What a sweep reads and changes: arrays of the blocks.
@@ -35,6 +58,7 @@ struct BlockSweep {
     Motion* motion;
     double* way;
     std::uint32_t* calm;  // set to zero where a block is not
+    NoticedMotion& noticed;
     // Where blocks are carried along by a base that turns: its motion before the step, whichever is moved first.
     Motion base = {};
 };
@@ -44,6 +68,7 @@ struct StepSums {
     double applied = 0;     // J/m
     double prescribed = 0;  // J/m
     double damped = 0;      // J/m
+    double fastest = 0;     // m/s, no point of any block is faster
 };
 
 // Of blocks `begin` to `end`. Their motion does not depend on which blocks are swept together, the last digits of the

@@ -24,7 +24,7 @@ std::uint64_t hash_of(const RelaxationScene& scene, const RelaxationSettings& se
 bool fits(const RelaxationState& state, const RelaxationScene& scene) {
     const std::size_t blocks = scene.block.size();
     if (state.motion.size() != blocks || state.origin.size() != blocks || state.removed.size() != blocks ||
-        state.base_slip.size() != blocks || state.seen.size() != blocks || state.calm.size() != blocks ||
+        state.base_slip.size() != blocks || state.calm.size() != blocks || state.noticed.moved.size() != blocks ||
         state.bond.size() != scene.bond.size() ||
         (state.first_crack && (state.first_crack->block >= blocks || state.first_crack->other >= blocks))) {
         return false;
@@ -39,8 +39,9 @@ bool fits(const RelaxationState& state, const RelaxationScene& scene) {
     const ContactList& list = state.contacts;
     const std::size_t contacts = list.contact.size();
     const WatchState& watch = state.watch;
-    for (const auto* const each :
-         {&watch.way, &watch.due, &watch.neighbours_until, &watch.step_until, &watch.stable_step}) {
+    const NoticedMotion& noticed = state.noticed;
+    for (const auto* const each : {&watch.way, &watch.due, &watch.neighbours_until, &watch.step_until,
+                                   &watch.stable_step, &noticed.x, &noticed.y, &noticed.angle}) {
         if (each->size() != blocks) {
             return false;
         }

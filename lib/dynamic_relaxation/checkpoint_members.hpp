@@ -55,14 +55,14 @@ DELABOLE_MEMBERS(ForceOnCorner, x, y, moment, other_moment)
 DELABOLE_MEMBERS(ContactList, contact, ends, joint, memory, force, open_until)
 DELABOLE_MEMBERS(WatchedPair, first, second, begin, x, y, first_angle, second_angle, holds)
 DELABOLE_MEMBERS(WatchState, pair, way, due, neighbours_until, step_until, stable_step, step, searches, looks)
-DELABOLE_MEMBERS(SeenPose, x, y, angle)
+DELABOLE_MEMBERS(NoticedMotion, moved, x, y, angle)
 DELABOLE_MEMBERS(BondMemory, state, time, damping, normal_drag, shear_drag, bending_drag)
 DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, bonds, dashpots, local_damping,
                  kinetic_damping)
 DELABOLE_MEMBERS(FirstCrack, time, tilt, block, other)
-DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluated, motion, origin, seen, calm, removed,
-                 base_slip, contacts, watch, bond, ledger, elastic_at_start, unbalanced, unbalanced_then, kinetic_then,
-                 kinetic_before, kinetic_rising, onset_time, first_crack, outcome)
+DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluated, motion, origin, noticed, calm,
+                 removed, base_slip, contacts, watch, bond, ledger, elastic_at_start, unbalanced, unbalanced_then,
+                 kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, outcome)
 
 DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,
                  tensile_strength, bond)

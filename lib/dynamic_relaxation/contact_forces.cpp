@@ -3,20 +3,13 @@
 #include "dynamic_relaxation/by_block.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
 namespace delabole {
 
-ContactForces::ContactForces(const Bodies& bodies, std::vector<double> unnoticed, Team& team)
-    : bodies_(bodies),
-      team_(team),
-      loop_(contact_loops().front()),
-      unnoticed_(std::move(unnoticed)),
-      force_(bodies.size()),
-      moved_(bodies.size(), 0),
-      summed_(bodies.size(), 0) {}
+ContactForces::ContactForces(const Bodies& bodies, Team& team)
+    : bodies_(bodies), team_(team), loop_(contact_loops().front()), force_(bodies.size()), summed_(bodies.size(), 0) {}
 
 // Not needed where all contacts are gone through in their order.
 void ContactForces::index(const ContactList& list) {
@@ -46,26 +39,6 @@ void ContactForces::divide(const ContactList& list) {
     }
 }
 
-bool ContactForces::notice(const std::vector<Motion>& motion, std::vector<SeenPose>& seen) {
-    moved_blocks_.clear();
-    bool all = true;
-    for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        const Motion& now = motion[block];
-        SeenPose& then = seen[block];
-        const double way = std::abs(now.x - then.x) + std::abs(now.y - then.y) +
-                           std::abs(now.angle - then.angle) * bodies_.radius[block];
-        // Not a number counts as moved.
-        moved_[block] = way <= unnoticed_[block] ? 0 : 1;
-        if (moved_[block] != 0) {
-            then = {now.x, now.y, now.angle};
-            moved_blocks_.push_back(static_cast<std::uint32_t>(block));
-        } else {
-            all = all && bodies_.fixed[block] != 0;
-        }
-    }
-    return all;
-}
-
 std::size_t ContactForces::evaluate_all(const ContactSweep& sweep) {
     std::vector<std::size_t> counts(team_.size(), 0);
     team_.run(
@@ -73,25 +46,41 @@ std::size_t ContactForces::evaluate_all(const ContactSweep& sweep) {
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
-std::size_t ContactForces::apply(const std::vector<Motion>& motion, const std::vector<double>& way, double step,
-                                 std::vector<SeenPose>& seen, ContactList& list) {
+std::size_t ContactForces::apply(const std::vector<Motion>& motion, const std::vector<double>& way,
+                                 const std::vector<char>& moved, double step, ContactList& list) {
     // From this share of the blocks on it costs less to go through all contacts in their order.
     constexpr std::size_t many = 8;
     ++round_;
-    const bool all_moved = notice(motion, seen);
-    const ContactSweep sweep = sweep_of(motion, way, all_moved ? nullptr : moved_.data(), step, list);
     std::size_t count = 0;
-    if (many * moved_blocks_.size() > bodies_.size()) {
-        if (team_.size() == 1) {
-            std::fill(force_.begin(), force_.end(), BlockForce{});
-            return loop_.evaluate_and_sum(sweep, 0, list.contact.size(), force_.data());
-        }
+    unsigned any_still = 0;
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        count += moved[block] != 0 ? 1 : 0;
+        any_still |= moved[block] == 0 && bodies_.fixed[block] == 0 ? 1U : 0U;
+    }
+    const ContactSweep sweep = sweep_of(motion, way, any_still != 0 ? moved.data() : nullptr, step, list);
+    if (many * count <= bodies_.size()) {
         index(list);
-        count = evaluate_all(sweep);
-        sum_all(list);
-        return count;
+        return evaluate_of(moved, sweep, list);
+    }
+    if (team_.size() == 1) {
+        std::fill(force_.begin(), force_.end(), BlockForce{});
+        return loop_.evaluate_and_sum(sweep, 0, list.contact.size(), force_.data());
     }
     index(list);
+    const std::size_t evaluated = evaluate_all(sweep);
+    sum_all(list);
+    return evaluated;
+}
+
+std::size_t ContactForces::evaluate_of(const std::vector<char>& moved, const ContactSweep& sweep,
+                                       const ContactList& list) {
+    moved_blocks_.clear();
+    for (std::uint32_t block = 0; block < bodies_.size(); ++block) {
+        if (moved[block] != 0) {
+            moved_blocks_.push_back(block);
+        }
+    }
+    std::size_t count = 0;
     for (const std::uint32_t block : moved_blocks_) {
         for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
             const std::uint32_t index = of_block_[entry];

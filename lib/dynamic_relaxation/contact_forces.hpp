@@ -1,9 +1,8 @@
 // The sum of all contact forces on each block, with no more work than what has moved since the last step.
 //
-// A touching contact is evaluated again once one of its blocks has moved, since it was last looked at, by as much as
-// changes a spring's force by 1e-12 of the block's weight. Nothing is put to sleep: the way is measured from where the
-// block was last seen, so that the slowest motion is noticed as soon as it matters, and forces are never older than
-// that. An open contact is evaluated again once its blocks have come far enough to close it.
+// A touching contact is evaluated again once one of its blocks has moved by as much as changes a spring's force by
+// 1e-12 of the block's weight (NoticedMotion). Nothing is put to sleep, and forces are never older than that. An open
+// contact is evaluated again once its blocks have come far enough to close it.
 #pragma once
 
 #include "dynamic_relaxation/bodies.hpp"
@@ -16,31 +15,23 @@
 
 namespace delabole {
 
-struct SeenPose {
-    double x = 0;
-    double y = 0;
-    double angle = 0;
-};
-
 class ContactForces {
   public:
-    // `unnoticed`: way of each block that its contacts may disregard, m.
-    ContactForces(const Bodies& bodies, std::vector<double> unnoticed, Team& team);
+    ContactForces(const Bodies& bodies, Team& team);
 
     // To be called whenever the list of contacts is new.
     void renew() { list_is_new_ = true; }
 
-    // Evaluates contacts of blocks that have moved since `seen` and sums up. `way`: of each block, since the start; no
-    // point of it has come farther. Returns how many were evaluated.
+    // Evaluates contacts of blocks that have moved and sums up. `way`: of each block, since the start; no point of it
+    // has come farther. `moved`: since the contacts of a block were last evaluated. Returns how many were evaluated.
     // The same bits come out however the work is divided: the forces on a block are added in the order of the list.
-    std::size_t apply(const std::vector<Motion>& motion, const std::vector<double>& way, double step,
-                      std::vector<SeenPose>& seen, ContactList& list);
+    std::size_t apply(const std::vector<Motion>& motion, const std::vector<double>& way, const std::vector<char>& moved,
+                      double step, ContactList& list);
 
     const std::vector<BlockForce>& on_blocks() const { return force_; }
 
   private:
-    // Returns whether all blocks that are not fixed have moved.
-    bool notice(const std::vector<Motion>& motion, std::vector<SeenPose>& seen);
+    std::size_t evaluate_of(const std::vector<char>& moved, const ContactSweep& sweep, const ContactList& list);
     std::size_t evaluate_all(const ContactSweep& sweep);
     void sum_all(const ContactList& list);
     void sum_block(std::size_t block, const ContactList& list);
@@ -51,9 +42,7 @@ class ContactForces {
     const Bodies& bodies_;
     Team& team_;
     ContactLoop loop_;  // the fastest one that this processor runs
-    std::vector<double> unnoticed_;
     std::vector<BlockForce> force_;
-    std::vector<char> moved_;
     std::vector<std::uint32_t> moved_blocks_ = {};
     // Contacts of each block in the order of the list: begin_[block] to begin_[block + 1] in of_block_.
     std::vector<std::uint32_t> begin_ = {};

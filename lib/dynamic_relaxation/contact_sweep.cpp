@@ -297,7 +297,7 @@ DELABOLE_INLINED void fetch_ahead(const ContactSweep& sweep, std::size_t index) 
     const std::size_t group = (index + ahead) / packed_size;
     fetch(sweep.contact + index + ahead, packed_size * sizeof(ContactBlocks));
     fetch(sweep.shape + group, sizeof(*sweep.shape));
-    fetch(sweep.numbers + group, offsetof(ContactNumbersOf<NumberGroup>, slip));
+    fetch(sweep.numbers + group, sizeof(*sweep.numbers));
     fetch(sweep.force + index + ahead, packed_size * sizeof(ForceOnCorner));
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -27,6 +28,10 @@ constexpr double steps_between_searches = 64;
 // A block that has come by this share of its radius rests on other places of its neighbours, and has another stable
 // step.
 constexpr double way_of_same_step = 0.01;
+
+double least_of(const std::vector<double>& numbers) {
+    return *std::min_element(numbers.begin(), numbers.end());
+}
 
 double middling_radius(const Bodies& bodies) {
     std::vector<double> radius;
@@ -73,32 +78,27 @@ void ContactWatch::prepare_for(double step, WatchState& state) {
 
 void ContactWatch::resume(const WatchState& state, const ContactList& list) {
     laws_.resume(list);
+    stable_step_ = least_of(state.stable_step);
     index_pairs(state);
 }
 
 bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
                           WatchState& state, ContactList& list) {
+    list_due_blocks(state);
     // Most steps end here.
-    unsigned any = 0;
-    for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        any |= state.way[block] > state.due[block] ? 1U : 0U;
-    }
-    if (any == 0) {
+    if (due_blocks_.empty()) {
         return false;
     }
     dropped_.clear();
     changed_blocks_.clear();
-    due_blocks_.clear();
     worst_overlap_ = 0;
-    bool new_neighbours = false;
-    for (std::uint32_t block = 0; block < bodies_.size(); ++block) {
-        if (state.way[block] > state.due[block]) {
-            due_blocks_.push_back(block);
-            new_neighbours |= state.way[block] > state.neighbours_until[block];
-        }
-    }
+    const bool new_neighbours = std::any_of(due_blocks_.begin(), due_blocks_.end(), [&](std::uint32_t block) {
+        return state.way[block] > state.neighbours_until[block];
+    });
     first_ = list_changed_ = state.searches == 0;
     if (new_neighbours) {
+        due_blocks_.resize(bodies_.size());
+        std::iota(due_blocks_.begin(), due_blocks_.end(), 0U);
         search(scene, bonds.joined(bond_memory), state, list);
         for (std::size_t number = 0; number < state.pair.size(); ++number) {
             visit(number, scene, state, list);
@@ -120,6 +120,23 @@ bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const st
     changed_blocks_.erase(std::unique(changed_blocks_.begin(), changed_blocks_.end()), changed_blocks_.end());
     renew_stable_steps(scene, bonds, bond_memory, state, list);
     return true;
+}
+
+void ContactWatch::list_due_blocks(const WatchState& state) {
+    constexpr std::size_t together = 64;
+    due_blocks_.clear();
+    for (std::size_t begin = 0; begin < bodies_.size(); begin += together) {
+        const std::size_t end = std::min(begin + together, bodies_.size());
+        unsigned any = 0;
+        for (std::size_t block = begin; block < end; ++block) {
+            any |= state.way[block] > state.due[block] ? 1U : 0U;
+        }
+        for (std::size_t block = begin; any != 0 && block < end; ++block) {
+            if (state.way[block] > state.due[block]) {
+                due_blocks_.push_back(static_cast<std::uint32_t>(block));
+            }
+        }
+    }
 }
 
 double ContactWatch::margin_of(const WatchedPair& pair, const MovingScene& scene, double step) const {
@@ -304,7 +321,8 @@ void ContactWatch::replace(const Replacement& by, const ContactRange& range, con
 
 void ContactWatch::renew_stable_steps(const MovingScene& scene, const Bonds& bonds,
                                       const std::vector<BondMemory>& bond_memory, WatchState& state,
-                                      const ContactList& list) const {
+                                      const ContactList& list) {
+    bool least_has_gone = false;
     const auto renew = [&](std::uint32_t block) {
         SpringsOnBlock springs(bodies_, block);
         for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
@@ -319,7 +337,9 @@ void ContactWatch::renew_stable_steps(const MovingScene& scene, const Bonds& bon
                 springs.add(bonds.list()[bond], scene.motion);
             }
         }
+        least_has_gone |= state.stable_step[block] <= stable_step_;
         state.stable_step[block] = springs.stable_step();
+        stable_step_ = std::min(stable_step_, state.stable_step[block]);
         state.step_until[block] = state.way[block] + way_of_same_step * bodies_.radius[block];
     };
     std::for_each(changed_blocks_.begin(), changed_blocks_.end(), renew);
@@ -328,7 +348,11 @@ void ContactWatch::renew_stable_steps(const MovingScene& scene, const Bonds& bon
             renew(block);
         }
     }
-    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+    if (least_has_gone) {
+        stable_step_ = least_of(state.stable_step);
+    }
+    // Of the others none has come nearer.
+    for (const std::uint32_t block : due_blocks_) {
         state.due[block] = std::min({state.due[block], state.neighbours_until[block], state.step_until[block]});
     }
 }

@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace delabole {
@@ -78,6 +79,8 @@ class ContactWatch {
     const std::vector<std::uint32_t>& changed_blocks() const { return changed_blocks_; }
     double worst_overlap() const { return worst_overlap_; }  // of the pairs looked at, in shortest edges
 
+    double stable_step() const { return stable_step_; }  // s, of all blocks
+
   private:
     // New contacts of a pair.
     struct Replacement {
@@ -85,6 +88,7 @@ class ContactWatch {
         ContactRange found;
     };
 
+    void list_due_blocks(const WatchState& state);
     double margin_of(const WatchedPair& pair, const MovingScene& scene, double step) const;
     double used_up(const WatchedPair& pair, const std::vector<Motion>& motion) const;
     void search(const MovingScene& scene, const std::vector<BlockPair>& bonded, WatchState& state, ContactList& list);
@@ -94,7 +98,7 @@ class ContactWatch {
     void assemble(WatchState& state, ContactList& list);
     void replace(const Replacement& by, const ContactRange& range, const ContactList& list, ContactList& renewed);
     void renew_stable_steps(const MovingScene& scene, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
-                            WatchState& state, const ContactList& list) const;
+                            WatchState& state, const ContactList& list);
     static ContactRange contacts_of(std::size_t number, const WatchState& state, const ContactList& list);
     void index_pairs(const WatchState& state);
 
@@ -108,6 +112,7 @@ class ContactWatch {
     std::vector<std::uint32_t> begin_ = {};
     std::vector<std::uint32_t> of_block_ = {};
     bool first_ = false;
+    double stable_step_ = std::numeric_limits<double>::infinity();
 
     // Of an update:
     PairContacts now_ = {};    // of the pair looked at

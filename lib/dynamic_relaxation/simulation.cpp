@@ -41,11 +41,6 @@ Bodies bodies_of(const RelaxationScene& scene, const RelaxationSettings& setting
     return bodies;
 }
 
-// Nowhere: every block counts as moved.
-SeenPose never_seen() {
-    return {std::numeric_limits<double>::quiet_NaN(), 0, 0};
-}
-
 double shortest_edge(const Bodies& bodies) {
     return *std::min_element(bodies.shortest_edge.begin(), bodies.shortest_edge.end());
 }
@@ -57,7 +52,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
       settings_(settings),
       bodies_(bodies_of(scene_, settings_)),
       team_(std::max<std::size_t>(settings_.threads, 1)),
-      contact_forces_(bodies_, unnoticed_ways(scene_, bodies_), team_),
+      contact_forces_(bodies_, team_),
       bonds_(scene_, bodies_, settings_.viscous_damping, team_),
       contact_watch_(scene_, bodies_, settings_.viscous_damping) {
     state_.motion.resize(bodies_.size());
@@ -65,7 +60,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
     state_.base_slip.resize(bodies_.size(), 0);
     state_.calm.resize(bodies_.size(), 0);
     state_.bond.resize(scene_.bond.size());
-    state_.seen.resize(bodies_.size(), never_seen());
+    state_.noticed.resize(bodies_.size());
     ContactWatch::start(bodies_.size(), state_.watch);
     prepare();
     begin();
@@ -77,7 +72,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, Relax
       bodies_(bodies_of(scene_, settings_)),
       state_(std::move(state)),
       team_(std::max<std::size_t>(settings_.threads, 1)),
-      contact_forces_(bodies_, unnoticed_ways(scene_, bodies_), team_),
+      contact_forces_(bodies_, team_),
       bonds_(scene_, bodies_, settings_.viscous_damping, team_),
       contact_watch_(scene_, bodies_, settings_.viscous_damping) {
     prepare();
@@ -102,6 +97,7 @@ void Simulation::prepare() {
     for (const double mass : bodies_.inertial_mass) {
         scales_.calm_speed.push_back(rest_ratio() * gravity * std::sqrt(mass / stiffest));
     }
+    scales_.unnoticed = unnoticed_ways(scene_, bodies_);
     hold_blocks();
     if (settings_.crack_opening) {
         watched_ = find_shared_faces(bodies_);
@@ -159,6 +155,9 @@ void Simulation::begin() {
     } else {
         state_.origin = state_.motion;
     }
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        state_.noticed.notice(block, state_.motion[block]);
+    }
     find_contacts_where_due();
     state_.ledger.bonds = 0;
     state_.elastic_at_start = bonds_.elastic_energy(state_.motion, state_.bond);
@@ -204,6 +203,7 @@ void Simulation::follow_schedules() {
             book_springs_of_removed(removal.block);
             state_.removed[removal.block] = 1;
             state_.motion[removal.block].vx = state_.motion[removal.block].vy = state_.motion[removal.block].spin = 0;
+            fastest_.reset();
             look_again_at(removal.block);
             changed = true;
         }
@@ -216,6 +216,7 @@ void Simulation::follow_schedules() {
         const Motion before = moved;
         prescribe(motion, bodies_, state_.time, moved);
         if (moved.vx != before.vx || moved.vy != before.vy || moved.spin != before.spin) {
+            fastest_.reset();
             state_.watch.due[motion.block] = -std::numeric_limits<double>::infinity();
         }
     }
@@ -253,12 +254,14 @@ void Simulation::break_bonds() {
     }
 }
 
-double Simulation::fastest() const {
-    double speed = 0;
-    for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        speed = std::max(speed, fastest_point<double>(state_.motion[block], bodies_.radius[block]));
+double Simulation::fastest() {
+    if (!fastest_) {
+        fastest_ = 0;
+        for (std::size_t block = 0; block < bodies_.size(); ++block) {
+            fastest_ = std::max(*fastest_, fastest_point<double>(state_.motion[block], bodies_.radius[block]));
+        }
     }
-    return speed;
+    return *fastest_;
 }
 
 // For neighbours, contacts and the stable step.
@@ -310,7 +313,7 @@ bool Simulation::look_at_contacts() {
         contact_forces_.renew();
     }
     for (const std::uint32_t block : contact_watch_.changed_blocks()) {
-        state_.seen[block] = never_seen();
+        state_.noticed.notice(block, state_.motion[block]);
     }
     if (contact_watch_.worst_overlap() > settings_.overlap_limit) {
         state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::overlap_too_large);
@@ -322,8 +325,7 @@ void Simulation::choose_step(double last) {
     const double speed = fastest();
     // While blocks are fast the step does not grow: they would not be seen coming.
     const double seen_ahead = speed > 0 ? std::max(last, margin_ / (8 * speed)) : longest_step_;
-    const double stable = *std::min_element(state_.watch.stable_step.begin(), state_.watch.stable_step.end());
-    double largest = std::min({settings_.step_fraction * stable, longest_step_, seen_ahead});
+    double largest = std::min({settings_.step_fraction * contact_watch_.stable_step(), longest_step_, seen_ahead});
     if (scene_.belt) {
         largest = std::min(largest, longest_step(*scene_.belt, scene_.gravity));
     }
@@ -335,7 +337,7 @@ void Simulation::choose_step(double last) {
 
 void Simulation::apply_contact_forces() {
     state_.contacts_evaluated +=
-        contact_forces_.apply(state_.motion, state_.watch.way, state_.last_step, state_.seen, state_.contacts);
+        contact_forces_.apply(state_.motion, state_.watch.way, state_.noticed.moved, state_.last_step, state_.contacts);
 }
 
 void Simulation::apply_loads() {
@@ -366,6 +368,7 @@ void Simulation::integrate() {
                            state_.motion.data(),
                            state_.watch.way.data(),
                            state_.calm.data(),
+                           state_.noticed,
                            bodies_.turned_base ? state_.motion[*bodies_.turned_base] : Motion{}};
     const auto move_groups = [&](std::size_t part) {
         for (std::size_t group = part_begin(groups, part, team_.size());
@@ -378,7 +381,9 @@ void Simulation::integrate() {
     } else {
         sums_.front() = move_blocks(sweep, 0, bodies_.size());
     }
+    fastest_ = 0;
     for (const StepSums& group : sums_) {
+        fastest_ = std::max(*fastest_, group.fastest);
         state_.ledger.applied += group.applied;
         state_.ledger.prescribed += group.prescribed;
         state_.ledger.local_damping += group.damped;
@@ -401,6 +406,7 @@ void Simulation::take_velocities_away_at_peaks() {
                 state_.motion[block].vx = state_.motion[block].vy = state_.motion[block].spin = 0;
             }
         }
+        fastest_.reset();
         state_.last_step = 0;
         state_.kinetic_rising = false;
         state_.kinetic_before = 0;

@@ -58,7 +58,7 @@ class Simulation {
     PreloadSettings preload_settings() const;
     void preload_springs();
     void book_springs_of_removed(std::size_t block);
-    double fastest() const;  // m/s, no point of any block is faster
+    double fastest();  // m/s, no point of any block is faster
     void find_contacts_where_due();
     void preload_within(double margin, bool first);
     bool look_at_contacts();
@@ -69,7 +69,7 @@ class Simulation {
     void integrate();
     void look();
     void look_for_crack();
-    bool carried_along() const;
+    bool carried_along();
     void let_calm_blocks_rest();
     void take_velocities_away_at_peaks();
 
@@ -90,7 +90,8 @@ class Simulation {
     BlockScales scales_ = {};
     std::vector<char> held_ = {};  // fixed now: fixed blocks, and those held for consolidation
     bool held_for_consolidation_ = false;
-    std::vector<StepSums> sums_ = {};  // of the step
+    std::vector<StepSums> sums_ = {};     // of the step
+    std::optional<double> fastest_ = {};  // of the last step, if no velocity has been changed since
 };
 
 // Runs to the end. `watch` is called before each step and may end the run by returning false.

@@ -48,7 +48,7 @@ void Simulation::look() {
 }
 
 // A block that a belt carries at an even speed is in balance too, but not at rest.
-bool Simulation::carried_along() const {
+bool Simulation::carried_along() {
     return scene_.belt && fastest() > settings_.equilibrium_ratio * scene_.belt->speed;
 }
 
@@ -82,6 +82,7 @@ void Simulation::let_calm_blocks_rest() {
              bodies_.inertia[block] * motion.spin * motion.spin) /
             2;
         motion.vx = motion.vy = motion.spin = 0;
+        fastest_.reset();
     }
 }
 

@@ -1,9 +1,9 @@
 // All that a run needs to go on: nothing else changes from step to step.
 #pragma once
 
+#include "dynamic_relaxation/block_sweep.hpp"
 #include "dynamic_relaxation/bodies.hpp"
 #include "dynamic_relaxation/bonds.hpp"
-#include "dynamic_relaxation/contact_forces.hpp"
 #include "dynamic_relaxation/contact_watch.hpp"
 #include "dynamic_relaxation/contacts.hpp"
 
@@ -48,8 +48,8 @@ struct RelaxationState {
     std::uint64_t steps = 0;
     std::uint64_t contacts_evaluated = 0;
     std::vector<Motion> motion = {};
-    std::vector<Motion> origin = {};       // at the start, after preloading
-    std::vector<SeenPose> seen = {};       // where contacts were last evaluated for
+    std::vector<Motion> origin = {};  // at the start, after preloading
+    NoticedMotion noticed = {};
     std::vector<std::uint32_t> calm = {};  // looks in a row without anything to move a block; see Simulation::rests
     std::vector<char> removed = {};
     std::vector<double> base_slip = {};  // m, of each block over fixed ones; negative towards -x

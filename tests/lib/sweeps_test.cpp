@@ -240,6 +240,8 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
         scales.inverse_radius.push_back(1 / bodies.radius[block]);
         scales.inverse_weight.push_back(1 / (10 * bodies.mass[block]));
         scales.calm_speed.push_back(1e-6);
+        // Some blocks go farther in a step, and some do not.
+        scales.unnoticed.push_back(1e-4);
     }
     std::uniform_real_distribution<double> some(-1, 1);
     std::vector<BlockForce> forces(bodies.size());
@@ -252,6 +254,10 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
     std::vector<Motion> one_by_one = motion;
     std::vector<double> way_one_by_one = way;
     std::vector<std::uint32_t> calm_one_by_one = calm;
+    NoticedMotion noticed;
+    noticed.resize(bodies.size());
+    NoticedMotion noticed_one_by_one = noticed;
+    std::size_t times_noticed = 0;
     for (int round = 0; round < 50; ++round) {
         for (std::size_t block = 0; block < bodies.size(); ++block) {
             const double scale = 1e4 * (block % 5 == 0 ? 0 : some(random));
@@ -259,15 +265,18 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
             loads[block] = {0, -1e3, 0};
         }
         const auto sweep = [&](std::vector<Motion>& moving, std::vector<double>& ways,
-                               std::vector<std::uint32_t>& calms) {
+                               std::vector<std::uint32_t>& calms, NoticedMotion& noticing) {
             return BlockSweep{
                 bodies, scales, bodies.fixed.data(), forces.data(), forces.data(), loads.data(), 0.3, step, step,
-                1e-6,   4,      moving.data(),       ways.data(),   calms.data()};
+                1e-6,   4,      moving.data(),       ways.data(),   calms.data(),  noticing};
         };
-        const StepSums sums = move_blocks(sweep(motion, way, calm), 0, bodies.size());
+        const NoticedMotion before = noticed;
+        const StepSums sums = move_blocks(sweep(motion, way, calm, noticed), 0, bodies.size());
         StepSums expected;
         for (std::size_t block = 0; block < bodies.size(); ++block) {
-            const StepSums own = move_blocks(sweep(one_by_one, way_one_by_one, calm_one_by_one), block, block + 1);
+            const StepSums own =
+                move_blocks(sweep(one_by_one, way_one_by_one, calm_one_by_one, noticed_one_by_one), block, block + 1);
+            expected.fastest = std::max(expected.fastest, own.fastest);
             expected.applied += own.applied;
             expected.damped += own.damped;
             expected.unbalanced = std::max(expected.unbalanced, own.unbalanced);
@@ -275,13 +284,38 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
         ASSERT_TRUE(same_bytes(motion, one_by_one)) << round;
         ASSERT_TRUE(same_bytes(way, way_one_by_one)) << round;
         ASSERT_TRUE(same_bytes(calm, calm_one_by_one)) << round;
+        ASSERT_EQ(noticed.moved, noticed_one_by_one.moved) << round;
+        for (std::size_t block = 0; block < bodies.size(); ++block) {
+            const bool is_noticed = std::abs(motion[block].x - before.x[block]) +
+                                        std::abs(motion[block].y - before.y[block]) +
+                                        std::abs(motion[block].angle - before.angle[block]) * bodies.radius[block] >
+                                    scales.unnoticed[block];
+            ASSERT_EQ(noticed.moved[block] != 0, is_noticed) << round << ", block " << block;
+            const auto expect_pose = [&](double x, double y, double angle) {
+                ASSERT_EQ(noticed.x[block], x);
+                ASSERT_EQ(noticed.y[block], y);
+                ASSERT_EQ(noticed.angle[block], angle);
+                ASSERT_EQ(noticed_one_by_one.x[block], x);
+                ASSERT_EQ(noticed_one_by_one.y[block], y);
+                ASSERT_EQ(noticed_one_by_one.angle[block], angle);
+            };
+            if (is_noticed) {
+                expect_pose(motion[block].x, motion[block].y, motion[block].angle);
+                ++times_noticed;
+            } else {
+                expect_pose(before.x[block], before.y[block], before.angle[block]);
+            }
+        }
         EXPECT_EQ(sums.unbalanced, expected.unbalanced);
+        EXPECT_EQ(sums.fastest, expected.fastest);
         // Forty terms in another order.
         const double rounding = 40 * std::numeric_limits<double>::epsilon() * std::abs(expected.damped);
         EXPECT_NEAR(sums.damped, expected.damped, rounding);
         EXPECT_GT(expected.damped, 0);
         EXPECT_NEAR(sums.applied, expected.applied, 1e-12 * (1 + std::abs(expected.applied)));
     }
+    EXPECT_GT(times_noticed, 5 * bodies.size());
+    EXPECT_LT(times_noticed, 45 * bodies.size());
 }
 
 }  // namespace
