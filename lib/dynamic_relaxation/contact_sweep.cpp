@@ -153,11 +153,11 @@ void open_up(const ContactSweep& sweep, std::size_t index, double weight, double
     sweep.open_until[index] = not_open;
 }
 
-// Of contacts that begin to touch.
+// Of contacts that begin to touch. Those that are neither may take over what another has once it is evaluated.
 struct Beginning {
-    unsigned simply = 0;    // with nothing to take over
-    unsigned not_yet = 0;   // they are beneath their edges
-    bool in_order = false;  // one may take over what another of the part has before it is evaluated, or only after
+    unsigned simply = 0;   // with nothing to take over
+    unsigned not_yet = 0;  // they are beneath their edges
+    unsigned before = 0;   // they take over what another of the part has before it is evaluated
 };
 
 template <IsLanes Lanes>
@@ -168,12 +168,13 @@ DELABOLE_INLINED Beginning beginning_of(const ContactSweep& sweep, const Part<La
         const unsigned lane = left & -left;
         const std::uint32_t twin = part.contact[std::countr_zero(left)].twin;
         if (twin != no_twin) {
+            const unsigned of_twin = twin - part.first < lane_count<Lanes> ? 1U << (twin - part.first) : 0;
             const bool touching = touches(sweep, twin);
-            if (twin - part.first < lane_count<Lanes>) {
-                const unsigned of_twin = 1U << (twin - part.first);
-                beginning.in_order |= (begins & of_twin) != 0 || (touching && of_twin > lane);
+            if (touching && of_twin > lane) {
+                beginning.before |= lane;
+                continue;
             }
-            if (touching) {
+            if (touching || ((begins & of_twin) != 0 && of_twin < lane)) {
                 continue;
             }
         }
@@ -199,8 +200,8 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     Beginning begins;
     if (duty.may_begin != 0) {
         begins = beginning_of<Lanes>(sweep, part, duty.may_begin & ~apart);
-        if (begins.in_order) {
-            return duty.bear | duty.may_begin;
+        for (unsigned left = begins.before; left != 0; left &= left - 1) {
+            evaluate_contact(sweep, part.first + static_cast<std::size_t>(std::countr_zero(left)));
         }
         for (unsigned left = (duty.may_begin & apart) | begins.not_yet; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
@@ -208,7 +209,7 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
         }
         part.keep(part.of(part.flags.beneath) & ~(duty.may_begin & apart), part.flags.beneath);
     }
-    unsigned one_by_one = duty.may_begin & ~apart & ~begins.simply & ~begins.not_yet;
+    unsigned one_by_one = duty.may_begin & ~apart & ~begins.simply & ~begins.not_yet & ~begins.before;
     const unsigned acting = duty.bear | begins.simply;
     if (acting == 0) {
         return one_by_one;
