@@ -384,12 +384,13 @@ TEST(Tilting, InSmallIncrementsReachesTheStaticLimit) {
     EXPECT_LT(result.tilt, degrees(18.75));
 }
 
-TEST(Pack, DoesNotCreep) {
-    const RelaxationScene scene = brick_pack_scene({8, 6, 1e5, degrees(40), degrees(20)});
-    const std::size_t count = scene.block.size() - 2;
+// Stands for ten seconds once it has settled for three.
+void expect_no_creep(const BrickPack& pack, RelaxationStart start) {
+    const RelaxationScene scene = brick_pack_scene(pack);
     RelaxationSettings settings;
+    settings.start = start;
     settings.stop_at_equilibrium = false;
-    settings.duration = 10;
+    settings.duration = 13;
     Simulation simulation(scene, settings);
     std::vector<Motion> settled;
     while (simulation.running()) {
@@ -399,7 +400,7 @@ TEST(Pack, DoesNotCreep) {
         }
     }
     ASSERT_EQ(simulation.outcome(), RelaxationOutcome::undecided);
-    for (std::size_t block = 0; block < count; ++block) {
+    for (std::size_t block = 0; block < scene.block.size(); ++block) {
         const Motion& motion = simulation.state().motion[block];
         // A thousandth of a millimetre is what other engines were measured by.
         EXPECT_LT(std::hypot(motion.x - settled[block].x, motion.y - settled[block].y), 1e-6) << "block " << block;
@@ -408,6 +409,15 @@ TEST(Pack, DoesNotCreep) {
     const std::uint64_t evaluated = simulation.state().contacts_evaluated;
     simulation.step();
     EXPECT_EQ(simulation.state().contacts_evaluated, evaluated);
+}
+
+TEST(Pack, DoesNotCreep) {
+    expect_no_creep({8, 6, 1e5, degrees(40), degrees(20)}, RelaxationStart::preloaded);
+}
+
+// The one that other engines were measured with: they creep by 0.07 to 73 mm, or collapse.
+TEST(Pack, OfAThousandBricksDoesNotCreep) {
+    expect_no_creep({22, 45, 1e5, degrees(40), degrees(20)}, RelaxationStart::dropped);
 }
 
 // Same bytes for any number of threads, while everything moves and after most has come to rest.
