@@ -18,10 +18,10 @@ struct BlockScales {
     std::vector<double> unnoticed = {};       // m, way that its contacts may disregard
 };
 
-// Of each block. The way is measured from where it was last noticed: the slowest motion is noticed as soon as it
-// matters.
+// Of each block, whether it has come by more than its contacts may disregard, measured from where that was last
+// noticed: the slowest motion is noticed as soon as it matters.
 struct NoticedMotion {
-    std::vector<char> moved = {};  // since its contacts were last evaluated
+    std::vector<char> moved = {};  // 1: its contacts are to be evaluated again, for it has come so far or has new ones
     std::vector<double> x = {};    // pose when that was last noticed
     std::vector<double> y = {};
     std::vector<double> angle = {};

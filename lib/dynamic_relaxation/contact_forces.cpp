@@ -51,16 +51,16 @@ std::size_t ContactForces::apply(const std::vector<Motion>& motion, const std::v
     // From this share of the blocks on it costs less to go through all contacts in their order.
     constexpr std::size_t many = 8;
     ++round_;
-    std::size_t count = 0;
+    std::size_t moved_count = 0;
     unsigned any_still = 0;
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        count += moved[block] != 0 ? 1 : 0;
+        moved_count += moved[block] != 0 ? 1 : 0;
         any_still |= moved[block] == 0 && bodies_.fixed[block] == 0 ? 1U : 0U;
     }
     const ContactSweep sweep = sweep_of(motion, way, any_still != 0 ? moved.data() : nullptr, step, list);
-    if (many * count <= bodies_.size()) {
+    if (many * moved_count <= bodies_.size()) {
         index(list);
-        return evaluate_of(moved, sweep, list);
+        return evaluate_and_sum_of_moved(moved, sweep, list);
     }
     if (team_.size() == 1) {
         std::fill(force_.begin(), force_.end(), BlockForce{});
@@ -72,8 +72,8 @@ std::size_t ContactForces::apply(const std::vector<Motion>& motion, const std::v
     return evaluated;
 }
 
-std::size_t ContactForces::evaluate_of(const std::vector<char>& moved, const ContactSweep& sweep,
-                                       const ContactList& list) {
+std::size_t ContactForces::evaluate_and_sum_of_moved(const std::vector<char>& moved, const ContactSweep& sweep,
+                                                     const ContactList& list) {
     moved_blocks_.clear();
     for (std::uint32_t block = 0; block < bodies_.size(); ++block) {
         if (moved[block] != 0) {

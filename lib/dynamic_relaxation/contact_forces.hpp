@@ -1,8 +1,8 @@
 // The sum of all contact forces on each block, with no more work than what has moved since the last step.
 //
 // A touching contact is evaluated again once one of its blocks has moved by as much as changes a spring's force by
-// 1e-12 of the block's weight (NoticedMotion). Nothing is put to sleep, and forces are never older than that. An open
-// contact is evaluated again once its blocks have come far enough to close it.
+// 1e-12 of the block's weight, or has new contacts (NoticedMotion). Nothing is put to sleep, and forces are never older
+// than that. An open contact is evaluated again once its blocks have come far enough to close it.
 #pragma once
 
 #include "dynamic_relaxation/bodies.hpp"
@@ -23,7 +23,7 @@ class ContactForces {
     void renew() { list_is_new_ = true; }
 
     // Evaluates contacts of blocks that have moved and sums up. `way`: of each block, since the start; no point of it
-    // has come farther. `moved`: since the contacts of a block were last evaluated. Returns how many were evaluated.
+    // has come farther. `moved`: NoticedMotion's. Returns how many were evaluated.
     // The same bits come out however the work is divided: the forces on a block are added in the order of the list.
     std::size_t apply(const std::vector<Motion>& motion, const std::vector<double>& way, const std::vector<char>& moved,
                       double step, ContactList& list);
@@ -31,7 +31,9 @@ class ContactForces {
     const std::vector<BlockForce>& on_blocks() const { return force_; }
 
   private:
-    std::size_t evaluate_of(const std::vector<char>& moved, const ContactSweep& sweep, const ContactList& list);
+    // The sweep's `moved` is null where all have.
+    std::size_t evaluate_and_sum_of_moved(const std::vector<char>& moved, const ContactSweep& sweep,
+                                          const ContactList& list);
     std::size_t evaluate_all(const ContactSweep& sweep);
     void sum_all(const ContactList& list);
     void sum_block(std::size_t block, const ContactList& list);

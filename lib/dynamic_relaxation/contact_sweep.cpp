@@ -153,7 +153,7 @@ void open_up(const ContactSweep& sweep, std::size_t index, double weight, double
     sweep.open_until[index] = not_open;
 }
 
-// Of contacts that begin to touch. Those that are neither may take over what another has once it is evaluated.
+// Of contacts that begin to touch. Those in none of these take over what another has, if it then touches.
 struct Beginning {
     unsigned simply = 0;   // with nothing to take over
     unsigned not_yet = 0;  // they are beneath their edges
@@ -200,6 +200,7 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     Beginning begins;
     if (duty.may_begin != 0) {
         begins = beginning_of<Lanes>(sweep, part, duty.may_begin & ~apart);
+        // Before what they take over changes below.
         for (unsigned left = begins.before; left != 0; left &= left - 1) {
             evaluate_contact(sweep, part.first + static_cast<std::size_t>(std::countr_zero(left)));
         }

@@ -15,7 +15,7 @@ namespace delabole {
 struct ContactSweep {
     const Motion* motion;
     const double* way;  // of each block, since the start; no point of it has come farther
-    const char* moved;  // since its contacts were last evaluated; null: all have
+    const char* moved;  // whether contacts of a block are to be evaluated again; null: of all
     double step;
     const ContactBlocks* contact;
     const ContactCorner* corner;

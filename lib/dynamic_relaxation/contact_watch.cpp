@@ -5,6 +5,7 @@
 #include "dynamic_relaxation/time_step.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -97,6 +98,7 @@ bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const st
     });
     first_ = list_changed_ = state.searches == 0;
     if (new_neighbours) {
+        // The search gives all blocks new ways, and all have to be bounded at the end.
         due_blocks_.resize(bodies_.size());
         std::iota(due_blocks_.begin(), due_blocks_.end(), 0U);
         search(scene, bonds.joined(bond_memory), state, list);
@@ -123,6 +125,7 @@ bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const st
 }
 
 void ContactWatch::list_due_blocks(const WatchState& state) {
+    // Hardly any block is due: so many at a time are asked whether one is.
     constexpr std::size_t together = 64;
     due_blocks_.clear();
     for (std::size_t begin = 0; begin < bodies_.size(); begin += together) {
@@ -351,7 +354,8 @@ void ContactWatch::renew_stable_steps(const MovingScene& scene, const Bonds& bon
     if (least_has_gone) {
         stable_step_ = least_of(state.stable_step);
     }
-    // Of the others none has come nearer.
+    assert(stable_step_ == least_of(state.stable_step));
+    // Those of the others are no more than these already, and these have not become less.
     for (const std::uint32_t block : due_blocks_) {
         state.due[block] = std::min({state.due[block], state.neighbours_until[block], state.step_until[block]});
     }

@@ -112,7 +112,7 @@ class ContactWatch {
     std::vector<std::uint32_t> begin_ = {};
     std::vector<std::uint32_t> of_block_ = {};
     bool first_ = false;
-    double stable_step_ = std::numeric_limits<double>::infinity();
+    double stable_step_ = std::numeric_limits<double>::infinity();  // s, the least of all blocks
 
     // Of an update:
     PairContacts now_ = {};    // of the pair looked at

@@ -110,7 +110,7 @@ struct ContactNumbersOf {
     Number damping{};      // J/m, dissipated so far
     Number normal_drag{};  // N/m, of the dashpots when last evaluated, along the normal
     Number shear_drag{};   // N/m, along the edge
-    // Most contacts do not slide: these are seldom read.
+    // Change where a contact slides or begins only.
     Number slip{};      // sum of plastic displacement along the edge, with its sign
     Number friction{};  // J/m, dissipated so far, with broken bonds
 };

@@ -7,6 +7,7 @@
 #include "dynamic_relaxation/time_step.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -155,6 +156,7 @@ void Simulation::begin() {
     } else {
         state_.origin = state_.motion;
     }
+    // The first step evaluates all contacts.
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
         state_.noticed.notice(block, state_.motion[block]);
     }
@@ -255,12 +257,17 @@ void Simulation::break_bonds() {
 }
 
 double Simulation::fastest() {
-    if (!fastest_) {
-        fastest_ = 0;
+    const auto find = [&] {
+        double speed = 0;
         for (std::size_t block = 0; block < bodies_.size(); ++block) {
-            fastest_ = std::max(*fastest_, fastest_point<double>(state_.motion[block], bodies_.radius[block]));
+            speed = std::max(speed, fastest_point<double>(state_.motion[block], bodies_.radius[block]));
         }
+        return speed;
+    };
+    if (!fastest_) {
+        fastest_ = find();
     }
+    assert(*fastest_ == find());
     return *fastest_;
 }
 

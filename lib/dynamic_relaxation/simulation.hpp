@@ -10,11 +10,14 @@
 #pragma once
 
 #include "dynamic_relaxation/block_sweep.hpp"
+#include "dynamic_relaxation/contact_forces.hpp"
 #include "dynamic_relaxation/outcome.hpp"
 #include "dynamic_relaxation/settings.hpp"
 #include "dynamic_relaxation/state.hpp"
+#include "dynamic_relaxation/team.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace delabole {
 
@@ -91,7 +94,7 @@ class Simulation {
     std::vector<char> held_ = {};  // fixed now: fixed blocks, and those held for consolidation
     bool held_for_consolidation_ = false;
     std::vector<StepSums> sums_ = {};     // of the step
-    std::optional<double> fastest_ = {};  // of the last step, if no velocity has been changed since
+    std::optional<double> fastest_ = {};  // with velocities as they are now; none: to be found
 };
 
 // Runs to the end. `watch` is called before each step and may end the run by returning false.

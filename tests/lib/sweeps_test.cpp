@@ -107,7 +107,7 @@ class ContactLoops : public Shaken, public testing::WithParamInterface<ContactLo
 TEST_P(ContactLoops, GiveTheSameBitsAsOneByOne) {
     ContactList one_by_one;
     struct {
-        std::size_t sliding, opened, bearing, begun, taken_over, beneath, weightless, bonded, rivals;
+        std::size_t sliding, opened, bearing, begun, taken_over, taken_before, beneath, weightless, bonded, rivals;
     } seen{};
     for (int round = 0; round < 400; ++round) {
         if (round % 20 == 0) {
@@ -128,6 +128,7 @@ TEST_P(ContactLoops, GiveTheSameBitsAsOneByOne) {
             const RelaxationContact contact = one_by_one.contact[index];
             if (!alone.stays_open(index) && alone.concerned(index)) {
                 const ContactMemory before = one_by_one.memory[index];
+                const bool twin_touches = contact.twin != no_twin && one_by_one.memory[contact.twin].touching;
                 evaluate_contact(alone, index);
                 ++expected;
                 const ContactMemory after = one_by_one.memory[index];
@@ -136,6 +137,11 @@ TEST_P(ContactLoops, GiveTheSameBitsAsOneByOne) {
                 seen.weightless += before.touching && !after.touching && !apart ? 1 : 0;
                 seen.begun += !before.touching && after.touching ? 1 : 0;
                 seen.taken_over += !before.touching && after.touching && after.shear != 0 && !after.sliding ? 1 : 0;
+                // From a twin that is evaluated later, at the same time where contacts are taken together.
+                seen.taken_before += !before.touching && after.touching && twin_touches && contact.twin > index &&
+                                             contact.twin / 4 == index / 4
+                                         ? 1
+                                         : 0;
                 seen.beneath += before.beneath && after.beneath ? 1 : 0;
                 seen.sliding += after.sliding ? 1 : 0;
                 seen.bearing += before.touching && after.touching ? 1 : 0;
@@ -161,6 +167,7 @@ TEST_P(ContactLoops, GiveTheSameBitsAsOneByOne) {
     EXPECT_GT(seen.bearing, 10000U);
     EXPECT_GT(seen.begun, 1000U);
     EXPECT_GT(seen.taken_over, 10U);
+    EXPECT_GT(seen.taken_before, 10U);
     EXPECT_GT(seen.beneath, 100U);
     EXPECT_GT(seen.weightless, 100U);
     EXPECT_GT(seen.bonded, 50U);
@@ -248,6 +255,10 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
     std::vector<BlockForce> loads(bodies.size());
     std::vector<std::uint32_t> calm(bodies.size(), 3);
     shake();
+    // At rest, until its load wakes it.
+    constexpr std::size_t resting = 15;
+    calm[resting] = 4;
+    motion[resting].vx = motion[resting].vy = motion[resting].spin = 0;
     // Turns beyond a hundredth of a radian, and blocks that do not turn.
     motion[3].set_angle(0.5);
     motion[4].spin = motion[9].spin = 0;
@@ -256,20 +267,23 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
     std::vector<std::uint32_t> calm_one_by_one = calm;
     NoticedMotion noticed;
     noticed.resize(bodies.size());
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        noticed.notice(block, motion[block]);
+    }
     NoticedMotion noticed_one_by_one = noticed;
     std::size_t times_noticed = 0;
+    const auto sweep = [&](std::vector<Motion>& moving, std::vector<double>& ways, std::vector<std::uint32_t>& calms,
+                           NoticedMotion& noticing) {
+        return BlockSweep{
+            bodies, scales, bodies.fixed.data(), forces.data(), forces.data(), loads.data(), 0.3, step, step,
+            1e-6,   4,      moving.data(),       ways.data(),   calms.data(),  noticing};
+    };
     for (int round = 0; round < 50; ++round) {
         for (std::size_t block = 0; block < bodies.size(); ++block) {
             const double scale = 1e4 * (block % 5 == 0 ? 0 : some(random));
             forces[block] = {scale * some(random), scale * some(random), block == 4 ? 0 : scale * some(random)};
-            loads[block] = {0, -1e3, 0};
+            loads[block] = {0, block == resting && round < 25 ? 0 : -1e3, 0};
         }
-        const auto sweep = [&](std::vector<Motion>& moving, std::vector<double>& ways,
-                               std::vector<std::uint32_t>& calms, NoticedMotion& noticing) {
-            return BlockSweep{
-                bodies, scales, bodies.fixed.data(), forces.data(), forces.data(), loads.data(), 0.3, step, step,
-                1e-6,   4,      moving.data(),       ways.data(),   calms.data(),  noticing};
-        };
         const NoticedMotion before = noticed;
         const StepSums sums = move_blocks(sweep(motion, way, calm, noticed), 0, bodies.size());
         StepSums expected;
@@ -285,11 +299,12 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
         ASSERT_TRUE(same_bytes(way, way_one_by_one)) << round;
         ASSERT_TRUE(same_bytes(calm, calm_one_by_one)) << round;
         ASSERT_EQ(noticed.moved, noticed_one_by_one.moved) << round;
+        EXPECT_EQ(noticed.moved[resting] != 0 || calm[resting] < 4, round >= 25) << round;
         for (std::size_t block = 0; block < bodies.size(); ++block) {
-            const bool is_noticed = std::abs(motion[block].x - before.x[block]) +
-                                        std::abs(motion[block].y - before.y[block]) +
-                                        std::abs(motion[block].angle - before.angle[block]) * bodies.radius[block] >
-                                    scales.unnoticed[block];
+            const double come = std::abs(motion[block].x - before.x[block]) +
+                                std::abs(motion[block].y - before.y[block]) +
+                                std::abs(motion[block].angle - before.angle[block]) * bodies.radius[block];
+            const bool is_noticed = !(come <= scales.unnoticed[block]);
             ASSERT_EQ(noticed.moved[block] != 0, is_noticed) << round << ", block " << block;
             const auto expect_pose = [&](double x, double y, double angle) {
                 ASSERT_EQ(noticed.x[block], x);
@@ -316,6 +331,15 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
     }
     EXPECT_GT(times_noticed, 5 * bodies.size());
     EXPECT_LT(times_noticed, 45 * bodies.size());
+    // What is not a number is noticed.
+    for (const std::size_t block : {6U, 7U}) {
+        motion[block].vx = one_by_one[block].vx = std::numeric_limits<double>::quiet_NaN();
+    }
+    move_blocks(sweep(motion, way, calm, noticed), 4, 8);
+    move_blocks(sweep(one_by_one, way_one_by_one, calm_one_by_one, noticed_one_by_one), 6, 7);
+    EXPECT_EQ(noticed.moved[6], 1);
+    EXPECT_EQ(noticed.moved[7], 1);
+    EXPECT_EQ(noticed_one_by_one.moved[6], 1);
 }
 
 }  // namespace
