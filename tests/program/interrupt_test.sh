@@ -102,11 +102,20 @@ PATH=$work/slow:$PATH start_long_fit twice
 kill -s INT "$child"
 wait_until test -s "$PIDS"
 expect "the first one did not kill" kill -0 "$child"
+sleep 0.3
 kill -s INT "$child"
 wait_for_child
 kill "$(cat "$PIDS")"
 expect_status 130
 expect "no result.json" refuse test -e twice/result.json
+
+title "what passes a Ctrl-C on and sends it twice does not count as a second one"
+status=0
+timeout --signal=INT --preserve-status 3 "$program" "${long_fit[@]}" --out passed_on >"$scratch/out" 2>"$scratch/err" ||
+    status=$?
+expect_status 4
+expect_error 'delabole: interrupted: '
+expect_complete_results passed_on
 
 title "Ctrl-C between the cases of run"
 for number in 1 2 3; do
