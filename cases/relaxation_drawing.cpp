@@ -79,7 +79,6 @@ const HockingPrint& print_at(const HockingResult& result, int cycle) {
 Figure frames_figure(const std::string& title, const Chapter5Run& run, const HockingResult& result,
                      const std::vector<int>& cycles) {
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);
-    const std::size_t columns = run.columns.heights.size();
     const double gap = 0.7;  // in
     BlockDrawing drawing;
     drawing.title = title;
@@ -94,7 +93,7 @@ Figure frames_figure(const std::string& title, const Chapter5Run& run, const Hoc
             DrawnBlock block;
             block.outline = outline_of(run, blocks[index], print.blocks[index]);
             block.mode = blocks[index].fixed ? DrawnMode::fixed : drawn(behaviour(run, result, print, index));
-            block.label = index < columns ? std::to_string(index + 1) : "";
+            block.label = blocks[index].fixed ? "F" : std::to_string(index + 1);
             for (const Point& corner : block.outline) {
                 x.include(corner.x());
                 y.include(corner.y());
