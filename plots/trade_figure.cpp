@@ -17,7 +17,7 @@ struct Style {
     Marker marker;
 };
 
-constexpr std::array<Style, 11> styles{{{Colour::blue, Marker::filled_circle},
+constexpr std::array<Style, 12> styles{{{Colour::blue, Marker::filled_circle},
                                         {Colour::vermilion, Marker::filled_square},
                                         {Colour::green, Marker::filled_triangle},
                                         {Colour::orange, Marker::filled_diamond},
@@ -27,7 +27,8 @@ constexpr std::array<Style, 11> styles{{{Colour::blue, Marker::filled_circle},
                                         {Colour::blue, Marker::filled_diamond},
                                         {Colour::grey, Marker::circle},
                                         {Colour::black, Marker::circle},
-                                        {Colour::black, Marker::filled_diamond}}};
+                                        {Colour::black, Marker::filled_diamond},
+                                        {Colour::black, Marker::filled_square}}};
 
 Point in_decades(const Point& point) {
     return {std::log10(point.x()), std::log10(point.y())};
