@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstring>
 #include <optional>
+#include <utility>
 
 namespace delabole {
 
@@ -184,8 +185,10 @@ DELABOLE_INLINED Beginning beginning_of(const ContactSweep& sweep, const Part<La
 }
 
 // Contacts of a part, all at once except those that take something over or are held by a bond. Returns which are left.
-template <IsLanes Lanes>
-DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Part<Lanes>& part, const Duty& duty) {
+// `meanwhile` has nothing to do with them: the processor does it beside their formulas.
+template <IsLanes Lanes, class Meanwhile>
+DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Part<Lanes>& part, const Duty& duty,
+                                            const Meanwhile& meanwhile) {
     Rows<Lanes> blocks;
     Rows<Lanes> others;
     for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
@@ -196,6 +199,7 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     const MotionOf<Lanes> block = gather_motion<Lanes>(blocks);
     const MotionOf<Lanes> other = gather_motion<Lanes>(others);
     const ContactPositionOf<Lanes> at = locate<Lanes>(shape, block, other);
+    meanwhile();
     const unsigned apart = bits(at.gap >= 0.0);
     Beginning begins;
     if (duty.may_begin != 0) {
@@ -300,10 +304,10 @@ DELABOLE_INLINED void fetch_ahead(const ContactSweep& sweep, std::size_t index) 
     fetch(sweep.contact + index + ahead, packed_size * sizeof(ContactBlocks));
     fetch(sweep.shape + group, sizeof(*sweep.shape));
     fetch(sweep.numbers + group, sizeof(*sweep.numbers));
-    fetch(sweep.force + index + ahead, packed_size * sizeof(ForceOnCorner));
 }
 
-// `after`: what is done with each contact that may have a force, in their order.
+// `after`: what is done with each contact that may have a force, in their order. For those of a part it is done while
+// the next one is evaluated: sums of forces on the same block wait for each other.
 template <IsLanes Lanes, class AfterOne>
 DELABOLE_INLINED std::size_t go_through(const ContactSweep& sweep, std::size_t begin, std::size_t end,
                                         const AfterOne& after) {
@@ -322,6 +326,15 @@ DELABOLE_INLINED std::size_t go_through(const ContactSweep& sweep, std::size_t b
         }
     };
     constexpr std::size_t lanes = lane_count<Lanes>;
+    constexpr auto none = static_cast<std::size_t>(-1);
+    const auto after_part = [&](std::size_t first) __attribute__((always_inline)) {
+        if (first != none) {
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                after(first + lane);
+            }
+        }
+    };
+    std::size_t last = none;
     one_by_one_up_to(std::min((begin + lanes - 1) / lanes * lanes, end));
     for (; index + lanes <= end; index += lanes) {
         if (index % packed_size == 0) {
@@ -334,16 +347,19 @@ DELABOLE_INLINED std::size_t go_through(const ContactSweep& sweep, std::size_t b
         }
         unsigned left = duty.bear | duty.may_begin;
         count += static_cast<std::size_t>(std::popcount(left));
+        const auto after_last = [&after_part, before = std::exchange(last, index) ]() __attribute__((always_inline)) {
+            after_part(before);
+        };
         if (left != 0) {
-            left = evaluate_together<Lanes>(sweep, part, duty);
+            left = evaluate_together<Lanes>(sweep, part, duty, after_last);
+        } else {
+            after_last();
         }
         for (; left != 0; left &= left - 1) {
             evaluate_contact(sweep, index + static_cast<std::size_t>(std::countr_zero(left)));
         }
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            after(index + lane);
-        }
     }
+    after_part(last);
     one_by_one_up_to(end);
     return count;
 }
