@@ -67,6 +67,7 @@ struct RelaxationResult {
     std::optional<double> onset_time = {};  // s
     std::optional<FirstCrack> first_crack = {};
     std::size_t broken_bonds = 0;
+    std::optional<StartBalance> start = {};
     double unbalanced_ratio = 0;  // greatest unbalanced force over the block's weight of late
     EnergyLedger ledger = {};
     std::optional<ContactName> deepest = {};

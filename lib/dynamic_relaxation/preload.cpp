@@ -103,7 +103,7 @@ class Preload {
 
     Preloaded solve(std::vector<Motion>& motion, ContactList& list) {
         if (free_blocks_.empty()) {
-            return {0, motion, 0};
+            return {0, false, motion, 0};
         }
         const MemoryArray memory = list.memory;
         std::vector<Motion> start = motion;
@@ -131,7 +131,7 @@ class Preload {
         constexpr double astray = 0.3;  // of a load: not to be made good by the steps after it
         std::vector<Motion> stepped = start;
         MemoryArray memory_found = std::exchange(list.memory, memory);
-        Preloaded last{0, start, 0};
+        Preloaded last{0, false, start, 0};
         for (int step = 1; step <= steps && last.ratio <= astray; ++step) {
             load_share_ = static_cast<double>(step) / steps;
             last = approach(start, stepped, list);
@@ -179,11 +179,15 @@ class Preload {
         stiffest_ = stiffest_joint(list);
         double resistance = 1;
         double ratio = assemble(motion, list);
-        Preloaded best{ratio, motion, 0};
+        Preloaded best{ratio, false, motion, 0};
         MemoryArray best_memory = list.memory;
         bool improves = true;
-        for (int round = 0; round < most_rounds(); ++round) {
+        for (int round = 0;; ++round) {
             if (best.ratio <= settings_.finest || (best.ratio <= settings_.tolerance && !improves)) {
+                break;
+            }
+            if (round == most_rounds()) {
+                best.cut_short = best.ratio > settings_.tolerance && most_rounds() < rounds_of_few();
                 break;
             }
             const Eigen::VectorXd change = solve_linear(resistance);
@@ -233,8 +237,9 @@ class Preload {
 
     // Large systems settle in the run for less than their equations cost.
     int most_rounds() const {
-        return std::max(8, std::min(creeps() ? 2000 : 300, 40000 / static_cast<int>(1 + free_blocks_.size())));
+        return std::max(8, std::min(rounds_of_few(), 40000 / static_cast<int>(1 + free_blocks_.size())));
     }
+    int rounds_of_few() const { return creeps() ? 2000 : 300; }
 
     double stiffest_joint(const ContactList& list) const {
         double stiffest = 0;

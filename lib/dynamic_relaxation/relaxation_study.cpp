@@ -253,6 +253,7 @@ RelaxationAnswer answer_of(const RelaxationResult& result) {
                             crack ? static_cast<double>(std::min(crack->block, crack->other) + 1) : 0,
                             crack ? static_cast<double>(std::max(crack->block, crack->other) + 1) : 0,
                             static_cast<double>(result.broken_bonds),
+                            result.start ? result.start->unbalanced_ratio : std::numeric_limits<double>::infinity(),
                             result.unbalanced_ratio,
                             result.deepest ? result.deepest->overlap : 0,
                             {ledger.applied, ledger.prescribed, ledger.kinetic, ledger.elastic, ledger.friction,

@@ -209,6 +209,7 @@ struct RelaxationAnswer {
     double crack_block;
     double crack_neighbour;
     double broken_bonds;
+    double unbalanced_at_start;
     double unbalanced_ratio;
     double greatest_overlap;
     EnergyAnswer energy;
@@ -234,6 +235,8 @@ struct RelaxationAnswer {
             number("crack_neighbour", &R::crack_neighbour, Dimension::ratio, any_number(),
                    "number of the other; 0: none seen"),
             number("broken_bonds", &R::broken_bonds, Dimension::ratio, any_number(), "bonds that broke"),
+            number("unbalanced_at_start", &R::unbalanced_at_start, Dimension::ratio, any_number(),
+                   "greatest unbalanced force on a block over its load in a preloaded start; infinite: not preloaded"),
             number("unbalanced_ratio", &R::unbalanced_ratio, Dimension::ratio, any_number(),
                    "greatest unbalanced force on a block over its weight at the end"),
             number("greatest_overlap", &R::greatest_overlap, Dimension::length, any_number(),

@@ -140,6 +140,7 @@ void Simulation::preload_springs() {
         const Preloaded found =
             preload(bodies_, held_, loads, limits, bonds_, state_.bond, state_.motion, state_.contacts);
         state_.origin = found.most_balanced;
+        state_.start = StartBalance{found.ratio, found.cut_short};
         state_.contacts_evaluated += found.contacts_evaluated;
         const std::optional<std::size_t> worst = bonds_.worst_overloaded(state_.motion, state_.bond);
         if (!worst || found.ratio > limits.tolerance) {

@@ -51,6 +51,7 @@ RelaxationResult Simulation::result() const {
     if (state_.onset_time >= 0) {
         result.onset_time = state_.onset_time;
     }
+    result.start = state_.start;
     result.unbalanced_ratio = std::max(state_.unbalanced, state_.unbalanced_then);
     result.first_crack = state_.first_crack;
     result.broken_bonds = static_cast<std::size_t>(

@@ -41,6 +41,12 @@ struct FirstCrack {
     std::uint64_t other = 0;
 };
 
+// How far from equilibrium a preloaded start was left.
+struct StartBalance {
+    double unbalanced_ratio = 0;  // greatest unbalanced force on a block over its load
+    bool cut_short = false;       // for want of rounds, which many blocks are given few of
+};
+
 struct RelaxationState {
     double time = 0;       // s
     double step = 0;       // s, chosen when contacts were last looked at
@@ -48,7 +54,8 @@ struct RelaxationState {
     std::uint64_t steps = 0;
     std::uint64_t contacts_evaluated = 0;
     std::vector<Motion> motion = {};
-    std::vector<Motion> origin = {};  // at the start, after preloading
+    std::vector<Motion> origin = {};         // at the start, after preloading
+    std::optional<StartBalance> start = {};  // absent where nothing was preloaded
     NoticedMotion noticed = {};
     std::vector<std::uint32_t> calm = {};  // looks in a row without anything to move a block; see Simulation::rests
     std::vector<char> removed = {};

@@ -2,6 +2,7 @@
 #include "cases/case_writer.hpp"
 #include "cases/model_reports.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
+#include "tests/support/brick_pack.hpp"
 
 #include "example_case.hpp"
 
@@ -197,6 +198,38 @@ TEST(RelaxationCase, ASearchThatFindsNothingSaysWhichBoundToMove) {
                                       "[critical]\nparameter = \"friction\"\nlower = \"1 deg\"\nupper = \"5 deg\"\n");
     EXPECT_EQ(word(high, "limiting_friction_angle"), "fails_everywhere");
     EXPECT_EQ(high.unfinished, "the blocks fail even at 5 deg: raise critical.upper");
+}
+
+// Nothing is turned over but the rounding of what springs hold.
+TEST(RelaxationCase, BlocksThatOnlyStandAreNotSaidToLackEnergy) {
+    const Analysis analysis = analysis_of(row_text);
+    EXPECT_EQ(word(analysis, "outcome"), "equilibrium");
+    EXPECT_TRUE(analysis.warnings.empty()) << analysis.warnings.front();
+    const double at_start = std::get<double>(analysis.find("unbalanced_at_start")->value);
+    EXPECT_LT(at_start, 1e-7);  // a tenth of what counts as equilibrium
+}
+
+TEST(RelaxationCase, SaysThatAStartWasGivenUp) {
+    CaseFile file = parse_case(blocks_text, "case");
+    RelaxationStudy& study = std::get<RelaxationStudy>(file.model);
+    auto& polygons = std::get<RelaxationPolygons>(study.model.scene);
+    polygons.tilt = degrees(20);
+    polygons.joint.front().friction_angle = degrees(40);
+    polygons.joint.front().normal_stiffness.reset();
+    polygons.block.clear();
+    const RelaxationScene pack = brick_pack_scene({22, 45, 1e5, 0, 0});
+    for (const RelaxationBlock& brick : pack.block) {
+        polygons.block.push_back({brick.density, brick.fixed ? BlockHold::fixed : BlockHold::free, {}, {}});
+        for (const PlanePoint<>& corner : brick.outline) {
+            polygons.block.back().vertex.push_back({corner.x(), corner.y(), {}});
+        }
+    }
+    study.settings = RelaxationNumerics{};
+    study.settings->duration = 1e-6;
+    const Analysis analysis = analyse_model(file.model);
+    ASSERT_EQ(analysis.warnings.size(), 1U);
+    EXPECT_TRUE(analysis.warnings.front().starts_with("the search for a preloaded start was given up"))
+        << analysis.warnings.front();
 }
 
 TEST(RelaxationCase, AWatchEndsTheRun) {

@@ -2,6 +2,7 @@
 #include "relaxation_scenes.hpp"
 
 #include "dynamic_relaxation/scenes.hpp"
+#include "tests/support/brick_pack.hpp"
 
 #include <gtest/gtest.h>
 
@@ -368,6 +369,38 @@ TEST(Start, RampedAndDroppedSettleWherePreloadedStarts) {
             EXPECT_NEAR(other.x, preloaded.x, 1e-3 * settlement);
         }
     }
+}
+
+TEST(Start, TellsHowFarFromBalanceItIs) {
+    OnPlane plane;
+    plane.height_to_width = 2;
+    plane.friction = degrees(30);
+    plane.tilt = degrees(10);
+    RelaxationSettings settings;
+    const RelaxationResult stands = relax(scene_of(plane), settings);
+    ASSERT_TRUE(stands.start);
+    EXPECT_LE(stands.start->unbalanced_ratio, settings.equilibrium_ratio / 10);
+    EXPECT_FALSE(stands.start->cut_short);
+    // What friction lacks along the plane, over the weight.
+    plane.tilt = degrees(31);
+    const RelaxationResult slides = relax(scene_of(plane), settings);
+    ASSERT_TRUE(slides.start);
+    const double lacking = std::sin(plane.tilt) - std::cos(plane.tilt) * std::tan(plane.friction);
+    // Most balanced, with the moment about the centroid added, it need not be in equilibrium across the plane.
+    EXPECT_GT(slides.start->unbalanced_ratio, lacking / 2);
+    EXPECT_FALSE(slides.start->cut_short);
+    settings.start = RelaxationStart::dropped;
+    EXPECT_FALSE(relax(scene_of(plane), settings).start);
+}
+
+// Its equations cost more than its settling in the run.
+TEST(Start, IsGivenUpWhereManyBlocksTakeManyRounds) {
+    RelaxationSettings settings;
+    settings.duration = 1e-6;
+    const RelaxationResult result = relax(brick_pack_scene({22, 45, 1e5, degrees(40), degrees(20)}), settings);
+    ASSERT_TRUE(result.start);
+    EXPECT_TRUE(result.start->cut_short);
+    EXPECT_GT(result.start->unbalanced_ratio, settings.equilibrium_ratio);
 }
 
 TEST(KineticDamping, FindsTheSameThreshold) {
