@@ -200,16 +200,8 @@ TEST(RelaxationCase, ASearchThatFindsNothingSaysWhichBoundToMove) {
     EXPECT_EQ(high.unfinished, "the blocks fail even at 5 deg: raise critical.upper");
 }
 
-// Nothing is turned over but the rounding of what springs hold.
-TEST(RelaxationCase, BlocksThatOnlyStandAreNotSaidToLackEnergy) {
-    const Analysis analysis = analysis_of(row_text);
-    EXPECT_EQ(word(analysis, "outcome"), "equilibrium");
-    EXPECT_TRUE(analysis.warnings.empty()) << analysis.warnings.front();
-    const double at_start = std::get<double>(analysis.find("unbalanced_at_start")->value);
-    EXPECT_LT(at_start, 1e-7);  // a tenth of what counts as equilibrium
-}
-
-TEST(RelaxationCase, SaysThatAStartWasGivenUp) {
+// Bricks on a slope of 20 deg, which they stand on.
+Analysis analysis_of_pack(int rows, int bricks) {
     CaseFile file = parse_case(blocks_text, "case");
     RelaxationStudy& study = std::get<RelaxationStudy>(file.model);
     auto& polygons = std::get<RelaxationPolygons>(study.model.scene);
@@ -217,16 +209,31 @@ TEST(RelaxationCase, SaysThatAStartWasGivenUp) {
     polygons.joint.front().friction_angle = degrees(40);
     polygons.joint.front().normal_stiffness.reset();
     polygons.block.clear();
-    const RelaxationScene pack = brick_pack_scene({22, 45, 1e5, 0, 0});
-    for (const RelaxationBlock& brick : pack.block) {
+    for (const RelaxationBlock& brick : brick_pack_scene({rows, bricks, 1e5, 0, 0}).block) {
         polygons.block.push_back({brick.density, brick.fixed ? BlockHold::fixed : BlockHold::free, {}, {}});
         for (const PlanePoint<>& corner : brick.outline) {
             polygons.block.back().vertex.push_back({corner.x(), corner.y(), {}});
         }
     }
     study.settings = RelaxationNumerics{};
-    study.settings->duration = 1e-6;
-    const Analysis analysis = analyse_model(file.model);
+    study.settings->duration = 1e-3;
+    return analyse_model(file.model);
+}
+
+double number_of(const Analysis& analysis, std::string_view name) {
+    return std::get<double>(analysis.find(name)->value);
+}
+
+// Nothing is turned over but the rounding of what springs hold, of which the books lack about all.
+TEST(RelaxationCase, BlocksThatOnlyStandAreNotSaidToLackEnergy) {
+    const Analysis analysis = analysis_of_pack(14, 28);
+    EXPECT_LT(number_of(analysis, "unbalanced_at_start"), 1e-7);  // a tenth of what counts as equilibrium
+    EXPECT_TRUE(analysis.warnings.empty()) << analysis.warnings.front();
+}
+
+TEST(RelaxationCase, SaysThatAStartWasGivenUp) {
+    const Analysis analysis = analysis_of_pack(22, 45);
+    EXPECT_GT(number_of(analysis, "unbalanced_at_start"), 1e-7);
     ASSERT_EQ(analysis.warnings.size(), 1U);
     EXPECT_TRUE(analysis.warnings.front().starts_with("the search for a preloaded start was given up"))
         << analysis.warnings.front();
