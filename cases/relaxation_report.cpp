@@ -185,17 +185,16 @@ Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
         append_critical(analysis, *study.critical, critical);
         leave_unfinished(word_of(critical.status), search_in_words(*study.critical, critical));
     }
-    if (made.result.start && made.result.start->cut_short) {
-        analysis.warnings.push_back(
-            "the search for a preloaded start was given up, with a block's load out of balance by " +
-            number_in_words(100 * made.result.start->unbalanced_ratio) + " %: the run starts from there");
+    const std::optional<StartBalance>& start = made.result.start_balance;
+    if (start && start->cut_short && start->unbalanced_ratio > made.settings.equilibrium_ratio) {
+        analysis.warnings.push_back("preloading so many blocks was ended with one of them out of balance by " +
+                                    number_in_words(100 * start->unbalanced_ratio) +
+                                    " % of its load: at first they settle, as if dropped");
     }
-    const EnergyLedger& books = made.result.ledger;
     constexpr double large_residual = 0.02;
-    constexpr double rounding = 1e-9;  // of what springs hold, where blocks only stand
-    if (std::abs(books.residual()) > large_residual * books.turnover() + rounding * made.end->elastic_at_start) {
-        analysis.warnings.push_back("the books of energy lack " +
-                                    number_in_words(100 * books.residual() / books.turnover()) + " %" +
+    const double residual = made.result.ledger.residual_share();
+    if (std::abs(residual) > large_residual) {
+        analysis.warnings.push_back("the books of energy lack " + number_in_words(100 * residual) + " %" +
                                     " of what was turned over: lower settings.step_fraction");
     }
     analysis.drawn_from = std::move(made);

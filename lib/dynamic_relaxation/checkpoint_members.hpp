@@ -58,11 +58,11 @@ DELABOLE_MEMBERS(WatchState, pair, way, due, neighbours_until, step_until, stabl
 DELABOLE_MEMBERS(NoticedMotion, moved, x, y, angle)
 DELABOLE_MEMBERS(BondMemory, state, time, damping, normal_drag, shear_drag, bending_drag)
 DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, bonds, dashpots, local_damping,
-                 kinetic_damping)
+                 kinetic_damping, elastic_at_start)
 DELABOLE_MEMBERS(FirstCrack, time, tilt, block, other)
 DELABOLE_MEMBERS(StartBalance, unbalanced_ratio, cut_short)
-DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluated, motion, origin, start, noticed,
-                 calm, removed, base_slip, contacts, watch, bond, ledger, elastic_at_start, unbalanced, unbalanced_then,
+DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluated, motion, origin, start_balance,
+                 noticed, calm, removed, base_slip, contacts, watch, bond, ledger, unbalanced, unbalanced_then,
                  kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, outcome)
 
 DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,

@@ -185,7 +185,8 @@ DELABOLE_INLINED Beginning beginning_of(const ContactSweep& sweep, const Part<La
 }
 
 // Contacts of a part, all at once except those that take something over or are held by a bond. Returns which are left.
-// `meanwhile` has nothing to do with them: the processor does it beside their formulas.
+// `meanwhile`, called once, has nothing to do with them, for only forces of this part change: the processor does it
+// beside their formulas, while it waits for numbers.
 template <IsLanes Lanes, class Meanwhile>
 DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Part<Lanes>& part, const Duty& duty,
                                             const Meanwhile& meanwhile) {
@@ -313,8 +314,8 @@ DELABOLE_INLINED std::size_t go_through(const ContactSweep& sweep, std::size_t b
                                         const AfterOne& after) {
     std::size_t count = 0;
     std::size_t index = begin;
-    const auto one_by_one_up_to = [&](std::size_t last) __attribute__((always_inline)) {
-        for (; index < last; ++index) {
+    const auto one_by_one_up_to = [&](std::size_t stop) __attribute__((always_inline)) {
+        for (; index < stop; ++index) {
             if (sweep.stays_open(index)) {
                 continue;
             }
@@ -334,7 +335,7 @@ DELABOLE_INLINED std::size_t go_through(const ContactSweep& sweep, std::size_t b
             }
         }
     };
-    std::size_t last = none;
+    std::size_t evaluated = none;
     one_by_one_up_to(std::min((begin + lanes - 1) / lanes * lanes, end));
     for (; index + lanes <= end; index += lanes) {
         if (index % packed_size == 0) {
@@ -347,19 +348,20 @@ DELABOLE_INLINED std::size_t go_through(const ContactSweep& sweep, std::size_t b
         }
         unsigned left = duty.bear | duty.may_begin;
         count += static_cast<std::size_t>(std::popcount(left));
-        const auto after_last = [&after_part, before = std::exchange(last, index) ]() __attribute__((always_inline)) {
+        const std::size_t before = std::exchange(evaluated, index);
+        const auto after_before = [&after_part, before ]() __attribute__((always_inline)) {
             after_part(before);
         };
         if (left != 0) {
-            left = evaluate_together<Lanes>(sweep, part, duty, after_last);
+            left = evaluate_together<Lanes>(sweep, part, duty, after_before);
         } else {
-            after_last();
+            after_before();
         }
         for (; left != 0; left &= left - 1) {
             evaluate_contact(sweep, index + static_cast<std::size_t>(std::countr_zero(left)));
         }
     }
-    after_part(last);
+    after_part(evaluated);
     one_by_one_up_to(end);
     return count;
 }

@@ -67,8 +67,8 @@ struct RelaxationResult {
     std::optional<double> onset_time = {};  // s
     std::optional<FirstCrack> first_crack = {};
     std::size_t broken_bonds = 0;
-    std::optional<StartBalance> start = {};
-    double unbalanced_ratio = 0;  // greatest unbalanced force over the block's weight of late
+    std::optional<StartBalance> start_balance = {};  // absent where nothing was preloaded
+    double unbalanced_ratio = 0;                     // greatest unbalanced force over the block's weight of late
     EnergyLedger ledger = {};
     std::optional<ContactName> deepest = {};
     RelaxationCost cost = {};

@@ -235,7 +235,6 @@ class Preload {
         return best;
     }
 
-    // Large systems settle in the run for less than their equations cost.
     int most_rounds() const {
         return std::max(8, std::min(rounds_of_few(), 40000 / static_cast<int>(1 + free_blocks_.size())));
     }

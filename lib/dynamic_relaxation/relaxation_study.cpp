@@ -241,30 +241,29 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work) {
 
 RelaxationAnswer answer_of(const RelaxationResult& result) {
     const EnergyLedger& ledger = result.ledger;
-    const double turnover = ledger.turnover();
-    constexpr double never = std::numeric_limits<double>::infinity();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
     const std::optional<FirstCrack>& crack = result.first_crack;
-    RelaxationAnswer answer{result.outcome,
-                            result.onset_time.value_or(never),
-                            result.time,
-                            result.tilt,
-                            crack ? crack->time : never,
-                            crack ? crack->tilt : never,
-                            crack ? static_cast<double>(std::min(crack->block, crack->other) + 1) : 0,
-                            crack ? static_cast<double>(std::max(crack->block, crack->other) + 1) : 0,
-                            static_cast<double>(result.broken_bonds),
-                            result.start ? result.start->unbalanced_ratio : std::numeric_limits<double>::infinity(),
-                            result.unbalanced_ratio,
-                            result.deepest ? result.deepest->overlap : 0,
-                            {ledger.applied, ledger.prescribed, ledger.kinetic, ledger.elastic, ledger.friction,
-                             ledger.bonds, ledger.dashpots, ledger.local_damping, ledger.kinetic_damping,
-                             ledger.residual(), turnover > 0 ? ledger.residual() / turnover : 0},
-                            static_cast<double>(result.cost.steps),
-                            result.cost.step,
-                            static_cast<double>(result.cost.contacts_evaluated),
-                            {},
-                            {},
-                            {}};
+    RelaxationAnswer answer{
+        result.outcome,
+        result.onset_time.value_or(infinite),
+        result.time,
+        result.tilt,
+        crack ? crack->time : infinite,
+        crack ? crack->tilt : infinite,
+        crack ? static_cast<double>(std::min(crack->block, crack->other) + 1) : 0,
+        crack ? static_cast<double>(std::max(crack->block, crack->other) + 1) : 0,
+        static_cast<double>(result.broken_bonds),
+        result.start_balance ? result.start_balance->unbalanced_ratio : infinite,
+        result.unbalanced_ratio,
+        result.deepest ? result.deepest->overlap : 0,
+        {ledger.applied, ledger.prescribed, ledger.kinetic, ledger.elastic, ledger.friction, ledger.bonds,
+         ledger.dashpots, ledger.local_damping, ledger.kinetic_damping, ledger.residual(), ledger.residual_share()},
+        static_cast<double>(result.cost.steps),
+        result.cost.step,
+        static_cast<double>(result.cost.contacts_evaluated),
+        {},
+        {},
+        {}};
     for (const BlockOutcome& block : result.block) {
         answer.block.push_back({block.movement, block.rotation, block.displacement, block.base_slip});
     }

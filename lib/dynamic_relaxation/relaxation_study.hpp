@@ -180,7 +180,7 @@ struct EnergyAnswer {
             number("kinetic_damping", &E::kinetic_damping, energy, any_number(), "taken out at energy peaks"),
             number("residual", &E::residual, energy, any_number(), "what the books lack"),
             number("residual_share", &E::residual_share, Dimension::ratio, any_number(),
-                   "residual over all energy turned over")};
+                   "residual over all energy turned over; 0 where it is rounding of what springs hold")};
     }
 };
 
@@ -236,7 +236,8 @@ struct RelaxationAnswer {
                    "number of the other; 0: none seen"),
             number("broken_bonds", &R::broken_bonds, Dimension::ratio, any_number(), "bonds that broke"),
             number("unbalanced_at_start", &R::unbalanced_at_start, Dimension::ratio, any_number(),
-                   "greatest unbalanced force on a block over its load in a preloaded start; infinite: not preloaded"),
+                   "greatest unbalanced force on a block, with moment over radius, over its load in a preloaded start; "
+                   "infinite: not preloaded"),
             number("unbalanced_ratio", &R::unbalanced_ratio, Dimension::ratio, any_number(),
                    "greatest unbalanced force on a block over its weight at the end"),
             number("greatest_overlap", &R::greatest_overlap, Dimension::length, any_number(),

@@ -140,7 +140,7 @@ void Simulation::preload_springs() {
         const Preloaded found =
             preload(bodies_, held_, loads, limits, bonds_, state_.bond, state_.motion, state_.contacts);
         state_.origin = found.most_balanced;
-        state_.start = StartBalance{found.ratio, found.cut_short};
+        state_.start_balance = StartBalance{found.ratio, found.cut_short};
         state_.contacts_evaluated += found.contacts_evaluated;
         const std::optional<std::size_t> worst = bonds_.worst_overloaded(state_.motion, state_.bond);
         if (!worst || found.ratio > limits.tolerance) {
@@ -163,15 +163,15 @@ void Simulation::begin() {
     }
     find_contacts_where_due();
     state_.ledger.bonds = 0;
-    state_.elastic_at_start = bonds_.elastic_energy(state_.motion, state_.bond);
+    state_.ledger.elastic_at_start = bonds_.elastic_energy(state_.motion, state_.bond);
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
         const RelaxationContact contact = state_.contacts.contact[index];
         ContactMemory memory = state_.contacts.memory[index];
         if (settings_.start != RelaxationStart::preloaded && contact.gap < 0) {
             memory.touching = true;  // drawn with an overlap: its spring is compressed before the first step
         }
-        state_.elastic_at_start += elastic_energy(state_.contacts.law_of(contact), contact, memory,
-                                                  state_.motion[contact.block], state_.motion[contact.other]);
+        state_.ledger.elastic_at_start += elastic_energy(state_.contacts.law_of(contact), contact, memory,
+                                                         state_.motion[contact.block], state_.motion[contact.other]);
     }
 }
 

@@ -26,11 +26,16 @@ struct EnergyLedger {
     double local_damping = 0;    // dissipated
     double kinetic_damping = 0;  // taken out at peaks
 
+    double elastic_at_start = 0;
+
     double residual() const {
         return applied + prescribed - kinetic - elastic - friction - bonds - dashpots - local_damping - kinetic_damping;
     }
-    // What the residual is compared with.
+    // All that has been turned over.
     double turnover() const;
+    // Residual over turnover. 0 where the residual is no more than rounding of what springs hold, as where blocks only
+    // stand and all that is turned over is of that size.
+    double residual_share() const;
 };
 
 // Of two free blocks that were neighbours in the drawing.
@@ -41,10 +46,10 @@ struct FirstCrack {
     std::uint64_t other = 0;
 };
 
-// How far from equilibrium a preloaded start was left.
+// Of the most balanced state that preloading met: the run starts there, unless blocks have crept on.
 struct StartBalance {
-    double unbalanced_ratio = 0;  // greatest unbalanced force on a block over its load
-    bool cut_short = false;       // for want of rounds, which many blocks are given few of
+    double unbalanced_ratio = 0;  // greatest unbalanced force on a block, with moment over radius, over its load
+    bool cut_short = false;       // ended for lack of rounds, which many blocks are given fewer of
 };
 
 struct RelaxationState {
@@ -54,8 +59,8 @@ struct RelaxationState {
     std::uint64_t steps = 0;
     std::uint64_t contacts_evaluated = 0;
     std::vector<Motion> motion = {};
-    std::vector<Motion> origin = {};         // at the start, after preloading
-    std::optional<StartBalance> start = {};  // absent where nothing was preloaded
+    std::vector<Motion> origin = {};                 // at the start, after preloading
+    std::optional<StartBalance> start_balance = {};  // absent where nothing was preloaded
     NoticedMotion noticed = {};
     std::vector<std::uint32_t> calm = {};  // looks in a row without anything to move a block; see Simulation::rests
     std::vector<char> removed = {};
@@ -64,7 +69,6 @@ struct RelaxationState {
     WatchState watch = {};
     std::vector<BondMemory> bond = {};  // as the scene lists them
     EnergyLedger ledger = {};           // sums; what is of the moment is filled in when asked for
-    double elastic_at_start = 0;
 
     // For the decision.
     double unbalanced = 0;       // greatest since the last look

@@ -200,8 +200,7 @@ TEST(RelaxationCase, ASearchThatFindsNothingSaysWhichBoundToMove) {
     EXPECT_EQ(high.unfinished, "the blocks fail even at 5 deg: raise critical.upper");
 }
 
-// Bricks on a slope of 20 deg, which they stand on.
-Analysis analysis_of_pack(int rows, int bricks) {
+TEST(RelaxationCase, SaysThatAStartOfAThousandBricksWasCutShort) {
     CaseFile file = parse_case(blocks_text, "case");
     RelaxationStudy& study = std::get<RelaxationStudy>(file.model);
     auto& polygons = std::get<RelaxationPolygons>(study.model.scene);
@@ -209,34 +208,18 @@ Analysis analysis_of_pack(int rows, int bricks) {
     polygons.joint.front().friction_angle = degrees(40);
     polygons.joint.front().normal_stiffness.reset();
     polygons.block.clear();
-    for (const RelaxationBlock& brick : brick_pack_scene({rows, bricks, 1e5, 0, 0}).block) {
+    for (const RelaxationBlock& brick : brick_pack_scene({22, 45, 1e5, 0, 0}).block) {
         polygons.block.push_back({brick.density, brick.fixed ? BlockHold::fixed : BlockHold::free, {}, {}});
         for (const PlanePoint<>& corner : brick.outline) {
             polygons.block.back().vertex.push_back({corner.x(), corner.y(), {}});
         }
     }
     study.settings = RelaxationNumerics{};
-    study.settings->duration = 1e-3;
-    return analyse_model(file.model);
-}
-
-double number_of(const Analysis& analysis, std::string_view name) {
-    return std::get<double>(analysis.find(name)->value);
-}
-
-// Nothing is turned over but the rounding of what springs hold, of which the books lack about all.
-TEST(RelaxationCase, BlocksThatOnlyStandAreNotSaidToLackEnergy) {
-    const Analysis analysis = analysis_of_pack(14, 28);
-    EXPECT_LT(number_of(analysis, "unbalanced_at_start"), 1e-7);  // a tenth of what counts as equilibrium
-    EXPECT_TRUE(analysis.warnings.empty()) << analysis.warnings.front();
-}
-
-TEST(RelaxationCase, SaysThatAStartWasGivenUp) {
-    const Analysis analysis = analysis_of_pack(22, 45);
-    EXPECT_GT(number_of(analysis, "unbalanced_at_start"), 1e-7);
-    ASSERT_EQ(analysis.warnings.size(), 1U);
-    EXPECT_TRUE(analysis.warnings.front().starts_with("the search for a preloaded start was given up"))
-        << analysis.warnings.front();
+    study.settings->duration = 1e-6;
+    const Analysis analysis = analyse_model(file.model);
+    EXPECT_TRUE(std::ranges::any_of(analysis.warnings, [](const std::string& warning) {
+        return warning.starts_with("preloading so many blocks was ended with one of them out of balance by ");
+    }));
 }
 
 TEST(RelaxationCase, AWatchEndsTheRun) {

@@ -107,7 +107,8 @@ class ContactLoops : public Shaken, public testing::WithParamInterface<ContactLo
 TEST_P(ContactLoops, GiveTheSameBitsAsOneByOne) {
     ContactList one_by_one;
     struct {
-        std::size_t sliding, opened, bearing, begun, taken_over, taken_before, beneath, weightless, bonded, rivals;
+        std::size_t sliding, opened, bearing, begun, taken_over, taken_before, beneath, weightless, bonded, rivals,
+            left_open;
     } seen{};
     for (int round = 0; round < 400; ++round) {
         if (round % 20 == 0) {
@@ -151,6 +152,13 @@ TEST_P(ContactLoops, GiveTheSameBitsAsOneByOne) {
             expected_sum[contact.block] += one_by_one.force[index].on_block();
             expected_sum[contact.other] += one_by_one.force[index].on_other();
         }
+        for (std::size_t first = 0; first + packed_size <= list.contact.size(); first += packed_size) {
+            bool left_open = true;
+            for (std::size_t index = first; index < first + packed_size; ++index) {
+                left_open = left_open && alone.stays_open(index);
+            }
+            seen.left_open += left_open ? 1 : 0;
+        }
         ASSERT_EQ(count, expected) << round;
         ASSERT_TRUE(same_memory(list, one_by_one)) << round;
         ASSERT_TRUE(same_bytes(list.force, one_by_one.force)) << round;
@@ -172,6 +180,7 @@ TEST_P(ContactLoops, GiveTheSameBitsAsOneByOne) {
     EXPECT_GT(seen.weightless, 100U);
     EXPECT_GT(seen.bonded, 50U);
     EXPECT_GT(seen.rivals, 1000U);
+    EXPECT_GT(seen.left_open, 10U);
 }
 
 // Two threads may share a group of contacts.
@@ -185,7 +194,10 @@ TEST_P(ContactLoops, GiveTheSameBitsPartByPart) {
         all_move = round % 2 == 0 ? -1 : 0.2;
         shake();
         const char* const all = round % 2 == 0 ? nullptr : moved.data();
-        const std::size_t count = GetParam().evaluate(sweep_of(motion, way, all, step, list), 0, list.contact.size());
+        std::vector<BlockForce> sum(bodies.size());
+        const std::size_t count =
+            GetParam().evaluate_and_sum(sweep_of(motion, way, all, step, list), 0, list.contact.size(), sum.data());
+        std::vector<BlockForce> sum_in_parts(bodies.size());
         std::size_t count_in_parts = 0;
         std::size_t begin = 0;
         while (begin < list.contact.size()) {
@@ -195,13 +207,18 @@ TEST_P(ContactLoops, GiveTheSameBitsPartByPart) {
                    list.contact.blocks()[end].pair() == list.contact.blocks()[end - 1].pair()) {
                 ++end;
             }
-            count_in_parts += GetParam().evaluate(sweep_of(motion, way, all, step, in_parts), begin, end);
+            const ContactSweep sweep = sweep_of(motion, way, all, step, in_parts);
+            count_in_parts += round % 3 == 0 ? GetParam().evaluate(sweep, begin, end)
+                                             : GetParam().evaluate_and_sum(sweep, begin, end, sum_in_parts.data());
             begin = end;
         }
         ASSERT_EQ(count, count_in_parts) << round;
         ASSERT_TRUE(same_memory(list, in_parts)) << round;
         ASSERT_TRUE(same_bytes(list.force, in_parts.force)) << round;
         ASSERT_TRUE(same_bytes(list.open_until, in_parts.open_until)) << round;
+        if (round % 3 != 0) {
+            ASSERT_TRUE(same_bytes(sum, sum_in_parts)) << round;
+        }
     }
 }
 
