@@ -97,12 +97,11 @@ void append_section_figure(const RelaxationSlope& slope, const ResultFolder& fol
         for (const PlanePoint<>& corner : made.block[index].outline) {
             block.outline.push_back(upright(corner));
         }
-        block.mode = made.block[index].fixed ? DrawnMode::fixed : DrawnMode::plain;
-        if (!made.block[index].fixed) {
-            block.rock = made.rock[index];
-        }
-        if (made.block[index].fixed && made.block.size() <= most_labelled_blocks) {
+        if (made.block[index].fixed) {
+            block.mode = DrawnMode::fixed;
             block.label = "F";
+        } else {
+            block.rock = made.rock[index];
         }
         drawing.blocks.push_back(std::move(block));
     }

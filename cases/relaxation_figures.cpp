@@ -46,7 +46,7 @@ BlockDrawing drawing_of(const RelaxationRun& made, const std::vector<Motion>& mo
             shown.outline.push_back(upright(moved_corner(bodies, motion, corner)));
         }
         const bool fixed = bodies.fixed[block] != 0;
-        if (bodies.size() <= most_labelled_blocks) {
+        if (fixed || bodies.size() <= most_labelled_blocks) {
             shown.label = fixed ? "F" : std::to_string(block + 1);
         }
         shown.mode = fixed        ? DrawnMode::fixed

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -458,19 +459,7 @@ class BlockPicture {
                 numerals.push_back({&block, centroid(block.outline), size});
             }
         }
-        std::vector<Numeral> shown = numerals;
-        for (const std::size_t step : {2, 5, 10, 20, 50, 100, 200, 500, 1000}) {
-            if (apart(shown)) {
-                break;
-            }
-            shown.clear();
-            for (std::size_t index = 0; index < numerals.size(); ++index) {
-                // 1, 3, 5, ..., but 1, 5, 10, ...
-                if (step == 2 ? index % 2 == 0 : index == 0 || (index + 1) % step == 0) {
-                    shown.push_back(numerals[index]);
-                }
-            }
-        }
+        const std::vector<Numeral> shown = thinned_out(numerals);
         const bool every = shown.size() == numerals.size();
         for (const Numeral& numeral : shown) {
             figure_.labels.push_back({.at = every ? place_of_label(*numeral.block, numeral.size) : numeral.at,
@@ -479,6 +468,29 @@ class BlockPicture {
                                       .boxed = !every,
                                       .size = numeral.size / text_height});
         }
+    }
+
+    // As many as do not run into each other. Fixed blocks keep theirs, unless these alone would.
+    std::vector<Numeral> thinned_out(const std::vector<Numeral>& numerals) const {
+        const auto is_fixed = [](const Numeral& numeral) { return numeral.block->mode == DrawnMode::fixed; };
+        std::vector<Numeral> of_fixed;
+        std::ranges::copy_if(numerals, std::back_inserter(of_fixed), is_fixed);
+        const bool keep_fixed = apart(of_fixed);
+        std::vector<Numeral> shown = numerals;
+        for (const std::size_t step : {2, 5, 10, 20, 50, 100, 200, 500, 1000}) {
+            if (apart(shown)) {
+                break;
+            }
+            shown.clear();
+            for (std::size_t index = 0; index < numerals.size(); ++index) {
+                // 1, 3, 5, ..., but 1, 5, 10, ...
+                const bool counts = step == 2 ? index % 2 == 0 : index == 0 || (index + 1) % step == 0;
+                if (counts || (keep_fixed && is_fixed(numerals[index]))) {
+                    shown.push_back(numerals[index]);
+                }
+            }
+        }
+        return shown;
     }
 
     bool apart(const std::vector<Numeral>& numerals) const {

@@ -220,10 +220,18 @@ TEST(BlockFigure, LeavesOutTheNumberOfABlockWithoutRoomForIt) {
     EXPECT_FALSE(numbered(figure, "3"));
 }
 
+BlockDrawing free_columns(int count) {
+    BlockDrawing drawing = samples::row_of_columns(count);
+    for (DrawnBlock& column : drawing.blocks) {
+        column.mode = DrawnMode::plain;
+    }
+    return drawing;
+}
+
 TEST(BlockFigure, ThinsOutNumbersThatWouldTouch) {
     const auto texts = [](int columns) {
         std::vector<std::string> result;
-        for (const Label& label : block_figure(samples::row_of_columns(columns)).labels) {
+        for (const Label& label : block_figure(free_columns(columns)).labels) {
             result.push_back(label.text);
         }
         return result;
@@ -237,6 +245,21 @@ TEST(BlockFigure, ThinsOutNumbersThatWouldTouch) {
     EXPECT_LE(many.size(), 41U);
     EXPECT_EQ(many[0], "1");
     EXPECT_EQ(std::stoi(many[1]) % 10, 0);
+}
+
+// They are few and at the end of the list: between the numbers none of them would be left.
+TEST(BlockFigure, NamesFixedBlocksHoweverManyNumbersGo) {
+    for (const int columns : {40, 400}) {
+        BlockDrawing drawing = free_columns(columns);
+        for (const double x : {0.0, 0.5 * columns}) {
+            drawing.blocks.push_back(
+                {.outline = square(x, -0.5 * columns, 0.4 * columns), .label = "F", .mode = DrawnMode::fixed});
+        }
+        const std::vector<Label> labels = block_figure(drawing).labels;
+        EXPECT_GE(labels.size(), 5U);
+        EXPECT_LT(labels.size(), 45U);
+        EXPECT_EQ(std::ranges::count(labels, std::string("F"), &Label::text), 2) << columns;
+    }
 }
 
 TEST(BlockFigure, DrawsBrokenRockBoldAndOpenJointsApart) {
