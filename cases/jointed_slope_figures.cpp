@@ -99,7 +99,7 @@ void append_section_figure(const RelaxationSlope& slope, const ResultFolder& fol
         }
         if (made.block[index].fixed) {
             block.mode = DrawnMode::fixed;
-            block.label = "F";
+            block.label = label_of(index, true);
         } else {
             block.rock = made.rock[index];
         }

@@ -1,5 +1,6 @@
 #include "cases/relaxation_drawing.hpp"
 
+#include "cases/relaxation_figures.hpp"
 #include "plots/block_figures.hpp"
 
 #include <Eigen/Geometry>
@@ -93,7 +94,7 @@ Figure frames_figure(const std::string& title, const Chapter5Run& run, const Hoc
             DrawnBlock block;
             block.outline = outline_of(run, blocks[index], print.blocks[index]);
             block.mode = blocks[index].fixed ? DrawnMode::fixed : drawn(behaviour(run, result, print, index));
-            block.label = blocks[index].fixed ? "F" : std::to_string(index + 1);
+            block.label = label_of(index, blocks[index].fixed);
             for (const Point& corner : block.outline) {
                 x.include(corner.x());
                 y.include(corner.y());

@@ -13,6 +13,8 @@ namespace delabole {
 namespace {
 
 constexpr std::size_t most_rows = 60;
+// Of more blocks the numbers would hide the drawing.
+constexpr std::size_t most_numbered_blocks = 300;
 
 DrawnMode drawn(BlockMovement movement) {
     switch (movement) {
@@ -46,8 +48,8 @@ BlockDrawing drawing_of(const RelaxationRun& made, const std::vector<Motion>& mo
             shown.outline.push_back(upright(moved_corner(bodies, motion, corner)));
         }
         const bool fixed = bodies.fixed[block] != 0;
-        if (fixed || bodies.size() <= most_labelled_blocks) {
-            shown.label = fixed ? "F" : std::to_string(block + 1);
+        if (fixed || bodies.size() <= most_numbered_blocks) {
+            shown.label = label_of(block, fixed);
         }
         shown.mode = fixed        ? DrawnMode::fixed
                      : with_modes ? drawn(made.result.block[block].movement)

@@ -25,8 +25,11 @@ class Upright {
 };
 
 inline constexpr std::size_t most_drawn_blocks = 2500;
-// Of more blocks the numbers would hide the drawing.
-inline constexpr std::size_t most_labelled_blocks = 300;
+
+// What stands on a block in a drawing: its number, counted from 1, or that it is fixed.
+inline std::string label_of(std::size_t block, bool fixed) {
+    return fixed ? "F" : std::to_string(block + 1);
+}
 
 // Blocks at the start and at the end, velocities, contact forces, the table of blocks; nothing where there was no run.
 void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report);

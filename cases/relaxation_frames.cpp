@@ -23,7 +23,7 @@ BlockAnimation animation_of(const RelaxationRun& made, const Bodies& bodies) {
         "for ParaView.";
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         const bool fixed = bodies.fixed[block] != 0;
-        AnimatedBlock shown{{}, fixed ? "F" : std::to_string(block + 1), fixed};
+        AnimatedBlock shown{{}, label_of(block, fixed), fixed};
         for (const PlanePoint<>& corner : made.scene.block[block].outline) {
             shown.outline.push_back(corner);
         }

@@ -2,6 +2,7 @@
 #include "cases/interrupt.hpp"
 #include "cases/physical_models.hpp"
 #include "cases/progress.hpp"
+#include "cases/relaxation_figures.hpp"
 #include "cases/reproduction_chapter_3.hpp"
 #include "cases/reproduction_chapter_4.hpp"
 #include "cases/tilting_runs.hpp"
@@ -289,7 +290,7 @@ Figure frame_figure(const RelaxationRun& made, const MotionFrame& frame, const s
                                        std::sin(frame.tilt) * at.x() + std::cos(frame.tilt) * at.y());
         }
         const bool fixed = bodies.fixed[index] != 0;
-        block.label = fixed ? "F" : std::to_string(index + 1);
+        block.label = label_of(index, fixed);
         block.mode = fixed ? DrawnMode::fixed : DrawnMode::plain;
         drawing.blocks.push_back(std::move(block));
     }
