@@ -1,5 +1,6 @@
 #include "plots/block_figures.hpp"
 
+#include "plots/block_labels.hpp"
 #include "plots/extent.hpp"
 #include "plots/gnuplot_words.hpp"
 #include "plots/mode_style.hpp"
@@ -17,19 +18,11 @@ namespace delabole {
 
 namespace {
 
-constexpr double text_height = 19;            // px
-constexpr double letter_width = 0.66;         // of the height of the text
-constexpr double smallest_label = 12;         // px
 constexpr double plot_width = 620;            // px
 constexpr double greatest_plot_height = 680;  // px
 // Of the greatest force, px.
 constexpr double longest_arrow = 85;
 constexpr double shortest_arrow = 40;
-
-struct Rectangle {
-    Point lowest;
-    Point highest;
-};
 
 struct Frame {
     Extent x;
@@ -51,41 +44,6 @@ Polyline finite_points(const Polyline& line) {
     std::copy_if(line.begin(), line.end(), std::back_inserter(result),
                  [](const Point& point) { return point.allFinite(); });
     return result;
-}
-
-bool crosses(const Rectangle& rectangle, const Point& from, const Point& to) {
-    double enters = 0;
-    double leaves = 1;
-    for (const int axis : {0, 1}) {
-        const double run = to[axis] - from[axis];
-        if (run == 0) {
-            if (from[axis] < rectangle.lowest[axis] || from[axis] > rectangle.highest[axis]) {
-                return false;
-            }
-            continue;
-        }
-        const double first = (rectangle.lowest[axis] - from[axis]) / run;
-        const double second = (rectangle.highest[axis] - from[axis]) / run;
-        enters = std::max(enters, std::min(first, second));
-        leaves = std::min(leaves, std::max(first, second));
-    }
-    return enters <= leaves;
-}
-
-bool crosses(const Rectangle& rectangle, const Polyline& line) {
-    for (std::size_t index = 1; index < line.size(); ++index) {
-        if (crosses(rectangle, line[index - 1], line[index])) {
-            return true;
-        }
-    }
-    return false;
-}
-
-Polyline closed(Polyline outline) {
-    if (!outline.empty()) {
-        outline.push_back(outline.front());
-    }
-    return outline;
 }
 
 // At its elevation, without what cannot be drawn.
@@ -144,7 +102,8 @@ class BlockPicture {
         add_cracks(drawing_.broken, "broken rock", Colour::vermilion, 4);
         add_water();
         add_forces();
-        add_block_labels();
+        std::vector<Label> labels = block_labels(drawing_.blocks, {drawing_.water, shafts()}, metres_per_px_);
+        std::move(labels.begin(), labels.end(), std::back_inserter(figure_.labels));
         figure_.x.range = std::pair{frame_.x.lowest, frame_.x.highest};
         figure_.y.range = std::pair{frame_.y.lowest, frame_.y.highest};
         // A title of two lines and the axis take about 165 px of the height.
@@ -204,8 +163,7 @@ class BlockPicture {
     double greatest_arrow() const {
         std::vector<double> spacing;
         for (std::size_t index = 1; index < drawing_.blocks.size(); ++index) {
-            spacing.push_back(
-                (centroid(drawing_.blocks[index].outline) - centroid(drawing_.blocks[index - 1].outline)).norm());
+            spacing.push_back((centroid_of(drawing_.blocks[index]) - centroid_of(drawing_.blocks[index - 1])).norm());
         }
         if (spacing.empty()) {
             return longest_arrow * frame_.metres_per_px();
@@ -216,6 +174,14 @@ class BlockPicture {
     }
 
     Point tip(const DrawnForce& force) const { return force.at + metres_per_newton_ * force.force; }
+
+    std::vector<Arrows::Shaft> shafts() const {
+        std::vector<Arrows::Shaft> result;
+        for (const DrawnForce& force : drawing_.forces) {
+            result.push_back({force.at, tip(force)});
+        }
+        return result;
+    }
 
     bool free(const Rectangle& place) const {
         const Point centre = 0.5 * (place.lowest + place.highest);
@@ -371,140 +337,6 @@ class BlockPicture {
         if (greatest_force_ > 0) {
             figure_.series.emplace_back(Arrows{.shafts = {key_}});
         }
-    }
-
-    struct Numeral {
-        const DrawnBlock* block;
-        Point at;
-        double size;  // px
-    };
-
-    // A little less high than a line, because numbers have no descenders.
-    Point text_size(const std::string& text, double size) const {
-        return metres_per_px_ * Point(letter_width * size * static_cast<double>(letter_count(text)), 0.85 * size);
-    }
-
-    // Height of a text that stays within its block, px.
-    double fitting_size(const DrawnBlock& block) const {
-        const Point at = centroid(block.outline);
-        const double letters = static_cast<double>(letter_count(block.label)) + 0.4;
-        return std::min(chord(block.outline, at, 0) / (letter_width * letters), chord(block.outline, at, 1)) /
-               metres_per_px_;
-    }
-
-    // What a text at this place hides or runs into.
-    double disturbance(const DrawnBlock& block, const Rectangle& text) const {
-        const Point around = Point::Constant(4 * metres_per_px_);  // for the heads of the arrows
-        const Rectangle wider{text.lowest - around, text.highest + around};
-        double sum = 0;
-        sum += crosses(text, closed(block.outline)) ? 3 : 0;
-        sum += crosses(text, drawing_.water) ? 2 : 0;
-        for (const DrawnForce& force : drawing_.forces) {
-            sum += crosses(text, force.at, tip(force)) ? 4 : crosses(wider, force.at, tip(force)) ? 1 : 0;
-        }
-        for (const DrawnBlock& other : drawing_.blocks) {
-            sum += crosses(text, closed(other.displaced)) ? 0.5 : 0;
-        }
-        return sum;
-    }
-
-    // The place in the block that is least disturbed, and of several such the one nearest to the centroid.
-    Point place_of_label(const DrawnBlock& block, double size) const {
-        constexpr int steps = 16;
-        const Point centre = centroid(block.outline);
-        const Point half = 0.5 * text_size(block.label, size);
-        Frame extent;
-        extent.include(block.outline);
-        const Point lowest{extent.x.lowest, extent.y.lowest};
-        const Point diagonal{extent.x.size(), extent.y.size()};
-        Point best = centre;
-        double least = disturbance(block, {centre - half, centre + half});
-        for (int row = 1; row < steps && least > 0; ++row) {
-            for (int column = 1; column < steps; ++column) {
-                const Point place = lowest + Point(column, row).cwiseProduct(diagonal) / steps;
-                if (!inside(block.outline, place)) {
-                    continue;
-                }
-                const double badness =
-                    disturbance(block, {place - half, place + half}) + (place - centre).norm() / diagonal.norm();
-                if (badness < least) {
-                    least = badness;
-                    best = place;
-                }
-            }
-        }
-        return best;
-    }
-
-    void add_block_labels() {
-        std::vector<double> sizes;
-        for (const DrawnBlock& block : drawing_.blocks) {
-            if (!block.label.empty()) {
-                sizes.push_back(fitting_size(block));
-            }
-        }
-        if (sizes.empty()) {
-            return;
-        }
-        // One size for all, that of the smaller blocks; a few that are smaller still do not shrink the rest.
-        std::sort(sizes.begin(), sizes.end());
-        const double common = std::clamp(sizes[sizes.size() / 4], smallest_label, text_height);
-        // Where most have room, those that have none would only hide their blocks.
-        const bool most_fit = sizes[sizes.size() / 2] >= smallest_label;
-        std::vector<Numeral> numerals;
-        for (const DrawnBlock& block : drawing_.blocks) {
-            const bool fits = !most_fit || fitting_size(block) >= smallest_label;
-            if (!block.label.empty() && fits) {
-                const double size = std::clamp(fitting_size(block), smallest_label, common);
-                numerals.push_back({&block, centroid(block.outline), size});
-            }
-        }
-        const std::vector<Numeral> shown = thinned_out(numerals);
-        const bool every = shown.size() == numerals.size();
-        for (const Numeral& numeral : shown) {
-            figure_.labels.push_back({.at = every ? place_of_label(*numeral.block, numeral.size) : numeral.at,
-                                      .text = numeral.block->label,
-                                      .align = Label::Align::centre,
-                                      .boxed = !every,
-                                      .size = numeral.size / text_height});
-        }
-    }
-
-    // As many as do not run into each other. Fixed blocks keep theirs, unless these alone would.
-    std::vector<Numeral> thinned_out(const std::vector<Numeral>& numerals) const {
-        const auto is_fixed = [](const Numeral& numeral) { return numeral.block->mode == DrawnMode::fixed; };
-        std::vector<Numeral> of_fixed;
-        std::ranges::copy_if(numerals, std::back_inserter(of_fixed), is_fixed);
-        const bool keep_fixed = apart(of_fixed);
-        std::vector<Numeral> shown = numerals;
-        for (const std::size_t step : {2, 5, 10, 20, 50, 100, 200, 500, 1000}) {
-            if (apart(shown)) {
-                break;
-            }
-            shown.clear();
-            for (std::size_t index = 0; index < numerals.size(); ++index) {
-                // 1, 3, 5, ..., but 1, 5, 10, ...
-                const bool counts = step == 2 ? index % 2 == 0 : index == 0 || (index + 1) % step == 0;
-                if (counts || (keep_fixed && is_fixed(numerals[index]))) {
-                    shown.push_back(numerals[index]);
-                }
-            }
-        }
-        return shown;
-    }
-
-    bool apart(const std::vector<Numeral>& numerals) const {
-        const auto half_size = [&](const Numeral& numeral) -> Point {
-            return 0.5 * text_size(numeral.block->label, numeral.size);
-        };
-        for (std::size_t index = 1; index < numerals.size(); ++index) {
-            const Point distance = (numerals[index].at - numerals[index - 1].at).cwiseAbs();
-            const Point needed = 1.2 * (half_size(numerals[index]) + half_size(numerals[index - 1]));
-            if ((distance.array() < needed.array()).all()) {
-                return false;
-            }
-        }
-        return true;
     }
 
     BlockDrawing drawing_;

@@ -6,29 +6,6 @@
 
 namespace delabole {
 
-namespace {
-
-double cross(const Point& first, const Point& second) {
-    return first.x() * second.y() - first.y() * second.x();
-}
-
-}  // namespace
-
-Point centroid(const Polyline& outline) {
-    Point weighted{0, 0};
-    Point sum{0, 0};
-    double twice_area = 0;
-    for (std::size_t index = 0; index < outline.size(); ++index) {
-        const Point from = outline[index] - outline.front();
-        const Point to = outline[(index + 1) % outline.size()] - outline.front();
-        twice_area += cross(from, to);
-        weighted += cross(from, to) * (from + to);
-        sum += from;
-    }
-    return outline.front() +
-           (twice_area != 0 ? Point(weighted / (3 * twice_area)) : Point(sum / static_cast<double>(outline.size())));
-}
-
 double chord(const Polyline& outline, const Point& through, int axis) {
     double before = -std::numeric_limits<double>::infinity();
     double after = std::numeric_limits<double>::infinity();
@@ -42,6 +19,41 @@ double chord(const Polyline& outline, const Point& through, int axis) {
         (at < 0 ? before : after) = at < 0 ? std::max(before, at) : std::min(after, at);
     }
     return std::isfinite(after - before) ? after - before : 0;
+}
+
+Polyline closed(Polyline outline) {
+    if (!outline.empty()) {
+        outline.push_back(outline.front());
+    }
+    return outline;
+}
+
+bool crosses(const Rectangle& rectangle, const Point& from, const Point& to) {
+    double enters = 0;
+    double leaves = 1;
+    for (const int axis : {0, 1}) {
+        const double run = to[axis] - from[axis];
+        if (run == 0) {
+            if (from[axis] < rectangle.lowest[axis] || from[axis] > rectangle.highest[axis]) {
+                return false;
+            }
+            continue;
+        }
+        const double first = (rectangle.lowest[axis] - from[axis]) / run;
+        const double second = (rectangle.highest[axis] - from[axis]) / run;
+        enters = std::max(enters, std::min(first, second));
+        leaves = std::min(leaves, std::max(first, second));
+    }
+    return enters <= leaves;
+}
+
+bool crosses(const Rectangle& rectangle, const Polyline& line) {
+    for (std::size_t index = 1; index < line.size(); ++index) {
+        if (crosses(rectangle, line[index - 1], line[index])) {
+            return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace delabole

@@ -1,4 +1,4 @@
-// Where a text finds room in a polygon. Outlines need not repeat their first point.
+// Where a text finds room in a polygon or beside lines. Outlines need not repeat their first point.
 #pragma once
 
 #include "geometry/polygon.hpp"
@@ -6,10 +6,18 @@
 
 namespace delabole {
 
-// Of the area; of the corners where there is no area. At least one corner.
-Point centroid(const Polyline& outline);
-
 // Length of the level (axis 0) or upright (axis 1) chord of a polygon through a point; 0 outside.
 double chord(const Polyline& outline, const Point& through, int axis);
+
+// With its first point repeated.
+Polyline closed(Polyline outline);
+
+struct Rectangle {
+    Point lowest;
+    Point highest;
+};
+
+bool crosses(const Rectangle& rectangle, const Point& from, const Point& to);
+bool crosses(const Rectangle& rectangle, const Polyline& line);
 
 }  // namespace delabole

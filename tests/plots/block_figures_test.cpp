@@ -47,16 +47,8 @@ BlockDrawing two_squares() {
                        {.outline = square(2, 0, 2), .label = "2", .mode = DrawnMode::topples}}};
 }
 
-TEST(Polygon, CentroidInsideAndChords) {
-    // An L of three unit squares: its centroid is the mean of theirs.
+TEST(Polygon, InsideAndChords) {
     const Polyline shape{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-    const Point expected = (Point(0.5, 0.5) + Point(1.5, 0.5) + Point(0.5, 1.5)) / 3;
-    EXPECT_LT((centroid(shape) - expected).norm(), 1e-14);  // rounding
-    Polyline reversed = shape;
-    std::reverse(reversed.begin(), reversed.end());
-    EXPECT_LT((centroid(reversed) - expected).norm(), 1e-14);
-    EXPECT_EQ(centroid({{0, 0}, {1, 0}, {2, 0}}), Point(1, 0)) << "no area";
-
     EXPECT_TRUE(inside(shape, {0.5, 1.5}));
     EXPECT_FALSE(inside(shape, {1.5, 1.5}));
     EXPECT_DOUBLE_EQ(chord(shape, {0.5, 0.5}, 0), 2);
@@ -260,6 +252,21 @@ TEST(BlockFigure, NamesFixedBlocksHoweverManyNumbersGo) {
         EXPECT_LT(labels.size(), 45U);
         EXPECT_EQ(std::ranges::count(labels, std::string("F"), &Label::text), 2) << columns;
     }
+}
+
+// Dozens of small ones beside a floor, which is the last of them.
+TEST(BlockFigure, NamesTheLargestFixedBlocksFirst) {
+    constexpr int columns = 400;
+    BlockDrawing drawing = free_columns(columns);
+    for (int block = 0; block < 100; ++block) {
+        drawing.blocks.push_back({.outline = square(4.0 * block, -4, 4), .label = "F", .mode = DrawnMode::fixed});
+    }
+    drawing.blocks.push_back(
+        {.outline = {{0, -200}, {400, -200}, {400, -4}, {0, -4}}, .label = "F", .mode = DrawnMode::fixed});
+    const std::vector<Label> labels = block_figure(drawing).labels;
+    EXPECT_LT(labels.size(), 100U);
+    EXPECT_EQ(std::ranges::count_if(labels, [](const Label& label) { return label.text == "F" && label.at.y() < -50; }),
+              1);
 }
 
 TEST(BlockFigure, DrawsBrokenRockBoldAndOpenJointsApart) {

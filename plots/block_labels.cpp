@@ -1,0 +1,213 @@
+#include "plots/block_labels.hpp"
+
+#include "plots/extent.hpp"
+#include "plots/polygon.hpp"
+#include "plots/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+
+namespace delabole {
+
+namespace {
+
+constexpr double smallest_label = 12;  // px
+
+struct Numeral {
+    const DrawnBlock* block;
+    Point at;
+    double size;  // px
+    // Where not all are shown.
+    enum class Thinned { counted, always, never } thinned;
+};
+
+class BlockLabels {
+  public:
+    BlockLabels(const std::vector<DrawnBlock>& blocks, const DrawnAcrossBlocks& across, double metres_per_px)
+        : blocks_(blocks), across_(across), metres_per_px_(metres_per_px) {}
+
+    std::vector<Label> labels() const {
+        std::vector<Numeral> numerals = all_numerals();
+        keep_fixed(numerals);
+        const std::vector<Numeral> shown = thinned_out(numerals);
+        const bool every = shown.size() == numerals.size();
+        std::vector<Label> result;
+        for (const Numeral& numeral : shown) {
+            result.push_back({.at = every ? place_of(numeral) : numeral.at,
+                              .text = numeral.block->label,
+                              .align = Label::Align::centre,
+                              .boxed = !every,
+                              .size = numeral.size / text_height});
+        }
+        return result;
+    }
+
+  private:
+    std::vector<Numeral> all_numerals() const {
+        std::vector<Numeral> numerals;
+        std::vector<double> sizes;
+        for (const DrawnBlock& block : blocks_) {
+            if (!block.label.empty()) {
+                const double size = fitting_size(block);
+                numerals.push_back({&block, centroid_of(block), size, Numeral::Thinned::counted});
+                sizes.push_back(size);
+            }
+        }
+        if (sizes.empty()) {
+            return {};
+        }
+        // One size for all, that of the smaller blocks; a few that are smaller still do not shrink the rest.
+        std::ranges::sort(sizes);
+        const double common = std::clamp(sizes[sizes.size() / 4], smallest_label, text_height);
+        // Where most have room, those that have none would only hide their blocks.
+        if (sizes[sizes.size() / 2] >= smallest_label) {
+            std::erase_if(numerals, [](const Numeral& numeral) { return numeral.size < smallest_label; });
+        }
+        for (Numeral& numeral : numerals) {
+            numeral.size = std::clamp(numeral.size, smallest_label, common);
+        }
+        return numerals;
+    }
+
+    // A little less high than a line, because numbers have no descenders.
+    Point text_size(const Numeral& numeral) const {
+        return metres_per_px_ *
+               Point(letter_width * numeral.size * static_cast<double>(letter_count(numeral.block->label)),
+                     0.85 * numeral.size);
+    }
+
+    // Height of a text that stays within its block, px.
+    double fitting_size(const DrawnBlock& block) const {
+        const Point at = centroid_of(block);
+        const double letters = static_cast<double>(letter_count(block.label)) + 0.4;
+        return std::min(chord(block.outline, at, 0) / (letter_width * letters), chord(block.outline, at, 1)) /
+               metres_per_px_;
+    }
+
+    // What a text at this place hides or runs into.
+    double disturbance(const DrawnBlock& block, const Rectangle& text) const {
+        const Point around = Point::Constant(4 * metres_per_px_);  // for the heads of the arrows
+        const Rectangle wider{text.lowest - around, text.highest + around};
+        double sum = 0;
+        sum += crosses(text, closed(block.outline)) ? 3 : 0;
+        sum += crosses(text, across_.water) ? 2 : 0;
+        for (const Arrows::Shaft& arrow : across_.arrows) {
+            sum += crosses(text, arrow.from, arrow.to) ? 4 : crosses(wider, arrow.from, arrow.to) ? 1 : 0;
+        }
+        for (const DrawnBlock& other : blocks_) {
+            sum += crosses(text, closed(other.displaced)) ? 0.5 : 0;
+        }
+        return sum;
+    }
+
+    // The place in the block that is least disturbed, and of several such the one nearest to the centroid.
+    Point place_of(const Numeral& numeral) const {
+        constexpr int steps = 16;
+        const DrawnBlock& block = *numeral.block;
+        const Point half = 0.5 * text_size(numeral);
+        Extent x;
+        Extent y;
+        for (const Point& corner : block.outline) {
+            x.include(corner.x());
+            y.include(corner.y());
+        }
+        const Point lowest{x.lowest, y.lowest};
+        const Point diagonal{x.size(), y.size()};
+        Point best = numeral.at;
+        double least = disturbance(block, {best - half, best + half});
+        for (int row = 1; row < steps && least > 0; ++row) {
+            for (int column = 1; column < steps; ++column) {
+                const Point place = lowest + Point(column, row).cwiseProduct(diagonal) / steps;
+                if (!inside(block.outline, place)) {
+                    continue;
+                }
+                const double badness =
+                    disturbance(block, {place - half, place + half}) + (place - numeral.at).norm() / diagonal.norm();
+                if (badness < least) {
+                    least = badness;
+                    best = place;
+                }
+            }
+        }
+        return best;
+    }
+
+    // Of fixed blocks: the largest ones, as many as do not run into each other. What runs into these goes first.
+    void keep_fixed(std::vector<Numeral>& numerals) const {
+        std::vector<Numeral*> fixed;
+        for (Numeral& numeral : numerals) {
+            if (numeral.block->mode == DrawnMode::fixed) {
+                fixed.push_back(&numeral);
+            }
+        }
+        std::ranges::stable_sort(fixed, std::greater{}, [](const Numeral* numeral) {
+            return std::abs(area_properties(numeral->block->outline).area);
+        });
+        std::vector<Numeral*> kept;
+        for (Numeral* numeral : fixed) {
+            if (std::ranges::none_of(kept, [&](const Numeral* other) { return touch(*numeral, *other); })) {
+                kept.push_back(numeral);
+            }
+        }
+        for (Numeral& numeral : numerals) {
+            if (std::ranges::any_of(kept, [&](const Numeral* other) { return touch(numeral, *other); })) {
+                numeral.thinned = Numeral::Thinned::never;
+            }
+        }
+        for (Numeral* numeral : kept) {
+            numeral->thinned = Numeral::Thinned::always;
+        }
+    }
+
+    // As many as do not run into each other.
+    std::vector<Numeral> thinned_out(const std::vector<Numeral>& numerals) const {
+        std::vector<Numeral> shown = numerals;
+        for (const std::size_t step : {2, 5, 10, 20, 50, 100, 200, 500, 1000}) {
+            if (apart(shown)) {
+                break;
+            }
+            shown.clear();
+            for (std::size_t index = 0; index < numerals.size(); ++index) {
+                // 1, 3, 5, ..., but 1, 5, 10, ...
+                const bool counts = step == 2 ? index % 2 == 0 : index == 0 || (index + 1) % step == 0;
+                const Numeral& numeral = numerals[index];
+                if (numeral.thinned == Numeral::Thinned::counted ? counts
+                                                                 : numeral.thinned == Numeral::Thinned::always) {
+                    shown.push_back(numeral);
+                }
+            }
+        }
+        return shown;
+    }
+
+    bool apart(const std::vector<Numeral>& numerals) const {
+        const auto neighbours_touch = [this](const Numeral& one, const Numeral& next) { return touch(one, next); };
+        return std::ranges::adjacent_find(numerals, neighbours_touch) == numerals.end();
+    }
+
+    bool touch(const Numeral& one, const Numeral& other) const {
+        const Point distance = (one.at - other.at).cwiseAbs();
+        const Point needed = 1.2 * 0.5 * (text_size(one) + text_size(other));
+        return (distance.array() < needed.array()).all();
+    }
+
+    const std::vector<DrawnBlock>& blocks_;
+    const DrawnAcrossBlocks& across_;
+    double metres_per_px_;
+};
+
+}  // namespace
+
+Point centroid_of(const DrawnBlock& block) {
+    return area_properties(block.outline).centroid;
+}
+
+std::vector<Label> block_labels(const std::vector<DrawnBlock>& blocks, const DrawnAcrossBlocks& across,
+                                double metres_per_px) {
+    return BlockLabels(blocks, across, metres_per_px).labels();
+}
+
+}  // namespace delabole

@@ -1,0 +1,29 @@
+// Numbers of blocks, and the F of fixed ones, in a drawing of them.
+#pragma once
+
+#include "plots/block_figures.hpp"
+#include "plots/figure.hpp"
+
+#include <vector>
+
+namespace delabole {
+
+constexpr double text_height = 19;     // px, of a figure's text
+constexpr double letter_width = 0.66;  // of the height of the text
+
+// In the units of the blocks' outlines.
+Point centroid_of(const DrawnBlock& block);
+
+// What labels keep clear of besides outlines.
+struct DrawnAcrossBlocks {
+    Polyline water = {};
+    std::vector<Arrows::Shaft> arrows = {};
+};
+
+// A label is in its block, off what is drawn across it, and no larger than the block has room for; a block too small
+// for any goes without, unless most are. Where labels would run into each other, every second, fifth, tenth, ... is
+// left, always with the first, and with those of fixed blocks, the largest ones first.
+std::vector<Label> block_labels(const std::vector<DrawnBlock>& blocks, const DrawnAcrossBlocks& across,
+                                double metres_per_px);
+
+}  // namespace delabole
