@@ -3,10 +3,8 @@
 #include "cases/case_parts.hpp"
 #include "cases/described_reader.hpp"
 #include "cases/jointed_slope_case.hpp"
+#include "cases/ordinary_file.hpp"
 
-#include <cerrno>
-#include <fstream>
-#include <system_error>
 #include <utility>
 
 namespace delabole {
@@ -20,37 +18,11 @@ constexpr std::int64_t schema = 1;
 }
 
 std::string read_text_file(const std::filesystem::path& path) {
-    const std::string name = path.string();
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) {
-        refuse(name, error && error != std::errc::no_such_file_or_directory ? "cannot be read: " + error.message()
-                                                                            : "there is no such file");
+    FileContent content = read_ordinary_file(path, "a case file", largest_case_bytes);
+    if (!content.fault.empty()) {
+        refuse(path.string(), std::move(content.fault));
     }
-    if (std::filesystem::is_directory(status)) {
-        refuse(name, "is a folder, not a case file");
-    }
-    // A pipe or a device has no size and may never end.
-    if (!std::filesystem::is_regular_file(status)) {
-        refuse(name, "is not an ordinary file");
-    }
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (!error && size > largest_case_bytes) {
-        refuse(name, "is larger than 4 MiB, the limit for a case file");
-    }
-    errno = 0;
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) {
-        refuse(name, "cannot be read: " + std::generic_category().message(errno));
-    }
-    // One byte more than allowed, in case the file has grown since.
-    std::string text(largest_case_bytes + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (stream.bad()) {
-        refuse(name, "cannot be read to its end");
-    }
-    text.resize(static_cast<std::size_t>(stream.gcount()));
-    return text;
+    return std::move(content.bytes);
 }
 
 void read_schema(Section& root) {

@@ -1,11 +1,10 @@
 #include "cases/checkpoint_file.hpp"
 
+#include "cases/ordinary_file.hpp"
 #include "dynamic_relaxation/study_checkpoint.hpp"
 #include "plots/atomic_file.hpp"
 
-#include <cerrno>
-#include <cstdint>
-#include <fstream>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -13,31 +12,6 @@
 namespace delabole {
 
 namespace {
-
-struct Content {
-    std::string bytes = {};
-    std::string fault = {};
-};
-
-Content read_bytes(const std::filesystem::path& path) {
-    std::error_code error;
-    // A pipe or a device has no size and may never end.
-    if (!std::filesystem::is_regular_file(std::filesystem::status(path, error))) {
-        return {
-            {},
-            std::filesystem::is_directory(path, error) ? "is a folder, not a checkpoint" : "is not an ordinary file"};
-    }
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    errno = 0;
-    std::ifstream stream(path, std::ios::binary);
-    if (error || !stream) {
-        return {{}, "cannot be read: " + (error ? error : std::error_code(errno, std::generic_category())).message()};
-    }
-    std::string bytes(size, '\0');
-    stream.read(bytes.data(), static_cast<std::streamsize>(size));
-    bytes.resize(static_cast<std::size_t>(stream.gcount()));
-    return {std::move(bytes), stream.bad() ? "cannot be read to its end" : ""};
-}
 
 std::string_view fault_of(CheckpointCheck check) {
     switch (check) {
@@ -68,9 +42,9 @@ KeptProgress read_checkpoint(const std::filesystem::path& path, const Relaxation
     if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
         return {};
     }
-    const Content content = read_bytes(path);
+    FileContent content = read_ordinary_file(path, "a checkpoint");
     if (!content.fault.empty()) {
-        return {{}, false, content.fault};
+        return {{}, false, std::move(content.fault)};
     }
     RestoredProgress restored = restore_checkpoint(content.bytes, study, frames);
     if (restored.check != CheckpointCheck::ok) {

@@ -1,11 +1,12 @@
 #include "cases/outline_file.hpp"
 
+#include "cases/ordinary_file.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -374,21 +375,11 @@ OutlineFile read_outline_file(const std::filesystem::path& path) {
     if (ending != ".dxf" && ending != ".csv") {
         return {{}, "must end in .dxf or .csv"};
     }
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) {
-        return {{}, std::filesystem::exists(path, error) ? "is not an ordinary file" : "there is no such file"};
+    FileContent content = read_ordinary_file(path, "an outline", largest_bytes);
+    if (!content.fault.empty()) {
+        return {{}, std::move(content.fault)};
     }
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (error || size > largest_bytes) {
-        return {{}, error ? "cannot be read" : "is larger than 64 MiB"};
-    }
-    std::string text(static_cast<std::size_t>(size), '\0');
-    std::ifstream stream(path, std::ios::binary);
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!stream) {
-        return {{}, "cannot be read"};
-    }
-    return ending == ".dxf" ? outline_of_dxf(text) : outline_of_csv(text);
+    return ending == ".dxf" ? outline_of_dxf(content.bytes) : outline_of_csv(content.bytes);
 }
 
 }  // namespace delabole

@@ -186,6 +186,10 @@ TEST(OutlineFile, WhatIsNoOutlineIsSaid) {
     EXPECT_TRUE(has(outline_of_csv("x_m,y_m\n0,0\nnan,0\n1,1\n").problem, "line 3"));
     EXPECT_EQ(outline_of_csv("x_m,y_m\r\n0,0\r\n1,0\r\n\r\n1,1\r\n").outline.size(), 3U);
     EXPECT_TRUE(has(read_outline_file("outline.dwg").problem, ".dxf"));
+    EXPECT_EQ(read_outline_file("none.dxf").problem, "there is no such file");
+    const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "folder.csv";
+    std::filesystem::create_directories(folder);
+    EXPECT_EQ(read_outline_file(folder).problem, "is a folder, not an outline");
 }
 
 TEST(OutlineFile, ACaseTakesItsCornersOnce) {

@@ -1,0 +1,48 @@
+#include "cases/ordinary_file.hpp"
+
+#include <cerrno>
+#include <cstdint>
+#include <fstream>
+#include <system_error>
+
+namespace delabole {
+
+FileContent read_ordinary_file(const std::filesystem::path& path, std::string_view what, std::size_t largest) {
+    const auto unreadable = [](const std::error_code& error) {
+        return FileContent{{}, "cannot be read: " + error.message()};
+    };
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status)) {
+        return error && error != std::errc::no_such_file_or_directory ? unreadable(error)
+                                                                      : FileContent{{}, "there is no such file"};
+    }
+    if (std::filesystem::is_directory(status)) {
+        return {{}, "is a folder, not " + std::string(what)};
+    }
+    // A pipe or a device has no size and may never end.
+    if (!std::filesystem::is_regular_file(status)) {
+        return {{}, "is not an ordinary file"};
+    }
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (error) {
+        return unreadable(error);
+    }
+    if (size > largest) {
+        return {{}, "is larger than " + std::to_string(largest >> 20U) + " MiB, the limit for " + std::string(what)};
+    }
+    errno = 0;
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) {
+        return unreadable({errno, std::generic_category()});
+    }
+    FileContent content{.bytes = std::string(size, '\0')};
+    stream.read(content.bytes.data(), static_cast<std::streamsize>(size));
+    content.bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    if (stream.bad()) {
+        content.fault = "cannot be read to its end";
+    }
+    return content;
+}
+
+}  // namespace delabole
