@@ -71,12 +71,11 @@ Proposal proposal_from(const PriorSpace& prior, std::span<const Draw> draws, std
         return Proposal(prior.size());
     }
     const std::size_t count = std::min(draws.size(), most_draws);
-    Eigen::MatrixXd points(static_cast<Eigen::Index>(prior.size()), static_cast<Eigen::Index>(count));
+    std::vector<std::vector<double>> points(count);
     for (std::size_t index = 0; index < count; ++index) {
-        const std::vector<double> point = prior.coordinates(draws[index * draws.size() / count].parameters);
-        points.col(static_cast<Eigen::Index>(index)) = Eigen::Map<const Eigen::VectorXd>(point.data(), points.rows());
+        points[index] = prior.coordinates(draws[index * draws.size() / count].parameters);
     }
-    return {points, Eigen::VectorXd::Ones(points.cols()), seed};
+    return {as_columns(points), Eigen::VectorXd::Ones(static_cast<Eigen::Index>(count)), seed};
 }
 
 // Points drawn from a proposal, and what the model said.
@@ -137,21 +136,17 @@ class Pilots {
             logs.push_back(log_likelihoods_[index] - std::log(density));
         }
         const double greatest = *std::max_element(logs.begin(), logs.end());
-        std::vector<std::size_t> kept;
+        std::vector<std::vector<double>> points;
+        std::vector<double> weights;
         for (std::size_t index = 0; index < logs.size(); ++index) {
             if (logs[index] > greatest - negligible) {
-                kept.push_back(index);
+                points.push_back(points_[index]);
+                weights.push_back(std::exp(logs[index] - greatest));
             }
         }
-        Eigen::MatrixXd points(static_cast<Eigen::Index>(points_.front().size()),
-                               static_cast<Eigen::Index>(kept.size()));
-        Eigen::VectorXd weights(points.cols());
-        for (Eigen::Index column = 0; column < points.cols(); ++column) {
-            const std::size_t index = kept[static_cast<std::size_t>(column)];
-            points.col(column) = Eigen::Map<const Eigen::VectorXd>(points_[index].data(), points.rows());
-            weights(column) = std::exp(logs[index] - greatest);
-        }
-        return Proposal(points, weights, seed);
+        return Proposal(as_columns(points),
+                        Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size())),
+                        seed);
     }
 
   private:

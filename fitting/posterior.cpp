@@ -153,11 +153,7 @@ PosteriorArchive archive_of(const Chains& chains, std::uint64_t seed) {
             points.push_back(chain.states()[index * chain.states().size() / count].normal);
         }
     }
-    Eigen::MatrixXd columns(static_cast<Eigen::Index>(points.front().size()), static_cast<Eigen::Index>(points.size()));
-    for (std::size_t index = 0; index < points.size(); ++index) {
-        columns.col(static_cast<Eigen::Index>(index)) =
-            Eigen::Map<const Eigen::VectorXd>(points[index].data(), columns.rows());
-    }
+    const Eigen::MatrixXd columns = as_columns(points);
     return {std::move(points), StudentMixture(columns, Eigen::VectorXd::Ones(columns.cols()), most_components, seed)};
 }
 

@@ -102,6 +102,14 @@ std::vector<NormalComponent> improved(const MatrixXd& points, const MatrixXd& sh
 
 }  // namespace
 
+MatrixXd as_columns(const std::vector<std::vector<double>>& points) {
+    MatrixXd columns(static_cast<Index>(points.front().size()), static_cast<Index>(points.size()));
+    for (Index column = 0; column < columns.cols(); ++column) {
+        columns.col(column) = VectorXd::Map(points[static_cast<std::size_t>(column)].data(), columns.rows());
+    }
+    return columns;
+}
+
 StudentMixture::StudentMixture(const MatrixXd& points, const VectorXd& weights, std::size_t most_components,
                                std::uint64_t seed)
     : dimension_(static_cast<std::size_t>(points.rows())) {

@@ -11,6 +11,9 @@
 
 namespace delabole {
 
+// One per column. At least one point; all of one dimension.
+Eigen::MatrixXd as_columns(const std::vector<std::vector<double>>& points);
+
 class StudentMixture {
   public:
     // Tails that fall like a power, yet with a variance.
