@@ -104,8 +104,7 @@ class Recorder {
 
     std::vector<double> slips() const {
         std::vector<double> slips;
-        for (const BlockOutcome& block :
-             block_outcomes(simulation_.bodies(), simulation_.state(), simulation_.settings())) {
+        for (const BlockOutcome& block : simulation_.block_outcomes()) {
             slips.push_back(block.base_slip);
         }
         return slips;

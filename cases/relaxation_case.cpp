@@ -118,6 +118,13 @@ void check_loads(Checker& checker, const Relaxation& model, const RelaxationScen
             checker.complain(key + ".fixed_block", "is free: only a fixed block moves as prescribed");
         }
         check_increasing(checker, motion.velocity, &VelocityPoint::time, key + ".velocity", "time");
+        if (!motion.turning && motion.velocity.empty()) {
+            checker.complain(key, "moves nothing: needs a velocity or turning");
+        } else if (!motion.velocity.empty() &&
+                   (motion.velocity.front().horizontal != 0 || motion.velocity.front().vertical != 0)) {
+            checker.complain(key + ".velocity[1]",
+                             "must be 0 m/s at first: a base that jumps to a speed deals its blocks a blow");
+        }
     }
     for (std::size_t index = 0; index < model.removal.size(); ++index) {
         check_block_number(checker, indexed("removal", index) + ".block", model.removal[index].block, scene);
@@ -200,8 +207,10 @@ void check_case(Checker& checker, const RelaxationStudy& study) {
         for (std::size_t index = 0; index < study.history->contact.size(); ++index) {
             const ContactMonitor& contact = study.history->contact[index];
             const std::string key = indexed("history.contact", index);
-            check_block_number(checker, key + ".block", contact.block, scene);
-            check_block_number(checker, key + ".other", contact.other, scene);
+            if (check_block_number(checker, key + ".block", contact.block, scene) &&
+                check_block_number(checker, key + ".other", contact.other, scene) && contact.block == contact.other) {
+                checker.complain(key + ".other", "must be another block than history.contact.block");
+            }
         }
     }
 }

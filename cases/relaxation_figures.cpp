@@ -25,8 +25,11 @@ DrawnMode drawn(BlockMovement movement) {
         return DrawnMode::slides;
     case BlockMovement::rotates:
         return DrawnMode::topples;
-    case BlockMovement::slides_and_rotates:
+    case BlockMovement::slides_forward_and_rotates:
+    case BlockMovement::slides_backward_and_rotates:
         return DrawnMode::slides_and_topples;
+    case BlockMovement::moves:
+        return DrawnMode::moves;
     case BlockMovement::fixed:
         return DrawnMode::fixed;
     case BlockMovement::removed:

@@ -9,6 +9,7 @@
 #include "fitting/words.hpp"
 #include "plots/text.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -135,6 +136,77 @@ class Keeper {
     Clock::time_point last_ = Clock::now();
 };
 
+bool has_fixed_block(const RelaxationScene& scene) {
+    return std::ranges::any_of(scene.block, &RelaxationBlock::fixed);
+}
+
+// Free blocks that were there at the end.
+bool any_free_block_left(const RelaxationRun& made) {
+    for (std::size_t block = 0; block < made.scene.block.size(); ++block) {
+        if (!made.scene.block[block].fixed && made.end->removed[block] == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// How the start of the run differs from the drawing.
+void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
+    const std::optional<StartBalance>& start = made.result.start_balance;
+    if (start && start->cut_short && start->unbalanced_ratio > made.settings.equilibrium_ratio) {
+        analysis.warnings.push_back("preloading so many blocks was ended with one of them out of balance by " +
+                                    number_in_words(100 * start->unbalanced_ratio) +
+                                    " % of its load: at first they settle, as if dropped");
+    }
+    if (!has_fixed_block(made.scene) && !made.scene.belt) {
+        analysis.warnings.emplace_back("no block is fixed: all of them fall");
+    }
+    // Of the block's radius: springs give way by less, and so do blocks that slide or turn while equilibrium is looked
+    // for.
+    constexpr double unexpected = 5e-3;
+    std::size_t farthest = 0;
+    double way = 0;
+    const Bodies bodies = make_bodies(made.scene);
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        const Motion& origin = made.end->origin[block];
+        const double share = std::hypot(origin.x, origin.y) / bodies.radius[block];
+        if (share > way) {
+            way = share;
+            farthest = block;
+        }
+    }
+    if (way > unexpected) {
+        analysis.warnings.push_back(
+            "preloading closed gaps of the drawing, or found equilibrium only elsewhere: " + block_name(farthest) +
+            " begins " + value_in_words(way * bodies.radius[farthest], Dimension::length) +
+            " from where it is drawn; displacements count from there");
+    }
+}
+
+void append_run_warnings(const RelaxationRun& made, Analysis& analysis) {
+    append_start_warnings(made, analysis);
+    const RelaxationResult& result = made.result;
+    if (result.outcome == RelaxationOutcome::equilibrium && result.onset_time) {
+        analysis.warnings.push_back("the blocks came to rest only after the onset of failure at " +
+                                    value_in_words(*result.onset_time, Dimension::time) +
+                                    ": this is equilibrium of another shape than the one drawn");
+    }
+    if (result.outcome == RelaxationOutcome::equilibrium && !any_free_block_left(made)) {
+        analysis.warnings.emplace_back("all free blocks have been taken away: nothing is left to move");
+    }
+    if (made.ends_with_duration && made.settings.local_damping > 0 && !made.scene.belt && result.onset_time) {
+        analysis.warnings.push_back("local damping slows what fails by " +
+                                    number_in_words(100 * made.settings.local_damping) +
+                                    " %: settings.local_damping = 0 gives motion in true time");
+    }
+    constexpr double large_residual = 0.02;
+    const double residual = result.ledger.residual_share();
+    if (std::abs(residual) > large_residual) {
+        analysis.warnings.push_back("the books of energy lack " + number_in_words(100 * residual) + " %" +
+                                    " of what was turned over: lower settings.step_fraction");
+    }
+}
+
 std::string joint_key(const RelaxationStudy& study, std::size_t material) {
     if (std::holds_alternative<RelaxationPolygons>(study.model.scene) ||
         std::holds_alternative<RelaxationSlope>(study.model.scene)) {
@@ -185,18 +257,7 @@ Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
         append_critical(analysis, *study.critical, critical);
         leave_unfinished(word_of(critical.status), search_in_words(*study.critical, critical));
     }
-    const std::optional<StartBalance>& start = made.result.start_balance;
-    if (start && start->cut_short && start->unbalanced_ratio > made.settings.equilibrium_ratio) {
-        analysis.warnings.push_back("preloading so many blocks was ended with one of them out of balance by " +
-                                    number_in_words(100 * start->unbalanced_ratio) +
-                                    " % of its load: at first they settle, as if dropped");
-    }
-    constexpr double large_residual = 0.02;
-    const double residual = made.result.ledger.residual_share();
-    if (std::abs(residual) > large_residual) {
-        analysis.warnings.push_back("the books of energy lack " + number_in_words(100 * residual) + " %" +
-                                    " of what was turned over: lower settings.step_fraction");
-    }
+    append_run_warnings(made, analysis);
     analysis.drawn_from = std::move(made);
     return analysis;
 }
@@ -238,6 +299,7 @@ std::vector<std::string> blamed_keys(const RelaxationStudy& study, std::string_v
                 "settings.quality",
                 block};
     case SceneCheck::stiffness_not_positive:
+        return {"gravity", joint_key(study, fault.index)};
     case SceneCheck::friction_out_of_range:
     case SceneCheck::strength_negative:
         return {joint_key(study, fault.index) + ".friction_angle", joint_key(study, fault.index)};
@@ -246,7 +308,7 @@ std::vector<std::string> blamed_keys(const RelaxationStudy& study, std::string_v
     case SceneCheck::setting_out_of_range:
         return {"settings"};
     case SceneCheck::no_free_block:
-        return {"scene.block[1].hold", "scene.block"};
+        return {"scene.block[1].hold", "scene.block", "scene.fixed[1]", "scene.fixed"};
     default:
         return {"scene"};
     }
@@ -258,6 +320,8 @@ std::string explain_failure(const RelaxationStudy& study, std::string_view, cons
     switch (fault.check) {
     case SceneCheck::no_free_block:
         return "every block is fixed: nothing can move";
+    case SceneCheck::stiffness_not_positive:
+        return "without gravity settings.stiffness_ratio gives no stiffness: every joint needs its normal_stiffness";
     case SceneCheck::outline_not_convex:
         return block + " is not convex, or its corners run clockwise: list them anticlockwise, the first one once";
     case SceneCheck::edge_too_short:

@@ -21,6 +21,7 @@ RelaxationStudy tilted(BlockScene scene, double to) {
     study.model.tilting = Tilting{TiltingFrame::gravity, to, faster_rate, {}, {}, {}, {}};
     RelaxationNumerics numerics{};
     numerics.quality = RelaxationQuality::draft;
+    numerics.stiffness_ratio = 1e5;  // hundreds of runs of 120 s
     numerics.stop = RelaxationStop::onset;
     numerics.duration = 120;
     study.settings = numerics;

@@ -14,7 +14,7 @@ struct ModeStyle {
 
 inline constexpr std::array drawn_modes{
     DrawnMode::plain, DrawnMode::stays, DrawnMode::slides, DrawnMode::topples, DrawnMode::slides_and_topples,
-    DrawnMode::fixed};
+    DrawnMode::moves, DrawnMode::fixed};
 
 constexpr ModeStyle style_of(DrawnMode mode) {
     switch (mode) {
@@ -26,6 +26,8 @@ constexpr ModeStyle style_of(DrawnMode mode) {
         return {Colour::orange, 0.5};
     case DrawnMode::slides_and_topples:
         return {Colour::purple, 0.6};
+    case DrawnMode::moves:
+        return {Colour::green, 0.35};
     case DrawnMode::fixed:
         return {Colour::grey, 0.6};
     case DrawnMode::plain:

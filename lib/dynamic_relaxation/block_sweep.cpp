@@ -82,14 +82,14 @@ BlockForce force_of_joints(const BlockSweep& sweep, std::size_t block) {
     return force;
 }
 
-// A base that turns carries its blocks along: what is damped is their motion on it.
+// A base that moves carries its blocks along: what is damped is their motion on it.
 BlockVelocity<double> velocity_on_base(const BlockSweep& sweep, std::size_t block) {
     const Motion& motion = sweep.motion[block];
     const Bodies& bodies = sweep.bodies;
-    if (!bodies.turned_base) {
+    if (!bodies.moved_base) {
         return {motion.vx, motion.vy, motion.spin};
     }
-    const std::size_t number = *bodies.turned_base;
+    const std::size_t number = *bodies.moved_base;
     const Motion& base = sweep.base;
     const PlanePoint<> arm =
         bodies.centroid[block] - bodies.centroid[number] + PlanePoint<>(motion.x - base.x, motion.y - base.y);
@@ -262,7 +262,7 @@ StepSums move_blocks(const BlockSweep& sweep, std::size_t begin, std::size_t end
     WideSums wide;
     std::size_t block = begin;
     while (block < end) {
-        if (!sweep.bodies.turned_base && block + lane_count<FourLanes> <= end && together(sweep, block)) {
+        if (!sweep.bodies.moved_base && block + lane_count<FourLanes> <= end && together(sweep, block)) {
             move_four(sweep, block, wide);
             block += lane_count<FourLanes>;
         } else {

@@ -3,23 +3,28 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace delabole {
 
 namespace {
 
-std::optional<std::size_t> turned_base(const RelaxationScene& scene) {
-    std::size_t turned = 0;
-    for (const PrescribedMotion& motion : scene.motion) {
-        const PrescribedMotion& first = scene.motion.front();
-        const bool alike = motion.velocity.empty() && motion.angular_velocity == first.angular_velocity &&
-                           motion.pivot == first.pivot && motion.start == first.start &&
-                           motion.duration == first.duration;
-        turned += alike && motion.angular_velocity != 0 ? 1 : 0;
-    }
-    const auto fixed = static_cast<std::size_t>(
-        std::ranges::count_if(scene.block, [](const RelaxationBlock& block) { return block.fixed; }));
-    return turned > 0 && turned == fixed ? std::optional(scene.motion.front().block) : std::nullopt;
+bool move_as_one(const PrescribedMotion& one, const PrescribedMotion& other) {
+    const auto turn_of = [](const PrescribedMotion& motion) {
+        return std::tuple(motion.angular_velocity, motion.pivot.x(), motion.pivot.y(), motion.start, motion.duration);
+    };
+    const auto same_entry = [](const TimedVector& left, const TimedVector& right) {
+        return left.time == right.time && left.value == right.value;
+    };
+    return std::ranges::equal(one.velocity, other.velocity, same_entry) &&
+           ((one.angular_velocity == 0 && other.angular_velocity == 0) || turn_of(one) == turn_of(other));
+}
+
+std::optional<std::size_t> moved_base(const RelaxationScene& scene) {
+    const auto fixed = std::ranges::count_if(scene.block, &RelaxationBlock::fixed);
+    const auto as_first = std::ranges::count_if(
+        scene.motion, [&](const PrescribedMotion& motion) { return move_as_one(motion, scene.motion.front()); });
+    return as_first > 0 && as_first == fixed ? std::optional(scene.motion.front().block) : std::nullopt;
 }
 
 }  // namespace
@@ -57,7 +62,7 @@ Bodies make_bodies(const RelaxationScene& scene) {
         bodies.radius.push_back(radius);
         bodies.shortest_edge.push_back(shortest);
     }
-    bodies.turned_base = turned_base(scene);
+    bodies.moved_base = moved_base(scene);
     return bodies;
 }
 

@@ -38,8 +38,8 @@ struct Bodies {
     std::vector<PlanePoint<>> along = {};    // unit vector of an edge, in the drawing
     std::vector<double> length = {};         // of an edge
     std::vector<std::size_t> material = {};  // of an edge
-    // A fixed block where all fixed ones turn as one: motion is seen from it.
-    std::optional<std::size_t> turned_base = {};
+    // A fixed block where all fixed ones move as one: motion is seen from it.
+    std::optional<std::size_t> moved_base = {};
 
     std::size_t size() const { return mass.size(); }
     PlanePoint<> normal(std::size_t edge) const { return {along[edge].y(), -along[edge].x()}; }  // outward

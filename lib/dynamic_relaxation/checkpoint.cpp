@@ -24,8 +24,8 @@ std::uint64_t hash_of(const RelaxationScene& scene, const RelaxationSettings& se
 bool fits(const RelaxationState& state, const RelaxationScene& scene) {
     const std::size_t blocks = scene.block.size();
     if (state.motion.size() != blocks || state.origin.size() != blocks || state.removed.size() != blocks ||
-        state.base_slip.size() != blocks || state.calm.size() != blocks || state.noticed.moved.size() != blocks ||
-        state.bond.size() != scene.bond.size() ||
+        state.base_slip.size() != blocks || state.dropped_slip.size() != blocks || state.calm.size() != blocks ||
+        state.noticed.moved.size() != blocks || state.bond.size() != scene.bond.size() ||
         (state.first_crack && (state.first_crack->block >= blocks || state.first_crack->other >= blocks))) {
         return false;
     }

@@ -61,9 +61,10 @@ DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, 
                  kinetic_damping, elastic_at_start)
 DELABOLE_MEMBERS(FirstCrack, time, tilt, block, other)
 DELABOLE_MEMBERS(StartBalance, unbalanced_ratio, cut_short)
+DELABOLE_MEMBERS(SlipOverFace, upward, slip)
 DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluated, motion, origin, start_balance,
-                 noticed, calm, removed, base_slip, contacts, watch, bond, ledger, unbalanced, unbalanced_then,
-                 kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, outcome)
+                 noticed, calm, removed, base_slip, dropped_slip, contacts, watch, bond, ledger, unbalanced,
+                 unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, outcome)
 
 DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,
                  tensile_strength, bond)

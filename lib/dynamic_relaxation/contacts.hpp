@@ -111,7 +111,7 @@ struct ContactNumbersOf {
     Number normal_drag{};  // N/m, of the dashpots when last evaluated, along the normal
     Number shear_drag{};   // N/m, along the edge
     // Change where a contact slides or begins only.
-    Number slip{};      // sum of plastic displacement along the edge, with its sign
+    Number slip{};      // plastic displacement along the edge since it was last booked (outcome.hpp)
     Number friction{};  // J/m, dissipated so far, with broken bonds
 };
 

@@ -32,8 +32,7 @@ namespace {
 
 MotionFrame frame_of(const Simulation& simulation, FrameParts parts) {
     const RelaxationState& state = simulation.state();
-    return {state.time, simulation.tilt(), state.motion,
-            block_outcomes(simulation.bodies(), state, simulation.settings()),
+    return {state.time, simulation.tilt(), state.motion, simulation.block_outcomes(),
             parts == FrameParts::all ? corner_forces(simulation.bodies(), state) : std::vector<CornerForce>{}};
 }
 
@@ -102,7 +101,7 @@ HistoryLine history_line(const HistoryRequest& request, const Simulation& simula
             line.contact.push_back(sum);
         }
     }
-    for (const BlockOutcome& outcome : block_outcomes(simulation.bodies(), state, simulation.settings())) {
+    for (const BlockOutcome& outcome : simulation.block_outcomes()) {
         line.base_slip.push_back(outcome.base_slip);
         line.rotation.push_back(outcome.rotation);
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace delabole {
 
@@ -18,29 +19,74 @@ Shift shift_of(const Bodies& bodies, const RelaxationState& state, std::size_t b
     const Motion& now = state.motion[block];
     const Motion& then = state.origin[block];
     const PlanePoint<> change(now.x - then.x, now.y - then.y);
-    if (!bodies.turned_base) {
+    if (!bodies.moved_base) {
         return {now.angle - then.angle, change.norm()};
     }
-    const Motion& base_now = state.motion[*bodies.turned_base];
-    const Motion& base_then = state.origin[*bodies.turned_base];
+    const Motion& base_now = state.motion[*bodies.moved_base];
+    const Motion& base_then = state.origin[*bodies.moved_base];
     Motion turn;
     turn.set_angle(base_now.angle - base_then.angle);
-    const PlanePoint<> arm = bodies.centroid[block] - bodies.centroid[*bodies.turned_base] +
+    const PlanePoint<> arm = bodies.centroid[block] - bodies.centroid[*bodies.moved_base] +
                              PlanePoint<>(then.x - base_then.x, then.y - base_then.y);
     const PlanePoint<> carried = PlanePoint<>(base_now.x - base_then.x, base_now.y - base_then.y) + turn.turned_by(arm);
     return {now.angle - then.angle - turn.angle, (change - carried).norm()};
 }
 
-BlockMovement movement_of(const BlockOutcome& outcome, double radius, const RelaxationSettings& settings) {
-    const bool rotates = std::abs(outcome.rotation) > settings.onset_rotation;
-    const bool slides = std::abs(outcome.base_slip) > settings.onset_slide * radius;
-    if (rotates) {
-        return slides ? BlockMovement::slides_and_rotates : BlockMovement::rotates;
+// A block that has come farther has moved.
+struct Thresholds {
+    double rotation;  // rad
+    double slide;     // of the block's radius
+};
+
+Thresholds thresholds_of(const Bodies& bodies, const RelaxationState& state, const RelaxationSettings& settings) {
+    constexpr double share_of_farthest = 0.1;
+    double share = 1;
+    if (state.onset_time >= 0) {
+        const MotionExtremes farthest = farthest_motion(bodies, state);
+        share = std::clamp(share_of_farthest * std::max(farthest.rotation / settings.onset_rotation,
+                                                        farthest.displacement / settings.onset_slide),
+                           share_of_farthest, 1.0);
     }
-    if (!slides) {
-        return BlockMovement::stays;
+    return {share * settings.onset_rotation, share * settings.onset_slide};
+}
+
+BlockMovement movement_of(const BlockOutcome& outcome, double radius, const Thresholds& thresholds) {
+    const bool rotates = std::abs(outcome.rotation) > thresholds.rotation;
+    if (std::abs(outcome.base_slip) <= thresholds.slide * radius) {
+        return rotates                                            ? BlockMovement::rotates
+               : outcome.displacement > thresholds.slide * radius ? BlockMovement::moves
+                                                                  : BlockMovement::stays;
     }
-    return outcome.base_slip < 0 ? BlockMovement::slides_forward : BlockMovement::slides_backward;
+    if (outcome.base_slip < 0) {
+        return rotates ? BlockMovement::slides_forward_and_rotates : BlockMovement::slides_forward;
+    }
+    return rotates ? BlockMovement::slides_backward_and_rotates : BlockMovement::slides_backward;
+}
+
+// The face that looks up more, if it does at all; on faces that look up alike, the corner that has slipped farther.
+bool goes_before(const SlipOverFace& one, const SlipOverFace& other) {
+    constexpr double alike = 1e-6;
+    if (one.upward <= alike) {
+        return false;
+    }
+    const double difference = one.upward - other.upward;
+    return std::abs(difference) > alike ? difference > 0 : std::abs(one.slip) > std::abs(other.slip);
+}
+
+bool is_base_contact(const Bodies& bodies, const ContactBlocks& contact) {
+    return (bodies.fixed[contact.block] != 0) != (bodies.fixed[contact.other] != 0);
+}
+
+std::vector<SlipOverFace> slip_since_booked(const Bodies& bodies, const PlanePoint<>& up,
+                                            const RelaxationState& state) {
+    std::vector<SlipOverFace> slip = state.dropped_slip;
+    const std::span<const ContactBlocks> contacts = state.contacts.contact.blocks();
+    for (std::size_t index = 0; index < contacts.size(); ++index) {
+        if (is_base_contact(bodies, contacts[index])) {
+            note_base_slip(bodies, state.motion, state.contacts.contact[index], state.contacts.memory[index], up, slip);
+        }
+    }
+    return slip;
 }
 
 }  // namespace
@@ -57,38 +103,54 @@ MotionExtremes farthest_motion(const Bodies& bodies, const RelaxationState& stat
     return farthest;
 }
 
-void add_base_slip(const Bodies& bodies, const std::vector<Motion>& motion, const RelaxationContact& contact,
-                   const ContactMemory& memory, std::vector<double>& base_slip) {
-    const bool block_fixed = bodies.fixed[contact.block] != 0;
-    if (memory.slip == 0 || block_fixed == (bodies.fixed[contact.other] != 0)) {
+void note_base_slip(const Bodies& bodies, const std::vector<Motion>& motion, const RelaxationContact& contact,
+                    const ContactMemory& memory, const PlanePoint<>& up, std::vector<SlipOverFace>& noted) {
+    if (!is_base_contact(bodies, contact) || (!memory.touching && memory.slip == 0)) {
         return;
     }
     // Slip is counted along the edge, of the corner's block against the other.
-    const double forward = motion[contact.other].turned({contact.along_x, contact.along_y}).x();
-    const double slip = (block_fixed ? -1 : 1) * memory.slip * (forward < 0 ? -1 : 1);
-    // Both corners of a base slip alike; each contact stands for half of it.
-    base_slip[block_fixed ? contact.other : contact.block] += slip / 2;
+    const bool block_fixed = bodies.fixed[contact.block] != 0;
+    const PlanePoint<> along = motion[contact.other].turned({contact.along_x, contact.along_y});
+    const PlanePoint<> outward(along.y(), -along.x());
+    const SlipOverFace slip{(block_fixed ? -1 : 1) * outward.dot(up),
+                            (block_fixed ? -1 : 1) * memory.slip * (along.x() < 0 ? -1 : 1)};
+    SlipOverFace& of_block = noted[block_fixed ? contact.other : contact.block];
+    if (goes_before(slip, of_block)) {
+        of_block = slip;
+    }
 }
 
-std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const RelaxationState& state,
-                                         const RelaxationSettings& settings) {
-    std::vector<double> slip = state.base_slip;
-    for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
-        add_base_slip(bodies, state.motion, state.contacts.contact[index], state.contacts.memory[index], slip);
+void book_base_slip(const Bodies& bodies, const PlanePoint<>& up, RelaxationState& state) {
+    const std::vector<SlipOverFace> since = slip_since_booked(bodies, up, state);
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        state.base_slip[block] += since[block].slip;
     }
+    std::ranges::fill(state.dropped_slip, SlipOverFace{});
+    const std::span<const ContactBlocks> contacts = state.contacts.contact.blocks();
+    for (std::size_t index = 0; index < contacts.size(); ++index) {
+        if (is_base_contact(bodies, contacts[index])) {
+            state.contacts.memory.numbers()[index / packed_size].slip[index % packed_size] = 0;
+        }
+    }
+}
+
+std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const PlanePoint<>& up, const RelaxationState& state,
+                                         const RelaxationSettings& settings) {
+    const std::vector<SlipOverFace> since = slip_since_booked(bodies, up, state);
+    const Thresholds thresholds = thresholds_of(bodies, state, settings);
     std::vector<BlockOutcome> outcomes(bodies.size());
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         BlockOutcome& outcome = outcomes[block];
         const Shift shift = shift_of(bodies, state, block);
         outcome.rotation = shift.rotation;
         outcome.displacement = shift.displacement;
-        outcome.base_slip = slip[block];
+        outcome.base_slip = state.base_slip[block] + since[block].slip;
         if (state.removed[block] != 0) {
             outcome.movement = BlockMovement::removed;
         } else if (bodies.fixed[block] != 0) {
             outcome.movement = BlockMovement::fixed;
         } else {
-            outcome.movement = movement_of(outcome, bodies.radius[block], settings);
+            outcome.movement = movement_of(outcome, bodies.radius[block], thresholds);
         }
     }
     return outcomes;

@@ -29,18 +29,40 @@ constexpr std::array<std::string_view, 8> enum_names(RelaxationOutcome) {
             "overlap_too_large", "motion_not_finite", "interrupted", "scene_not_valid"};
 }
 
-enum class BlockMovement { stays, slides_forward, slides_backward, rotates, slides_and_rotates, fixed, removed };
+enum class BlockMovement {
+    stays,
+    slides_forward,
+    slides_backward,
+    rotates,
+    slides_forward_and_rotates,
+    slides_backward_and_rotates,
+    moves,  // otherwise: on blocks that are not fixed, or falling
+    fixed,
+    removed,
+};
 
-constexpr std::array<std::string_view, 7> enum_names(BlockMovement) {
-    return {"stays", "slides_forward", "slides_backward", "rotates", "slides_and_rotates", "fixed", "removed"};
+constexpr std::array<std::string_view, 9> enum_names(BlockMovement) {
+    return {"stays",
+            "slides_forward",
+            "slides_backward",
+            "rotates",
+            "slides_forward_and_rotates",
+            "slides_backward_and_rotates",
+            "moves",
+            "fixed",
+            "removed"};
 }
 
 struct BlockOutcome {
+    // Against the thresholds of onset. Where failure has set in, against a tenth of the farthest motion, if that is
+    // less: a run that ends with the first block beyond its threshold tells which others have begun to move with it.
     BlockMovement movement = BlockMovement::stays;
-    // Since the start; where a base turns, as seen from it.
+    // Since the start; where all fixed blocks move as one, as seen from them.
     double rotation = 0;      // rad, anticlockwise: towards -x for a block that topples out of the slope
     double displacement = 0;  // m, of the centroid
-    double base_slip = 0;     // m, over fixed blocks; negative: forward, towards -x
+    // m, plastic, over the face of fixed blocks that looks up most, of the corner that slips farthest; negative:
+    // forward, towards -x. Accuracy: a block that turns over a corner changes corners, and so this, within fifty steps.
+    double base_slip = 0;
 };
 
 // The contact with the greatest overlap.
@@ -75,7 +97,7 @@ struct RelaxationResult {
     std::vector<BlockOutcome> block = {};
 };
 
-// Of all free blocks, since the start; where a base turns, as seen from it.
+// Of all free blocks, since the start; where all fixed blocks move as one, as seen from them.
 struct MotionExtremes {
     double rotation = 0;      // rad
     double displacement = 0;  // of the centroid, in radii of the block
@@ -83,11 +105,15 @@ struct MotionExtremes {
 
 MotionExtremes farthest_motion(const Bodies& bodies, const RelaxationState& state);
 
-// Adds what a contact has slipped over a fixed block to what its free block has.
-void add_base_slip(const Bodies& bodies, const std::vector<Motion>& motion, const RelaxationContact& contact,
-                   const ContactMemory& memory, std::vector<double>& base_slip);
+// Slip of a contact over a fixed face that looks up, kept for its free block if it goes before what is there. `up`: a
+// unit vector against gravity.
+void note_base_slip(const Bodies& bodies, const std::vector<Motion>& motion, const RelaxationContact& contact,
+                    const ContactMemory& memory, const PlanePoint<>& up, std::vector<SlipOverFace>& noted);
 
-std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const RelaxationState& state,
+// Slip of contacts since the last time becomes part of `base_slip`.
+void book_base_slip(const Bodies& bodies, const PlanePoint<>& up, RelaxationState& state);
+
+std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const PlanePoint<>& up, const RelaxationState& state,
                                          const RelaxationSettings& settings);
 
 std::optional<ContactName> deepest_contact(const Bodies& bodies, const RelaxationState& state);

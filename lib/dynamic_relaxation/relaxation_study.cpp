@@ -201,11 +201,10 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
             work.keep(progress);
         },
         [&] {
-            const RelaxationState& state = simulation.state();
-            if (study.history && state.time >= progress.next_line) {
+            if (study.history && simulation.reached() >= progress.next_line) {
                 const double interval = study.history->interval;
                 progress.history.push_back(history_line(*study.history, simulation));
-                progress.next_line = (std::floor(state.time / interval) + 1) * interval;
+                progress.next_line = (std::floor(simulation.reached() / interval) + 1) * interval;
             }
             if (work.frames == KeepFrames::yes) {
                 progress.record.look(simulation);

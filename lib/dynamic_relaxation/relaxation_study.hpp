@@ -75,7 +75,8 @@ struct RelaxationNumerics {
             number("viscous_damping", &N::viscous_damping, Dimension::ratio, within(0, 2),
                    "dashpots of contacts, share of critical; absent: 0.2"),
             number("local_damping", &N::local_damping, Dimension::ratio, right_open(0, 1),
-                   "share of the unbalanced force that opposes the velocity; absent: 0.2"),
+                   "share of the unbalanced force that opposes the velocity: what fails is slower by as much; absent: "
+                   "0.2, but 0 with a record of shaking"),
             section("kinetic_damping", &N::kinetic_damping, "all velocities to zero at energy peaks; absent: off"),
             section("mass_scaling", &N::mass_scaling,
                     "light blocks have the inertia of heavy ones: quicker to equilibrium, motion wrong; absent: off"),
@@ -101,7 +102,7 @@ struct RelaxationNumerics {
             number("crack_opening", &N::crack_opening, Dimension::ratio, more_than(0),
                    "in shortest edges; neighbours that part by more show the first tension crack; absent: 0.01 for "
                    "rows and stepped bases, none looked for else"),
-            number("overlap_limit", &N::overlap_limit, Dimension::ratio, between(0, 1),
+            number("overlap_limit", &N::overlap_limit, Dimension::ratio, within(0.02, 1),
                    "of the shortest edge; a run with more is stopped; absent: 0.05")};
     }
 };
@@ -121,7 +122,9 @@ struct CriticalRequest {
     static constexpr auto fields() {
         using C = CriticalRequest;
         return std::tuple{
-            section("parameter", &C::parameter, "what is varied; friction is that of every joint, peak and residual"),
+            section("parameter", &C::parameter,
+                    "what is varied; tilt is constant, whatever [tilting] does; friction is that of every joint, peak "
+                    "and residual"),
             number("lower", &C::lower, Dimension::angle, between(degrees(-90), degrees(90)), "least value tried"),
             number("upper", &C::upper, Dimension::angle, between(degrees(-90), degrees(90)), "greatest value tried"),
             number("tolerance", &C::tolerance, Dimension::angle, within(degrees(1e-9), degrees(10)),
@@ -177,7 +180,8 @@ struct EnergyAnswer {
             number("bonds", &E::bonds, energy, any_number(), "set free by bonds that broke"),
             number("dashpots", &E::dashpots, energy, any_number(), "dissipated by contact dashpots"),
             number("local_damping", &E::local_damping, energy, any_number(), "dissipated by local damping"),
-            number("kinetic_damping", &E::kinetic_damping, energy, any_number(), "taken out at energy peaks"),
+            number("kinetic_damping", &E::kinetic_damping, energy, any_number(),
+                   "taken out at energy peaks, and with removed blocks"),
             number("residual", &E::residual, energy, any_number(), "what the books lack"),
             number("residual_share", &E::residual_share, Dimension::ratio, any_number(),
                    "residual over all energy turned over; 0 where it is rounding of what springs hold")};

@@ -296,7 +296,7 @@ SceneFault check_settings(const RelaxationSettings& settings) {
                        settings.local_damping < 1 && not_negative(settings.ramp_time) &&
                        not_negative(settings.consolidation_time) && settings.equilibrium_ratio > 0 &&
                        settings.onset_rotation > 0 && settings.onset_slide > 0 && settings.collapse_rotation > 0 &&
-                       settings.collapse_displacement > 0 && settings.duration >= 0 && settings.overlap_limit > 0 &&
+                       settings.collapse_displacement > 0 && settings.duration >= 0 && settings.overlap_limit >= 0.02 &&
                        settings.threads > 0 && settings.crack_opening.value_or(1) > 0;
     return valid ? SceneFault{} : SceneFault{SceneCheck::setting_out_of_range, 0};
 }

@@ -51,7 +51,9 @@ struct RelaxationSettings {
     // m; free neighbours whose faces have parted by more show the first tension crack. Absent: nobody looks.
     std::optional<double> crack_opening{};
 
-    double overlap_limit = 0.05;  // of the smaller block's shortest edge; beyond, the run is stopped
+    // Of the smaller block's shortest edge; beyond, the run is stopped. At least 0.02: overlaps are looked at whenever
+    // two blocks have come by a hundredth of it.
+    double overlap_limit = 0.05;
     std::size_t threads = 1;
 };
 

@@ -59,6 +59,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
     state_.motion.resize(bodies_.size());
     state_.removed.resize(bodies_.size(), 0);
     state_.base_slip.resize(bodies_.size(), 0);
+    state_.dropped_slip.resize(bodies_.size());
     state_.calm.resize(bodies_.size(), 0);
     state_.bond.resize(scene_.bond.size());
     state_.noticed.resize(bodies_.size());
@@ -204,6 +205,7 @@ void Simulation::follow_schedules() {
     for (const Removal& removal : scene_.removal) {
         if (state_.removed[removal.block] == 0 && state_.time >= removal.time) {
             book_springs_of_removed(removal.block);
+            state_.ledger.kinetic_damping += kinetic_energy_of(removal.block);
             state_.removed[removal.block] = 1;
             state_.motion[removal.block].vx = state_.motion[removal.block].vy = state_.motion[removal.block].spin = 0;
             fastest_.reset();
@@ -312,7 +314,7 @@ bool Simulation::look_at_contacts() {
     for (const ContactWatch::Dropped& dropped : contact_watch_.dropped()) {
         state_.ledger.friction += dropped.memory.friction;
         state_.ledger.dashpots += dropped.memory.damping;
-        add_base_slip(bodies_, state_.motion, dropped.contact, dropped.memory, state_.base_slip);
+        note_base_slip(bodies_, state_.motion, dropped.contact, dropped.memory, up(), state_.dropped_slip);
     }
     for (const std::size_t bond : std::exchange(just_broken_, {})) {
         state_.ledger.bonds -= hand_over(bonds_.list()[bond], bodies_, state_.motion, state_.contacts);
@@ -377,7 +379,7 @@ void Simulation::integrate() {
                            state_.watch.way.data(),
                            state_.calm.data(),
                            state_.noticed,
-                           bodies_.turned_base ? state_.motion[*bodies_.turned_base] : Motion{}};
+                           bodies_.moved_base ? state_.motion[*bodies_.moved_base] : Motion{}};
     const auto move_groups = [&](std::size_t part) {
         for (std::size_t group = part_begin(groups, part, team_.size());
              group < part_begin(groups, part + 1, team_.size()); ++group) {

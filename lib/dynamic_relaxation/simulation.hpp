@@ -16,6 +16,7 @@
 #include "dynamic_relaxation/state.hpp"
 #include "dynamic_relaxation/team.hpp"
 
+#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -39,7 +40,10 @@ class Simulation {
     const RelaxationState& state() const { return state_; }
     const Bodies& bodies() const { return bodies_; }
 
+    // s; what is to be done at a time up to this is done now: no later step ends nearer to it.
+    double reached() const { return state_.time + state_.step / 2; }
     double tilt() const;  // of gravity, now
+    std::vector<BlockOutcome> block_outcomes() const;
     EnergyLedger ledger() const;
     double kinetic_energy() const;
     RelaxationResult result() const;
@@ -51,10 +55,12 @@ class Simulation {
     static bool rests(std::uint32_t calm) { return calm >= looks_before_rest; }
     static constexpr std::uint32_t looks_before_rest = 4;
 
-    bool out_of_time() const { return state_.time >= settings_.duration || state_.steps >= settings_.most_steps; }
+    bool out_of_time() const { return reached() >= settings_.duration || state_.steps >= settings_.most_steps; }
     void prepare();
     void begin();
+    PlanePoint<> up() const { return {std::sin(tilt()), std::cos(tilt())}; }
     bool consolidating() const { return state_.time < settings_.consolidation_time; }
+    double kinetic_energy_of(std::size_t block) const;  // J/m; none where it is held
     void hold_blocks();
     void follow_schedules();
     void break_bonds();

@@ -21,6 +21,7 @@ void Simulation::look() {
     }
     let_calm_blocks_rest();
     look_for_crack();
+    book_base_slip(bodies_, up(), state_);
     const double kinetic = kinetic_energy();
     const bool growing = kinetic > state_.kinetic_then;
     state_.kinetic_then = kinetic;
@@ -77,10 +78,7 @@ void Simulation::let_calm_blocks_rest() {
             continue;
         }
         Motion& motion = state_.motion[block];
-        state_.ledger.kinetic_damping +=
-            (bodies_.inertial_mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy) +
-             bodies_.inertia[block] * motion.spin * motion.spin) /
-            2;
+        state_.ledger.kinetic_damping += kinetic_energy_of(block);
         motion.vx = motion.vy = motion.spin = 0;
         fastest_.reset();
     }

@@ -20,16 +20,22 @@ double EnergyLedger::residual_share() const {
     return std::abs(lacking) <= rounding * std::abs(elastic_at_start) ? 0 : lacking / turnover();
 }
 
+double Simulation::kinetic_energy_of(std::size_t block) const {
+    if (held_[block] != 0) {
+        return 0;
+    }
+    const Motion& motion = state_.motion[block];
+    return (bodies_.inertial_mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy) +
+            bodies_.inertia[block] * motion.spin * motion.spin) /
+           2;
+}
+
 double Simulation::kinetic_energy() const {
     double sum = 0;
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        if (held_[block] == 0) {
-            const Motion& motion = state_.motion[block];
-            sum += bodies_.inertial_mass[block] * (motion.vx * motion.vx + motion.vy * motion.vy) +
-                   bodies_.inertia[block] * motion.spin * motion.spin;
-        }
+        sum += kinetic_energy_of(block);
     }
-    return sum / 2;
+    return sum;
 }
 
 EnergyLedger Simulation::ledger() const {
@@ -50,6 +56,10 @@ EnergyLedger Simulation::ledger() const {
     return ledger;
 }
 
+std::vector<BlockOutcome> Simulation::block_outcomes() const {
+    return delabole::block_outcomes(bodies_, up(), state_, settings_);
+}
+
 RelaxationResult Simulation::result() const {
     RelaxationResult result;
     result.outcome = outcome();
@@ -66,7 +76,7 @@ RelaxationResult Simulation::result() const {
     result.ledger = ledger();
     result.deepest = deepest_contact(bodies_, state_);
     result.cost = {state_.steps, state_.watch.looks, state_.contacts_evaluated, state_.step};
-    result.block = block_outcomes(bodies_, state_, settings_);
+    result.block = block_outcomes();
     return result;
 }
 

@@ -24,7 +24,7 @@ struct EnergyLedger {
     double bonds = 0;            // set free by bonds that broke
     double dashpots = 0;         // dissipated
     double local_damping = 0;    // dissipated
-    double kinetic_damping = 0;  // taken out at peaks
+    double kinetic_damping = 0;  // taken out at peaks, and with removed blocks
 
     double elastic_at_start = 0;
 
@@ -52,6 +52,11 @@ struct StartBalance {
     bool cut_short = false;       // ended for lack of rounds, which many blocks are given fewer of
 };
 
+struct SlipOverFace {
+    double upward = 0;  // cosine of the angle between the face's outward normal and up; 0: no face
+    double slip = 0;    // m, negative towards -x
+};
+
 struct RelaxationState {
     double time = 0;       // s
     double step = 0;       // s, chosen when contacts were last looked at
@@ -64,7 +69,8 @@ struct RelaxationState {
     NoticedMotion noticed = {};
     std::vector<std::uint32_t> calm = {};  // looks in a row without anything to move a block; see Simulation::rests
     std::vector<char> removed = {};
-    std::vector<double> base_slip = {};  // m, of each block over fixed ones; negative towards -x
+    std::vector<double> base_slip = {};           // m, of each block over fixed ones up to when it was last booked
+    std::vector<SlipOverFace> dropped_slip = {};  // of contacts that have been dropped since
     ContactList contacts = {};
     WatchState watch = {};
     std::vector<BondMemory> bond = {};  // as the scene lists them

@@ -117,6 +117,14 @@ TEST(RelaxationCase, RefusesWhatContradictsItself) {
               std::string::npos);
     EXPECT_NE(complaint_with("[[motion]]\nfixed_block = 1\n").find("motion[1].fixed_block = 1: is free"),
               std::string::npos);
+    EXPECT_NE(complaint_with("[[motion]]\nfixed_block = 3\n").find("motion[1]: moves nothing"), std::string::npos);
+    EXPECT_NE(complaint_with("[[motion]]\nfixed_block = 3\nvelocity = [{ time = \"0 s\", horizontal = \"1 m/s\", "
+                             "vertical = \"0 m/s\" }]\n")
+                  .find("motion[1].velocity[1]: must be 0 m/s at first"),
+              std::string::npos);
+    EXPECT_NE(complaint_with("[history]\ninterval = \"1 s\"\n[[history.contact]]\nblock = 1\nother = 1\n")
+                  .find("history.contact[1].other = 1: must be another block"),
+              std::string::npos);
     EXPECT_NE(complaint_with("[critical]\nparameter = \"tilt\"\nlower = \"20 deg\"\nupper = \"10 deg\"\n")
                   .find("bounds are reversed"),
               std::string::npos);
@@ -220,6 +228,45 @@ TEST(RelaxationCase, SaysThatAStartOfAThousandBricksWasCutShort) {
     EXPECT_TRUE(std::ranges::any_of(analysis.warnings, [](const std::string& warning) {
         return warning.starts_with("preloading so many blocks was ended with one of them out of balance by ");
     }));
+}
+
+bool warns(const std::string& text, std::string_view beginning) {
+    return std::ranges::any_of(analysis_of(text).warnings,
+                               [&](const std::string& warning) { return warning.starts_with(beginning); });
+}
+
+TEST(RelaxationCase, SaysThatAGapOfTheDrawingWasClosed) {
+    const std::string_view corner = "{ x = \"0 m\", y = \"0 m\" }, { x = \"1 m\", y = \"0 m\" }";
+    const std::string above =
+        changed(blocks_text, corner, "{ x = \"0 m\", y = \"10 mm\" }, { x = \"1 m\", y = \"10 mm\" }");
+    EXPECT_TRUE(warns(above, "preloading closed gaps of the drawing"));
+    EXPECT_FALSE(warns(std::string(blocks_text), "preloading closed gaps of the drawing"));
+}
+
+TEST(RelaxationCase, SaysThatNothingHoldsTheBlocks) {
+    const std::string loose = changed(blocks_text, "hold = \"fixed\"\n", "");
+    const std::string shortly = "[settings]\nduration = \"0.01 s\"\nstop = \"duration\"\n";
+    EXPECT_TRUE(warns(loose + shortly, "no block is fixed"));
+    EXPECT_FALSE(warns(std::string(blocks_text) + shortly, "no block is fixed"));
+}
+
+TEST(RelaxationCase, SaysThatBlocksRestElsewhere) {
+    // Two blocks that topple against a third and lean there.
+    const std::string pushed = std::string(row_text) +
+                               "[[shaking]]\ntime = \"0 s\"\nhorizontal = \"8 m/s2\"\nvertical = \"0 m/s2\"\n"
+                               "[[shaking]]\ntime = \"0.2 s\"\nhorizontal = \"8 m/s2\"\nvertical = \"0 m/s2\"\n"
+                               "[[shaking]]\ntime = \"0.21 s\"\nhorizontal = \"0 m/s2\"\nvertical = \"0 m/s2\"\n";
+    const Analysis shaken = analysis_of(pushed);
+    ASSERT_EQ(word(shaken, "outcome"), "equilibrium");
+    EXPECT_TRUE(warns(pushed, "the blocks came to rest only after the onset of failure"));
+    EXPECT_FALSE(warns(std::string(row_text), "the blocks came to rest only after the onset of failure"));
+}
+
+TEST(RelaxationCase, SaysThatDampingSlowsWhatFails) {
+    const std::string slides = changed(row_text, "\"10 deg\"", "\"35 deg\"");
+    const std::string shortly = "[settings]\nduration = \"0.3 s\"\nstop = \"duration\"\n";
+    EXPECT_TRUE(warns(slides + shortly, "local damping slows what fails by 20 %"));
+    EXPECT_FALSE(warns(slides + shortly + "local_damping = 0\n", "local damping"));
 }
 
 TEST(RelaxationCase, AWatchEndsTheRun) {

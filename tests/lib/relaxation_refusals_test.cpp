@@ -270,7 +270,7 @@ TEST(Refusals, SettingsOutOfRange) {
         {"equilibrium ratio", [](RelaxationSettings& one) { one.equilibrium_ratio = nan; }},
         {"duration", [](RelaxationSettings& one) { one.duration = nan; }},
         {"onset", [](RelaxationSettings& one) { one.onset_rotation = nan; }},
-        {"overlap limit", [](RelaxationSettings& one) { one.overlap_limit = 0; }},
+        {"overlap limit", [](RelaxationSettings& one) { one.overlap_limit = 0.01; }},
         {"threads", [](RelaxationSettings& one) { one.threads = 0; }},
     };
     for (const auto& [what, spoil] : bad) {

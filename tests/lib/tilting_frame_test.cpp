@@ -25,6 +25,7 @@ RelaxationStudy frame_study(const std::vector<double>& heights, TiltingFrame tur
     study.model.tilting = Tilting{turned, degrees(to), frame_rate, {}, {}, {}, {}};
     RelaxationNumerics numerics{};
     numerics.quality = RelaxationQuality::draft;
+    numerics.stiffness_ratio = 1e5;
     numerics.stop = RelaxationStop::onset;
     numerics.duration = 200;
     study.settings = numerics;
