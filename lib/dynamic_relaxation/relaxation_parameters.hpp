@@ -304,8 +304,10 @@ struct ForceOnBlock {
             number("block", &F::block, Dimension::ratio, at_least(1), "number of the block"),
             number("x", &F::x, Dimension::length, any_number(), "where it acts, in the drawing; moves with the block"),
             number("y", &F::y, Dimension::length, any_number(), "where it acts, in the drawing"),
-            number("horizontal", &F::horizontal, Dimension::force_per_length, any_number(), "along x of the drawing"),
-            number("vertical", &F::vertical, Dimension::force_per_length, any_number(), "along y of the drawing")};
+            number("horizontal", &F::horizontal, Dimension::force_per_length, any_number(),
+                   "along x of the drawing, however it is tilted"),
+            number("vertical", &F::vertical, Dimension::force_per_length, any_number(),
+                   "along y of the drawing, likewise")};
     }
 };
 
@@ -333,8 +335,11 @@ struct ShakingPoint {
         using S = ShakingPoint;
         return std::tuple{
             number("time", &S::time, Dimension::time, at_least(0), "of the record, increasing"),
-            number("horizontal", &S::horizontal, Dimension::acceleration, any_number(), "of the ground, along x"),
-            number("vertical", &S::vertical, Dimension::acceleration, any_number(), "of the ground, along y")};
+            number(
+                "horizontal", &S::horizontal, Dimension::acceleration, any_number(),
+                "of the ground into the slope, truly horizontal: normal to gravity, which a tilt turns in the drawing"),
+            number("vertical", &S::vertical, Dimension::acceleration, any_number(),
+                   "of the ground, upward against gravity")};
     }
 };
 
@@ -374,9 +379,10 @@ struct FixedBlockMotion {
     std::vector<VelocityPoint> velocity;
     static constexpr auto fields() {
         using M = FixedBlockMotion;
-        return std::tuple{number("fixed_block", &M::block, Dimension::ratio, at_least(1), "number of a fixed block"),
-                          section("turning", &M::turning, "about a point"),
-                          section("velocity", &M::velocity, "linear between, the last one kept")};
+        return std::tuple{
+            number("fixed_block", &M::block, Dimension::ratio, at_least(1), "number of a fixed block"),
+            section("turning", &M::turning, "about a point"),
+            section("velocity", &M::velocity, "linear between, zero before the first, the last one kept")};
     }
 };
 
@@ -408,9 +414,11 @@ struct Relaxation {
             section("tilting", &R::tilting, "tilt that grows"),
             section("base_friction", &R::base_friction,
                     "a belt that drives the blocks, pressed on it by gravity; absent: gravity drives them"),
-            section("force", &R::force, "point forces"),
+            section("force", &R::force, "point forces, along the axes of the drawing"),
             section("pressure", &R::pressure, "water on faces of blocks"),
-            section("shaking", &R::shaking, "record of the ground's acceleration"),
+            section("shaking", &R::shaking,
+                    "record of the ground's acceleration: linear between, zero before the first and after the last; "
+                    "one alone: that acceleration from its time on"),
             section("motion", &R::motion, "prescribed motion of fixed blocks"),
             section("removal", &R::removal, "blocks taken away: excavation")};
     }

@@ -1,6 +1,7 @@
 // The laws of contacts and loads at their thresholds, against limit equilibrium and the equation of motion.
 #include "relaxation_scenes.hpp"
 
+#include "dynamic_relaxation/loads.hpp"
 #include "dynamic_relaxation/scenes.hpp"
 #include "tests/support/brick_pack.hpp"
 
@@ -221,6 +222,133 @@ TEST(Shaking, ByAConstantAccelerationSlidesBeyondFriction) {
         // The ground leaves the block behind.
         EXPECT_LT(sense * relax(scene_at(1.5), until_onset()).block[0].base_slip, 0);
     }
+}
+
+// The resultant of gravity and inertia leans by atan(a / (g + v)) out of the slope, against friction less the tilt.
+double sliding_acceleration(double friction, double tilt, double vertical) {
+    return (gravity + vertical) * std::tan(friction - tilt);
+}
+
+TEST(Shaking, IsHorizontalAndVerticalForGravityHoweverTheDrawingIsTilted) {
+    for (const double tilt : {0.0, 10.0, 20.0}) {
+        for (const double vertical : {0.0, 0.4 * gravity, -0.4 * gravity}) {
+            const OnPlane plane = flat(30, degrees(tilt));
+            const double limit = sliding_acceleration(plane.friction, plane.tilt, vertical);
+            const auto scene_at = [&](double part) {
+                RelaxationScene scene = scene_of(plane);
+                scene.shaking = {{0, {part * limit, vertical}}};
+                return scene;
+            };
+            expect_threshold(scene_at, "tilt " + std::to_string(tilt) + ", vertical " + std::to_string(vertical));
+        }
+    }
+    EXPECT_NEAR(sliding_acceleration(degrees(30), degrees(20), 0), 1.729, 5e-4);  // by hand, printed digits
+}
+
+// About the toe, on the side that inertia points to: the lean of the resultant is that of the diagonal, b / a.
+TEST(Shaking, TurnsASlenderBlockOver) {
+    for (const double tilt : {0.0, 8.0}) {
+        for (const double vertical : {0.0, 0.3 * gravity}) {
+            OnPlane plane;
+            plane.height_to_width = 4;
+            plane.friction = degrees(50);
+            plane.tilt = degrees(tilt);
+            const double limit = sliding_acceleration(std::atan(1 / plane.height_to_width), plane.tilt, vertical);
+            const auto scene_at = [&](double part) {
+                RelaxationScene scene = scene_of(plane);
+                scene.shaking = {{0, {part * limit, vertical}}};
+                return scene;
+            };
+            expect_threshold(scene_at, "tilt " + std::to_string(tilt) + ", vertical " + std::to_string(vertical));
+        }
+    }
+}
+
+// Ground that falls away faster than gravity leaves the block behind.
+TEST(Shaking, DownwardByMoreThanGravityLiftsABlock) {
+    for (const double tilt : {0.0, 20.0}) {
+        RelaxationScene scene = scene_of(flat(30, degrees(tilt)));
+        scene.shaking = {{0, {0, -1.5 * gravity}}};
+        RelaxationSettings settings = unlimited(0.2);
+        settings.local_damping = 0;
+        const RelaxationResult result = relax(scene, settings);
+        // The springs' work, 1e-6 of the width each, is far below a thousandth of the way.
+        const double way = 0.5 * gravity * result.time * result.time / 2;
+        EXPECT_NEAR(result.block[0].displacement, way, 1e-3 * way) << tilt;
+        EXPECT_LT(energy_error(result, 0), 0.02) << tilt;
+    }
+}
+
+// Gravity that turns in the drawing takes the axes of shaking along.
+TEST(Shaking, TurnsWithGravity) {
+    RelaxationScene scene = scene_of({});
+    scene.gravity.final_tilt = degrees(30);
+    scene.gravity.rate = degrees(10);
+    scene.shaking = {{1, {2, 1}}, {3, {2, 1}}};
+    for (const double time : {1.0, 2.5, 3.0}) {
+        const PlanePoint<> down = gravity_at(scene.gravity, time) / gravity;
+        const PlanePoint<> shaking = shaking_at(scene, time);
+        // Rounding of sines and cosines.
+        EXPECT_NEAR(shaking.dot(down), -1, 1e-14) << time;
+        EXPECT_NEAR(shaking.x() * -down.y() + shaking.y() * down.x(), 2, 1e-14) << time;
+    }
+}
+
+TEST(Shaking, OfARecordEndsWithIt) {
+    RelaxationScene scene = scene_of({});
+    const auto at = [&](double time) { return shaking_at(scene, time).x(); };
+    scene.shaking = {{1, {2, 0}}, {3, {4, 0}}};
+    EXPECT_EQ(at(0.999), 0);
+    EXPECT_EQ(at(1), 2);
+    EXPECT_EQ(at(2), 3);
+    EXPECT_EQ(at(3), 4);
+    EXPECT_EQ(at(3.001), 0);
+    scene.shaking = {{1, {2, 0}}};
+    EXPECT_EQ(at(0.999), 0);
+    EXPECT_EQ(at(1e6), 2);
+    scene.shaking = {};
+    EXPECT_EQ(at(0), 0);
+    // The velocity of a fixed block goes on.
+    const PrescribedMotion motion{1, {{1, {2, 0}}, {3, {4, 0}}}};
+    Motion moved;
+    prescribe(motion, make_bodies(scene), 1e6, moved);
+    EXPECT_EQ(moved.vx, 4);
+}
+
+// Beyond friction while it lasts, which is as long as a block of a metre takes to slide a few millimetres.
+TEST(Shaking, ABlockComesToRestAfterIt) {
+    const OnPlane plane = flat(30, degrees(10));
+    const double limit = sliding_acceleration(plane.friction, plane.tilt, 0);
+    RelaxationScene scene = scene_of(plane);
+    scene.shaking = {{0.1, {1.5 * limit, 0}}, {0.15, {1.5 * limit, 0}}};
+    const RelaxationResult result = relax(scene, RelaxationSettings());
+    EXPECT_EQ(result.outcome, RelaxationOutcome::equilibrium);
+    EXPECT_LT(result.block[0].base_slip, -1e-4);
+    EXPECT_LT(energy_error(result, 1e-6 * density * gravity), 0.02);
+    scene.shaking.pop_back();
+    EXPECT_EQ(relax(scene, RelaxationSettings()).outcome, RelaxationOutcome::collapse);
+}
+
+// On a belt that takes the place of gravity, dipping as it would: the belt's drag is the weight, at most.
+TEST(Shaking, OnABeltIsAlongItsDirection) {
+    RelaxationScene upright = scene_of(flat(30));
+    upright.belt = Belt{0.1, degrees(30)};
+    RelaxationScene tilted = upright;
+    tilted.gravity.tilt = tilted.gravity.final_tilt = degrees(20);
+    tilted.shaking = upright.shaking = {{0, {2, 1}}};
+    const auto load_of = [](const RelaxationScene& scene) {
+        const Bodies bodies = make_bodies(scene);
+        std::vector<BlockForce> load(bodies.size());
+        sum_loads(scene, RelaxationSettings(), bodies, 0, bodies.fixed, std::vector<Motion>(bodies.size()), load);
+        return PlanePoint<>(load[0].x, load[0].y);
+    };
+    const PlanePoint<> load = load_of(upright);
+    const PlanePoint<> turned = load_of(tilted);
+    const double cosine = std::cos(degrees(20));
+    const double sine = std::sin(degrees(20));
+    // Drag and inertia turn together, but for rounding and the quadrature of the drag over the block's area.
+    EXPECT_NEAR(turned.x(), cosine * load.x() + sine * load.y(), 1e-6 * load.norm());
+    EXPECT_NEAR(turned.y(), cosine * load.y() - sine * load.x(), 1e-6 * load.norm());
 }
 
 TEST(PrescribedMotion, CarriesABlockByFriction) {
