@@ -398,6 +398,7 @@ struct BlockRemoval {
 
 struct Relaxation {
     std::optional<double> gravity;
+    std::optional<std::string> shaking_file;
     BlockScene scene;
     std::optional<Tilting> tilting;
     std::optional<BaseFriction> base_friction;
@@ -410,6 +411,9 @@ struct Relaxation {
         using R = Relaxation;
         return std::tuple{
             number("gravity", &R::gravity, Dimension::acceleration, at_least(0), "acceleration; absent: 9.80665 m/s2"),
+            section("shaking_file", &R::shaking_file,
+                    "CSV file with the record of shaking, beside the case, columns time_s, horizontal_m_per_s2, "
+                    "vertical_m_per_s2; or shaking"),
             section("scene", &R::scene, "the blocks and their joints"),
             section("tilting", &R::tilting, "tilt that grows"),
             section("base_friction", &R::base_friction,
