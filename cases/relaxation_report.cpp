@@ -274,6 +274,8 @@ std::string explain_failure(const RelaxationStudy& study, std::string_view, cons
                " overlap in the drawing by more than ten times what their weight would do: they would explode";
     case SceneCheck::bond_without_face:
         return "the two faces of bond " + std::to_string(fault.index + 1) + " do not lie on each other in the drawing";
+    case SceneCheck::unknown_edge:
+        return "a load is on a face that does not exist, or two blocks with water between them share none";
     case SceneCheck::unknown_block:
         return "a load is on a block that does not exist: there are " +
                std::to_string(relaxation_scene(study).block.size());

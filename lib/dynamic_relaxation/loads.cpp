@@ -55,9 +55,11 @@ PlanePoint<> shaking_at(const RelaxationScene& scene, double time) {
 
 FaceForce force_of(const FacePressure& pressure, const Bodies& bodies, const Motion& motion) {
     const std::size_t edge = bodies.range[pressure.block].begin + pressure.edge;
-    const double length = bodies.length[edge];
+    const EdgePart part = pressure.part.value_or(EdgePart{0, bodies.length[edge]});
+    const double length = part.end - part.begin;
     const double sum = pressure.at_first + pressure.at_second;
-    const double centre = sum != 0 ? length * (pressure.at_first + 2 * pressure.at_second) / (3 * sum) : 0;
+    const double centre =
+        part.begin + (sum != 0 ? length * (pressure.at_first + 2 * pressure.at_second) / (3 * sum) : 0);
     const PlanePoint<> inward = -bodies.normal(edge);
     return {motion.turned(bodies.corner[edge] + centre * bodies.along[edge]),
             motion.turned(PlanePoint<>(sum / 2 * length * inward))};

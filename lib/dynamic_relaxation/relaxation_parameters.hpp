@@ -327,6 +327,25 @@ struct WaterPressure {
     }
 };
 
+struct WaterInJoint {
+    double block;
+    double other;
+    double at_first;
+    double at_second;
+    static constexpr auto fields() {
+        using W = WaterInJoint;
+        return std::tuple{
+            number("block", &W::block, Dimension::ratio, at_least(1), "number of a block"),
+            number("other", &W::other, Dimension::ratio, at_least(1), "number of a block whose face lies on its face"),
+            number(
+                "at_first", &W::at_first, Dimension::stress, at_least(0),
+                "pressure at the end of what they share that comes first anticlockwise round the block (from a block "
+                "of a row to the next one up: below; to the plane: at the toe)"),
+            number("at_second", &W::at_second, Dimension::stress, at_least(0),
+                   "pressure at its other end, linear between")};
+    }
+};
+
 struct ShakingPoint {
     double time;
     double horizontal;
@@ -404,6 +423,7 @@ struct Relaxation {
     std::optional<BaseFriction> base_friction;
     std::vector<ForceOnBlock> force;
     std::vector<WaterPressure> pressure;
+    std::vector<WaterInJoint> joint_water;
     std::vector<ShakingPoint> shaking;
     std::vector<FixedBlockMotion> motion;
     std::vector<BlockRemoval> removal;
@@ -419,7 +439,9 @@ struct Relaxation {
             section("base_friction", &R::base_friction,
                     "a belt that drives the blocks, pressed on it by gravity; absent: gravity drives them"),
             section("force", &R::force, "point forces, along the axes of the drawing"),
-            section("pressure", &R::pressure, "water on faces of blocks"),
+            section("pressure", &R::pressure, "water on single faces of blocks"),
+            section("joint_water", &R::joint_water,
+                    "water between two blocks, on both, over what their faces share at the start"),
             section("shaking", &R::shaking,
                     "record of the ground's acceleration: linear between, zero before the first and after the last; "
                     "one alone: that acceleration from its time on"),

@@ -80,13 +80,20 @@ struct PointForce {
     PlanePoint<> force;  // N/m, along the axes of the drawing; keeps its direction there, also while gravity turns
 };
 
+// Part of an edge, m from its first vertex.
+struct EdgePart {
+    double begin;  // at least 0
+    double end;    // more than `begin`
+};
+
 // Water in a joint: presses on one face of one block, linear from the edge's first vertex to its second, normal to the
-// face wherever the block goes. The joint's other face is a pressure of its own.
+// face wherever the block goes. The joint's other face is a pressure of its own (joint_water.hpp).
 struct FacePressure {
     std::size_t block;
     std::size_t edge;
-    double at_first;   // Pa, at least 0
-    double at_second;  // Pa, at least 0
+    double at_first;                    // Pa, at least 0; where the part begins
+    double at_second;                   // Pa, at least 0; where it ends
+    std::optional<EdgePart> part = {};  // that is pressed; absent: the whole edge
 };
 
 struct TimedVector {

@@ -1,6 +1,7 @@
 // The laws of contacts and loads at their thresholds, against limit equilibrium and the equation of motion.
 #include "relaxation_scenes.hpp"
 
+#include "dynamic_relaxation/joint_water.hpp"
 #include "dynamic_relaxation/loads.hpp"
 #include "dynamic_relaxation/scenes.hpp"
 #include "tests/support/brick_pack.hpp"
@@ -186,6 +187,92 @@ TEST(WaterPressure, LowersTheTiltAtWhichABlockSlides) {
                 return scene;
             },
             "uplift " + std::to_string(uplift) + ", thrust " + std::to_string(thrust));
+    }
+}
+
+struct Resultant {
+    PlanePoint<> force{0, 0};
+    double moment = 0;  // about the drawing's origin
+};
+
+Resultant resultant_on(std::size_t block, const std::vector<FacePressure>& pressures, const Bodies& bodies) {
+    Resultant sum;
+    for (const FacePressure& pressure : pressures) {
+        if (pressure.block == block) {
+            const FaceForce force = force_of(pressure, bodies, Motion{});
+            const PlanePoint<> at = bodies.centroid[block] + force.arm;
+            sum.force += force.force;
+            sum.moment += at.x() * force.force.y() - at.y() * force.force.x();
+        }
+    }
+    return sum;
+}
+
+// Faces that share all, or a part of each; level, inclined, and with a corner within the straight face of one.
+TEST(JointWater, PressesBothBlocksAlikeAlongOneLine) {
+    const Polygon<> column = rectangle(0, 0, 1, 3);
+    const Polygon<> cornered{{1, 1}, {3, 1}, {3, 5}, {1, 5}, {1, 2.5}};
+    for (const Polygon<>& neighbour : {rectangle(1, 0, 1, 3), rectangle(1, 1, 2, 4), cornered}) {
+        for (const double turn : {0.0, 33.0}) {
+            RelaxationScene scene;
+            scene.block = {{column, density}, {neighbour, density}};
+            for (RelaxationBlock& block : scene.block) {
+                for (PlanePoint<>& vertex : block.outline) {
+                    vertex = {std::cos(degrees(turn)) * vertex.x() - std::sin(degrees(turn)) * vertex.y(),
+                              std::sin(degrees(turn)) * vertex.x() + std::cos(degrees(turn)) * vertex.y()};
+                }
+            }
+            const Bodies bodies = make_bodies(scene);
+            const double bottom = neighbour[0].y();
+            for (const bool from_first : {true, false}) {
+                // Anticlockwise the column's face runs up, its neighbour's down.
+                const std::vector<FacePressure> pressures =
+                    pressures_of(from_first ? JointWater{0, 1, 6e3, 1e3} : JointWater{1, 0, 1e3, 6e3}, bodies);
+                EXPECT_EQ(pressures.size(), neighbour.size() == 5 ? 4U : 2U);
+                const Resultant on_column = resultant_on(0, pressures, bodies);
+                const Resultant on_neighbour = resultant_on(1, pressures, bodies);
+                const double thrust = (6e3 + 1e3) / 2 * (3 - bottom);
+                // Rounding of coordinates of a few metres.
+                const double rounding = 1e-12 * thrust;
+                EXPECT_NEAR((on_column.force + on_neighbour.force).norm(), 0, rounding);
+                EXPECT_NEAR(on_column.moment + on_neighbour.moment, 0, 10 * rounding);
+                EXPECT_NEAR(on_column.force.norm(), thrust, rounding);
+                // A trapezium's centre of pressure above its foot, (p + 2 q) / (p + q) / 3 of the height.
+                const double height = bottom + (3 - bottom) * (6e3 + 2 * 1e3) / (3 * (6e3 + 1e3));
+                EXPECT_NEAR(on_column.moment, height * thrust, 10 * rounding);
+            }
+        }
+    }
+}
+
+TEST(JointWater, IsNotBetweenBlocksThatShareNoFace) {
+    RelaxationScene scene;
+    scene.block = {
+        {rectangle(0, 0, 1, 1), density}, {rectangle(1, 1, 1, 1), density}, {rectangle(3, 0, 1, 1), density}};
+    const Bodies bodies = make_bodies(scene);
+    EXPECT_TRUE(pressures_of({0, 1, 1, 1}, bodies).empty());  // a corner on a corner
+    EXPECT_TRUE(pressures_of({0, 2, 1, 1}, bodies).empty());
+}
+
+// Out of a wall without friction: p h / 2 = W tan(phi) where the pressure falls off from p at the foot to nothing.
+TEST(JointWater, PushesABlockAwayFromAWall) {
+    OnPlane plane = flat(30);
+    plane.height_to_width = 0.2;
+    const double limit = plane.weight() * std::tan(plane.friction) / (plane.height_to_width / 2);
+    for (const bool wall_first : {false, true}) {
+        expect_threshold(
+            [&](double part) {
+                RelaxationScene scene = scene_of(plane);
+                scene.block.push_back(fixed_block(rectangle(1, 0, 1, 1)));
+                scene.material.push_back(joint(plane.stiffness(), 0));
+                scene.block[2].joint = {0, 1, 1, 1};
+                const double foot = part * limit;
+                const Bodies bodies = make_bodies(scene);
+                scene.pressure =
+                    pressures_of(wall_first ? JointWater{2, 0, 0, foot} : JointWater{0, 2, foot, 0}, bodies);
+                return scene;
+            },
+            wall_first ? "wall" : "block");
     }
 }
 
