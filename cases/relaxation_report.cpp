@@ -95,6 +95,20 @@ std::string run_in_words(const RelaxationRun& made) {
     }
 }
 
+// A step that was divided now and then is shorter in the mean.
+void append_divided_step_warning(const RelaxationRun& made, Analysis& analysis) {
+    const std::optional<double>& given = made.settings.time_step;
+    const std::uint64_t steps = made.result.cost.steps;
+    constexpr double rounding = 1e-9;
+    if (!given || steps == 0 || made.result.time >= (1 - rounding) * *given * static_cast<double>(steps)) {
+        return;
+    }
+    analysis.warnings.push_back("settings.time_step, " + value_in_words(*given, Dimension::time) +
+                                ", is longer than springs and dashpots bear and was divided: steps of " +
+                                value_in_words(made.result.time / static_cast<double>(steps), Dimension::time) +
+                                " in the mean were made");
+}
+
 // Keeps a study's progress in the checkpoint now and then, and when the work is told to end.
 class Keeper {
   public:
@@ -191,6 +205,7 @@ Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
                                     number_in_words(100 * start->unbalanced_ratio) +
                                     " % of its load: at first they settle, as if dropped");
     }
+    append_divided_step_warning(made, analysis);
     constexpr double large_residual = 0.02;
     const double residual = made.result.ledger.residual_share();
     if (std::abs(residual) > large_residual) {

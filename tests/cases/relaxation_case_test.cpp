@@ -165,6 +165,21 @@ TEST(RelaxationCase, WaterOfAJointActsOnBothItsFaces) {
               std::string::npos);
 }
 
+TEST(RelaxationCase, SaysThatTheTimeStepGivenWasDivided) {
+    const auto warning_at = [](std::string_view step) -> std::string {
+        const Analysis analysis =
+            analysis_of(std::string(row_text) + "[settings]\ntime_step = \"" + std::string(step) + "\"\n");
+        const auto found = std::ranges::find_if(
+            analysis.warnings, [](const std::string& warning) { return warning.starts_with("settings.time_step, "); });
+        return found == analysis.warnings.end() ? "" : *found;
+    };
+    EXPECT_TRUE(
+        warning_at("10 ms").starts_with("settings.time_step, 0.01 s, is longer than springs and dashpots bear "
+                                        "and was divided: steps of "))
+        << warning_at("10 ms");
+    EXPECT_EQ(warning_at("1e-6 s"), "");
+}
+
 // What only the scene as a whole can judge, with the words a user gets.
 TEST(RelaxationCase, NamesWhatMakesASceneImpossible) {
     const auto explained = [](std::string_view text) {
