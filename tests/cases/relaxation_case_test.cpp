@@ -154,10 +154,10 @@ TEST(RelaxationCase, WaterOfAJointActsOnBothItsFaces) {
     ASSERT_TRUE(pressure[3].part);
     EXPECT_DOUBLE_EQ(pressure[3].part->end - pressure[3].part->begin, 1);
     EXPECT_EQ(complaint_with(joint_water("1", "1")),
-              "slope.toml:18:9: joint_water[1].other = 1: is the block itself: water is between two");
+              "slope.toml:19:9: joint_water[1].other = 1: is the block itself: water is between two");
     EXPECT_EQ(complaint(std::string(row_text) + "[[scene.block]]\nwidth = \"1 m\"\nheight = \"1 m\"\n" +
                         joint_water("1", "3")),
-              "slope.toml:21:9: joint_water[1].other = 3: shares no face with block 1 in the drawing");
+              "slope.toml:22:9: joint_water[1].other = 3: shares no face with block 1 in the drawing");
     EXPECT_NE(
         complaint_with(joint_water("4", "1")).find("joint_water[1].block = 4: must be the number of a block, 1 to 3"),
         std::string::npos);
