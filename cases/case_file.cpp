@@ -2,7 +2,6 @@
 
 #include "cases/case_parts.hpp"
 #include "cases/described_reader.hpp"
-#include "cases/jointed_slope_case.hpp"
 #include "cases/ordinary_file.hpp"
 
 #include <utility>
@@ -122,12 +121,7 @@ CaseFile parse_case(std::string_view text, std::string_view name, const std::vec
     }
     result.model = *std::move(model);
     read_model(root, result.model);
-    if (reading.clean()) {
-        take_outline_file(reading, result.model, std::filesystem::path(name).parent_path(), "");
-    }
-    if (reading.clean()) {
-        check_model(reading, result.model, "");
-    }
+    complete_model(reading, result.model, name, "");
     result.expectations = read_expectations(root, names_of(result.model, outputs_of, reading.inputs_known()));
     if (root.contains("fit")) {
         result.fit = read_fit(root, result, outputs_of);

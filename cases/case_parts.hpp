@@ -3,6 +3,8 @@
 
 #include "cases/case_file.hpp"
 
+#include <filesystem>
+
 namespace delabole {
 
 // What the reader knows of a model while it reads names of inputs and outputs.
@@ -38,7 +40,9 @@ std::optional<CaseModel> choose_model(Section& section);
 void read_model(Section& section, CaseModel& model);
 void replace_in_model(Section& section, CaseModel& model);
 
-// What concerns several inputs at once. `prefix` is the mechanism's path with a dot, or empty for the case.
-void check_model(Reading& reading, const CaseModel& model, const std::string& prefix);
+// Of a model read without a complaint: puts what files beside the case hold in the place of their names, then checks
+// what concerns several inputs at once. `prefix` is the mechanism's path with a dot, or empty for the case.
+void complete_model(Reading& reading, CaseModel& model, const std::filesystem::path& case_path,
+                    const std::string& prefix);
 
 }  // namespace delabole

@@ -44,15 +44,22 @@ std::vector<TableColumnField> table_fields() {
     return fields;
 }
 
-// Throws CaseError with all that is wrong, each with line and column; `name` names the text in messages.
-template <Described Row>
-std::vector<Row> parse_table(std::string_view text, std::string_view name) {
+// What `check` of a table that has nothing to say about its rows as a whole is.
+inline constexpr auto any_rows = [](Reading&, const auto&, const std::vector<Node>&) {};
+
+// Throws CaseError with all that is wrong, each with line and column; `name` names the text in messages. Rows that are
+// right one by one are shown to `check(reading, rows, nodes)`, which may complain at the place of a node.
+template <Described Row, class Check = decltype(any_rows)>
+std::vector<Row> parse_table(std::string_view text, std::string_view name, const Check& check = any_rows) {
     Reading reading{std::string(name)};
     const std::vector<Node> nodes = table_rows(text, table_fields<Row>(), reading);
     std::vector<Row> rows(nodes.size());
     for (std::size_t index = 0; index < nodes.size(); ++index) {
         Section section(reading, nodes[index], "");
         read_fields(section, rows[index]);
+    }
+    if (reading.clean()) {
+        check(reading, rows, nodes);
     }
     reading.finish();
     return rows;

@@ -1,7 +1,6 @@
 // [fit]: what was observed, what is free, how to search.
 #include "cases/case_parts.hpp"
 #include "cases/described_reader.hpp"
-#include "cases/jointed_slope_case.hpp"
 #include "cases/spelling.hpp"
 
 #include <algorithm>
@@ -280,7 +279,7 @@ void read_sign(Section& section, const SharedNames& shared, const ModelNames& na
     signs.push_back({.sign = std::move(sign), .dimension = output->dimension});
 }
 
-void read_coarse(Section& mechanism, FitMechanism& read) {
+void read_coarse(Section& mechanism, const std::filesystem::path& case_path, FitMechanism& read) {
     const Node* node = mechanism.take("coarse");
     const Node* table = node == nullptr ? nullptr : as_table(mechanism.reading(), *node, mechanism.path_of("coarse"));
     if (table == nullptr) {
@@ -290,9 +289,7 @@ void read_coarse(Section& mechanism, FitMechanism& read) {
     read.coarse = read.model;
     replace_in_model(section, *read.coarse);
     section.finish();
-    if (section.reading().clean()) {
-        check_model(section.reading(), *read.coarse, section.path() + ".");
-    }
+    complete_model(section.reading(), *read.coarse, case_path, section.path() + ".");
 }
 
 FitMechanism read_mechanism(Section& section, const CaseFile& case_file, const OutputsOf& outputs_of,
@@ -318,14 +315,8 @@ FitMechanism read_mechanism(Section& section, const CaseFile& case_file, const O
         section.allow("model");
         replace_in_model(section, mechanism.model);
     }
-    if (section.reading().clean()) {
-        take_outline_file(section.reading(), mechanism.model, std::filesystem::path(case_file.name).parent_path(),
-                          section.path() + ".");
-    }
-    if (section.reading().clean()) {
-        check_model(section.reading(), mechanism.model, section.path() + ".");
-    }
-    read_coarse(section, mechanism);
+    complete_model(section.reading(), mechanism.model, case_file.name, section.path() + ".");
+    read_coarse(section, case_file.name, mechanism);
     names.push_back(names_of(mechanism.model, outputs_of, section.reading().inputs_known()));
     mechanism.parameters = read_parameters(section, names.back());
     read_own_observations(section, shared, names.back(), mechanism.observations);

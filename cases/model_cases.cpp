@@ -1,5 +1,7 @@
 #include "cases/model_cases.hpp"
 #include "cases/case_parts.hpp"
+#include "cases/jointed_slope_case.hpp"
+#include "cases/shaking_file.hpp"
 #include "cases/spelling.hpp"
 
 #include <algorithm>
@@ -22,9 +24,17 @@ void check_input_name(Checker& checker, const std::string& key, const std::strin
     }
 }
 
-void check_model(Reading& reading, const CaseModel& model, const std::string& prefix) {
-    Checker checker(reading, prefix);
-    std::visit([&](const auto& alternative) { check_case(checker, alternative); }, model);
+void complete_model(Reading& reading, CaseModel& model, const std::filesystem::path& case_path,
+                    const std::string& prefix) {
+    if (!reading.clean()) {
+        return;
+    }
+    take_outline_file(reading, model, case_path.parent_path(), prefix);
+    take_shaking_file(reading, model, case_path.parent_path(), prefix);
+    if (reading.clean()) {
+        Checker checker(reading, prefix);
+        std::visit([&](const auto& alternative) { check_case(checker, alternative); }, model);
+    }
 }
 
 std::vector<Quantity> known_outputs(const CaseModel& model) {

@@ -2,7 +2,9 @@
 #include "cases/jointed_slope_case.hpp"
 #include "cases/model_cases.hpp"
 #include "cases/units.hpp"
+#include "dynamic_relaxation/joint_water.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
+#include "dynamic_relaxation/scene_check.hpp"
 
 #include <cmath>
 
@@ -94,6 +96,26 @@ std::size_t index_of(double number) {
     return static_cast<std::size_t>(number) - 1;
 }
 
+void check_joint_water(Checker& checker, const std::vector<WaterInJoint>& joint_water, const RelaxationScene& scene) {
+    // Bodies of outlines that the scene's check refuses are none.
+    const bool drawn = check_scene(scene).check != SceneCheck::outline_not_convex;
+    for (std::size_t index = 0; index < joint_water.size(); ++index) {
+        const WaterInJoint& water = joint_water[index];
+        const std::string key = indexed("joint_water", index);
+        const bool known = check_block_number(checker, key + ".block", water.block, scene);
+        if (!check_block_number(checker, key + ".other", water.other, scene) || !known) {
+            continue;
+        }
+        if (water.block == water.other) {
+            checker.complain(key + ".other", "is the block itself: water is between two");
+        } else if (drawn &&
+                   pressures_of({index_of(water.block), index_of(water.other), 0, 0}, make_bodies(scene)).empty()) {
+            checker.complain(key + ".other", "shares no face with block " + std::to_string(index_of(water.block) + 1) +
+                                                 " in the drawing");
+        }
+    }
+}
+
 void check_loads(Checker& checker, const Relaxation& model, const RelaxationScene& scene) {
     for (std::size_t index = 0; index < model.force.size(); ++index) {
         check_block_number(checker, indexed("force", index) + ".block", model.force[index].block, scene);
@@ -109,6 +131,7 @@ void check_loads(Checker& checker, const Relaxation& model, const RelaxationScen
             }
         }
     }
+    check_joint_water(checker, model.joint_water, scene);
     check_increasing(checker, model.shaking, &ShakingPoint::time, "shaking", "time");
     for (std::size_t index = 0; index < model.motion.size(); ++index) {
         const FixedBlockMotion& motion = model.motion[index];

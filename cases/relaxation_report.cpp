@@ -96,6 +96,20 @@ std::string run_in_words(const RelaxationRun& made) {
     }
 }
 
+// A step that was divided now and then is shorter in the mean.
+void append_divided_step_warning(const RelaxationRun& made, Analysis& analysis) {
+    const std::optional<double>& given = made.settings.time_step;
+    const std::uint64_t steps = made.result.cost.steps;
+    constexpr double rounding = 1e-9;
+    if (!given || steps == 0 || made.result.time >= (1 - rounding) * *given * static_cast<double>(steps)) {
+        return;
+    }
+    analysis.warnings.push_back("settings.time_step, " + value_in_words(*given, Dimension::time) +
+                                ", is longer than springs and dashpots bear and was divided: steps of " +
+                                value_in_words(made.result.time / static_cast<double>(steps), Dimension::time) +
+                                " in the mean were made");
+}
+
 // Keeps a study's progress in the checkpoint now and then, and when the work is told to end.
 class Keeper {
   public:
@@ -185,6 +199,7 @@ void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
 
 void append_run_warnings(const RelaxationRun& made, Analysis& analysis) {
     append_start_warnings(made, analysis);
+    append_divided_step_warning(made, analysis);
     const RelaxationResult& result = made.result;
     if (result.outcome == RelaxationOutcome::equilibrium && result.onset_time) {
         analysis.warnings.push_back("the blocks came to rest only after the onset of failure at " +
@@ -338,6 +353,8 @@ std::string explain_failure(const RelaxationStudy& study, std::string_view, cons
                " overlap in the drawing by more than ten times what their weight would do: they would explode";
     case SceneCheck::bond_without_face:
         return "the two faces of bond " + std::to_string(fault.index + 1) + " do not lie on each other in the drawing";
+    case SceneCheck::unknown_edge:
+        return "a load is on a face that does not exist, or two blocks with water between them share none";
     case SceneCheck::unknown_block:
         return "a load is on a block that does not exist: there are " +
                std::to_string(relaxation_scene(study).block.size());

@@ -24,6 +24,9 @@ PlanePoint<> gravity_at(const Gravity& gravity, double time) {
     return gravity.acceleration * PlanePoint<>(-std::sin(tilt), -std::cos(tilt));
 }
 
+namespace {
+
+// The last value kept.
 PlanePoint<> value_at(const std::vector<TimedVector>& record, double time) {
     if (record.empty() || time < record.front().time) {
         return {0, 0};
@@ -38,11 +41,25 @@ PlanePoint<> value_at(const std::vector<TimedVector>& record, double time) {
     return before.value + share * (after->value - before.value);
 }
 
+}  // namespace
+
+PlanePoint<> shaking_at(const RelaxationScene& scene, double time) {
+    if (scene.shaking.size() > 1 && time > scene.shaking.back().time) {
+        return {0, 0};
+    }
+    const PlanePoint<> value = value_at(scene.shaking, time);
+    const double tilt = tilt_at(scene.gravity, time);
+    return value.x() * PlanePoint<>(std::cos(tilt), -std::sin(tilt)) +
+           value.y() * PlanePoint<>(std::sin(tilt), std::cos(tilt));
+}
+
 FaceForce force_of(const FacePressure& pressure, const Bodies& bodies, const Motion& motion) {
     const std::size_t edge = bodies.range[pressure.block].begin + pressure.edge;
-    const double length = bodies.length[edge];
+    const EdgePart part = pressure.part.value_or(EdgePart{0, bodies.length[edge]});
+    const double length = part.end - part.begin;
     const double sum = pressure.at_first + pressure.at_second;
-    const double centre = sum != 0 ? length * (pressure.at_first + 2 * pressure.at_second) / (3 * sum) : 0;
+    const double centre =
+        part.begin + (sum != 0 ? length * (pressure.at_first + 2 * pressure.at_second) / (3 * sum) : 0);
     const PlanePoint<> inward = -bodies.normal(edge);
     return {motion.turned(bodies.corner[edge] + centre * bodies.along[edge]),
             motion.turned(PlanePoint<>(sum / 2 * length * inward))};
@@ -62,7 +79,7 @@ void sum_loads(const RelaxationScene& scene, const RelaxationSettings& settings,
     const double ramp =
         settings.start == RelaxationStart::ramped && time < settings.ramp_time ? time / settings.ramp_time : 1;
     const PlanePoint<> gravity = ramp * gravity_at(scene.gravity, time);
-    const PlanePoint<> shaking = value_at(scene.shaking, time);
+    const PlanePoint<> shaking = shaking_at(scene, time);
     const PlanePoint<> acceleration = scene.belt ? PlanePoint<>(-shaking) : PlanePoint<>(gravity - shaking);
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         load[block] = {bodies.mass[block] * acceleration.x(), bodies.mass[block] * acceleration.y(), 0};

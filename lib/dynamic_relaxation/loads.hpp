@@ -12,7 +12,8 @@ namespace delabole {
 
 double tilt_at(const Gravity& gravity, double time);           // rad
 PlanePoint<> gravity_at(const Gravity& gravity, double time);  // m/s2
-PlanePoint<> value_at(const std::vector<TimedVector>& record, double time);
+// Of the ground, in the drawing, m/s2.
+PlanePoint<> shaking_at(const RelaxationScene& scene, double time);
 
 struct FaceForce {
     PlanePoint<> arm;    // about the block's centroid, as it is turned now

@@ -304,8 +304,10 @@ struct ForceOnBlock {
             number("block", &F::block, Dimension::ratio, at_least(1), "number of the block"),
             number("x", &F::x, Dimension::length, any_number(), "where it acts, in the drawing; moves with the block"),
             number("y", &F::y, Dimension::length, any_number(), "where it acts, in the drawing"),
-            number("horizontal", &F::horizontal, Dimension::force_per_length, any_number(), "along x of the drawing"),
-            number("vertical", &F::vertical, Dimension::force_per_length, any_number(), "along y of the drawing")};
+            number("horizontal", &F::horizontal, Dimension::force_per_length, any_number(),
+                   "along x of the drawing, however it is tilted"),
+            number("vertical", &F::vertical, Dimension::force_per_length, any_number(),
+                   "along y of the drawing, likewise")};
     }
 };
 
@@ -325,6 +327,25 @@ struct WaterPressure {
     }
 };
 
+struct WaterInJoint {
+    double block;
+    double other;
+    double at_first;
+    double at_second;
+    static constexpr auto fields() {
+        using W = WaterInJoint;
+        return std::tuple{
+            number("block", &W::block, Dimension::ratio, at_least(1), "number of a block"),
+            number("other", &W::other, Dimension::ratio, at_least(1), "number of a block whose face lies on its face"),
+            number(
+                "at_first", &W::at_first, Dimension::stress, at_least(0),
+                "pressure at the end of what they share that comes first anticlockwise round the block (from a block "
+                "of a row to the next one up: below; to the plane: at the toe)"),
+            number("at_second", &W::at_second, Dimension::stress, at_least(0),
+                   "pressure at its other end, linear between")};
+    }
+};
+
 struct ShakingPoint {
     double time;
     double horizontal;
@@ -333,8 +354,11 @@ struct ShakingPoint {
         using S = ShakingPoint;
         return std::tuple{
             number("time", &S::time, Dimension::time, at_least(0), "of the record, increasing"),
-            number("horizontal", &S::horizontal, Dimension::acceleration, any_number(), "of the ground, along x"),
-            number("vertical", &S::vertical, Dimension::acceleration, any_number(), "of the ground, along y")};
+            number(
+                "horizontal", &S::horizontal, Dimension::acceleration, any_number(),
+                "of the ground into the slope, truly horizontal: normal to gravity, which a tilt turns in the drawing"),
+            number("vertical", &S::vertical, Dimension::acceleration, any_number(),
+                   "of the ground, upward against gravity")};
     }
 };
 
@@ -374,9 +398,10 @@ struct FixedBlockMotion {
     std::vector<VelocityPoint> velocity;
     static constexpr auto fields() {
         using M = FixedBlockMotion;
-        return std::tuple{number("fixed_block", &M::block, Dimension::ratio, at_least(1), "number of a fixed block"),
-                          section("turning", &M::turning, "about a point"),
-                          section("velocity", &M::velocity, "linear between, the last one kept")};
+        return std::tuple{
+            number("fixed_block", &M::block, Dimension::ratio, at_least(1), "number of a fixed block"),
+            section("turning", &M::turning, "about a point"),
+            section("velocity", &M::velocity, "linear between, zero before the first, the last one kept")};
     }
 };
 
@@ -392,11 +417,13 @@ struct BlockRemoval {
 
 struct Relaxation {
     std::optional<double> gravity;
+    std::optional<std::string> shaking_file;
     BlockScene scene;
     std::optional<Tilting> tilting;
     std::optional<BaseFriction> base_friction;
     std::vector<ForceOnBlock> force;
     std::vector<WaterPressure> pressure;
+    std::vector<WaterInJoint> joint_water;
     std::vector<ShakingPoint> shaking;
     std::vector<FixedBlockMotion> motion;
     std::vector<BlockRemoval> removal;
@@ -404,13 +431,20 @@ struct Relaxation {
         using R = Relaxation;
         return std::tuple{
             number("gravity", &R::gravity, Dimension::acceleration, at_least(0), "acceleration; absent: 9.80665 m/s2"),
+            section("shaking_file", &R::shaking_file,
+                    "CSV file with the record of shaking, beside the case, columns time_s, horizontal_m_per_s2, "
+                    "vertical_m_per_s2; or shaking"),
             section("scene", &R::scene, "the blocks and their joints"),
             section("tilting", &R::tilting, "tilt that grows"),
             section("base_friction", &R::base_friction,
                     "a belt that drives the blocks, pressed on it by gravity; absent: gravity drives them"),
-            section("force", &R::force, "point forces"),
-            section("pressure", &R::pressure, "water on faces of blocks"),
-            section("shaking", &R::shaking, "record of the ground's acceleration"),
+            section("force", &R::force, "point forces, along the axes of the drawing"),
+            section("pressure", &R::pressure, "water on single faces of blocks"),
+            section("joint_water", &R::joint_water,
+                    "water between two blocks, on both, over what their faces share at the start"),
+            section("shaking", &R::shaking,
+                    "record of the ground's acceleration: linear between, zero before the first and after the last; "
+                    "one alone: that acceleration from its time on"),
             section("motion", &R::motion, "prescribed motion of fixed blocks"),
             section("removal", &R::removal, "blocks taken away: excavation")};
     }

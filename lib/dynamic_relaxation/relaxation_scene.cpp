@@ -1,5 +1,6 @@
 // Case parameters to scene and settings.
 #include "dynamic_relaxation/bonds.hpp"
+#include "dynamic_relaxation/joint_water.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
 #include "dynamic_relaxation/scenes.hpp"
 #include "dynamic_relaxation/slope_scene.hpp"
@@ -266,6 +267,26 @@ bool all_joints_known(const RelaxationScene& scene) {
     });
 }
 
+// Blocks that share no face get a pressure on one that the scene's check refuses.
+void add_joint_water(RelaxationScene& scene, const std::vector<WaterInJoint>& joint_water) {
+    constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+    if (joint_water.empty() || !all_joints_known(scene)) {
+        return;
+    }
+    const Bodies bodies = make_bodies(scene);
+    for (const WaterInJoint& given : joint_water) {
+        const JointWater water{index_of(given.block), index_of(given.other), given.at_first, given.at_second};
+        std::vector<FacePressure> pressures;
+        if (water.block < bodies.size() && water.other < bodies.size()) {
+            pressures = pressures_of(water, bodies);
+        }
+        if (pressures.empty()) {
+            pressures.push_back({water.block, nowhere, water.at_first, water.at_second});
+        }
+        scene.pressure.insert(scene.pressure.end(), pressures.begin(), pressures.end());
+    }
+}
+
 void apply_crack_opening(const RelaxationStudy& study, RelaxationSettings& settings) {
     constexpr double of_columns = 0.01;
     std::optional<double> share = study.settings.value_or(RelaxationNumerics{}).crack_opening;
@@ -311,6 +332,7 @@ RelaxationScene relaxation_scene(const RelaxationStudy& study) {
         scene.pressure.push_back(
             {index_of(pressure.block), index_of(pressure.edge), pressure.at_first, pressure.at_second});
     }
+    add_joint_water(scene, model.joint_water);
     for (const ShakingPoint& point : model.shaking) {
         scene.shaking.push_back({point.time, {point.horizontal, point.vertical}});
     }
@@ -347,7 +369,7 @@ RelaxationSettings relaxation_settings(const RelaxationStudy& study) {
     settings.time_step = numerics.time_step;
     take(settings.viscous_damping, numerics.viscous_damping);
     // What shaking leaves behind are displacements; damping would take its share of them.
-    settings.local_damping = study.model.shaking.empty() ? settings.local_damping : 0;
+    settings.local_damping = study.model.shaking.size() > 1 ? 0 : settings.local_damping;
     take(settings.local_damping, numerics.local_damping);
     settings.kinetic_damping = numerics.kinetic_damping == OffOn::on;
     settings.mass_scaling = numerics.mass_scaling == OffOn::on;

@@ -77,26 +77,33 @@ struct Gravity {
 struct PointForce {
     std::size_t block;
     PlanePoint<> at;     // in the drawing; moves with the block
-    PlanePoint<> force;  // N/m, keeps its direction
+    PlanePoint<> force;  // N/m, along the axes of the drawing; keeps its direction there, also while gravity turns
+};
+
+// Part of an edge, m from its first vertex.
+struct EdgePart {
+    double begin;  // at least 0
+    double end;    // more than `begin`
 };
 
 // Water in a joint: presses on one face of one block, linear from the edge's first vertex to its second, normal to the
-// face wherever the block goes. The joint's other face is a pressure of its own.
+// face wherever the block goes. The joint's other face is a pressure of its own (joint_water.hpp).
 struct FacePressure {
     std::size_t block;
     std::size_t edge;
-    double at_first;   // Pa, at least 0
-    double at_second;  // Pa, at least 0
+    double at_first;                    // Pa, at least 0; where the part begins
+    double at_second;                   // Pa, at least 0; where it ends
+    std::optional<EdgePart> part = {};  // that is pressed; absent: the whole edge
 };
 
 struct TimedVector {
     double time;         // s, increasing
-    PlanePoint<> value;  // linear between, the last one kept, zero before the first
+    PlanePoint<> value;  // linear between
 };
 
 struct PrescribedMotion {
     std::size_t block;                  // a fixed one
-    std::vector<TimedVector> velocity;  // m/s, of the centroid
+    std::vector<TimedVector> velocity;  // m/s, of the centroid in the drawing; zero before the first, the last one kept
     double angular_velocity = 0;        // rad/s about `pivot`, from `start` for `duration`
     PlanePoint<> pivot = {0, 0};
     double start = 0;
@@ -121,7 +128,10 @@ struct RelaxationScene {
     Gravity gravity = {};
     std::vector<PointForce> force = {};
     std::vector<FacePressure> pressure = {};
-    std::vector<TimedVector> shaking = {};  // acceleration of the ground, m/s2; the scene is seen from the ground
+    // Acceleration of the ground, m/s2: horizontal, towards +x in a drawing that is not tilted, and upward, as gravity
+    // has them at that time, on a belt its direction. Zero before the first and after the last; one alone stays. The
+    // scene is seen from the ground.
+    std::vector<TimedVector> shaking = {};
     std::vector<PrescribedMotion> motion = {};
     std::vector<Removal> removal = {};
     std::vector<BondMaterial> bond_material = {};

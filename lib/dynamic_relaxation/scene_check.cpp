@@ -186,6 +186,16 @@ SceneFault check_loads(const RelaxationScene& scene) {
         if (pressure.at_first < 0 || pressure.at_second < 0) {
             return {SceneCheck::load_out_of_range, index};
         }
+        if (const std::optional<EdgePart>& part = pressure.part) {
+            if (!std::isfinite(part->begin) || !std::isfinite(part->end)) {
+                return {SceneCheck::number_not_finite, index};
+            }
+            const Polygon<>& outline = scene.block[pressure.block].outline;
+            const double length = (outline[(pressure.edge + 1) % outline.size()] - outline[pressure.edge]).norm();
+            if (!(part->begin >= 0 && part->end > part->begin && part->end <= length)) {
+                return {SceneCheck::load_out_of_range, index};
+            }
+        }
     }
     for (std::size_t index = 0; index < scene.motion.size(); ++index) {
         const PrescribedMotion& motion = scene.motion[index];

@@ -43,7 +43,9 @@ void Simulation::look() {
                farthest.displacement > settings_.collapse_displacement) {
         decide(RelaxationOutcome::collapse);
     } else if (settings_.stop_at_equilibrium && !growing && !carried_along() &&
-               unbalanced < settings_.equilibrium_ratio && state_.time >= last_scheduled_time(scene_, settings_)) {
+               unbalanced < settings_.equilibrium_ratio &&
+               // The last step was made under the last of the loads.
+               state_.time - state_.last_step > last_scheduled_time(scene_, settings_)) {
         decide(RelaxationOutcome::equilibrium);
     }
 }

@@ -142,6 +142,52 @@ TEST(RelaxationCase, RefusesWhatContradictsItself) {
               std::string::npos);
 }
 
+std::string joint_water(std::string_view block, std::string_view other) {
+    return "[[joint_water]]\nblock = " + std::string(block) + "\nother = " + std::string(other) +
+           "\nat_first = \"20 kPa\"\nat_second = \"5 kPa\"\n";
+}
+
+TEST(RelaxationCase, WaterOfAJointActsOnBothItsFaces) {
+    const CaseFile file = parse_case(std::string(row_text) + joint_water("1", "2") + joint_water("2", "3"), "case");
+    const std::vector<FacePressure> pressure = relaxation_scene(std::get<RelaxationStudy>(file.model)).pressure;
+    ASSERT_EQ(pressure.size(), 4U);
+    EXPECT_EQ(pressure[0].block, 0U);
+    EXPECT_EQ(pressure[0].edge, 1U);
+    EXPECT_DOUBLE_EQ(pressure[0].at_first, 20e3);
+    EXPECT_EQ(pressure[1].block, 1U);
+    EXPECT_EQ(pressure[1].edge, 3U);
+    EXPECT_DOUBLE_EQ(pressure[1].at_second, 20e3);
+    // Of the plane, which begins three widths before the row, that under the second block.
+    EXPECT_EQ(pressure[3].block, 2U);
+    ASSERT_TRUE(pressure[3].part);
+    EXPECT_DOUBLE_EQ(pressure[3].part->end - pressure[3].part->begin, 1);
+    EXPECT_EQ(complaint_with(joint_water("1", "1")),
+              "slope.toml:19:9: joint_water[1].other = 1: is the block itself: water is between two");
+    EXPECT_EQ(complaint(std::string(row_text) + "[[scene.block]]\nwidth = \"1 m\"\nheight = \"1 m\"\n" +
+                        joint_water("1", "3")),
+              "slope.toml:22:9: joint_water[1].other = 3: shares no face with block 1 in the drawing");
+    EXPECT_NE(
+        complaint_with(joint_water("4", "1")).find("joint_water[1].block = 4: must be the number of a block, 1 to 3"),
+        std::string::npos);
+    EXPECT_NE(complaint_with(joint_water("1", "1.5")).find("joint_water[1].other = 1.5: must be the number of a block"),
+              std::string::npos);
+}
+
+TEST(RelaxationCase, SaysThatTheTimeStepGivenWasDivided) {
+    const auto warning_at = [](std::string_view step) -> std::string {
+        const Analysis analysis =
+            analysis_of(std::string(row_text) + "[settings]\ntime_step = \"" + std::string(step) + "\"\n");
+        const auto found = std::ranges::find_if(
+            analysis.warnings, [](const std::string& warning) { return warning.starts_with("settings.time_step, "); });
+        return found == analysis.warnings.end() ? "" : *found;
+    };
+    EXPECT_TRUE(
+        warning_at("10 ms").starts_with("settings.time_step, 0.01 s, is longer than springs and dashpots bear "
+                                        "and was divided: steps of "))
+        << warning_at("10 ms");
+    EXPECT_EQ(warning_at("1e-6 s"), "");
+}
+
 // What only the scene as a whole can judge, with the words a user gets.
 TEST(RelaxationCase, NamesWhatMakesASceneImpossible) {
     const auto explained = [](std::string_view text) {

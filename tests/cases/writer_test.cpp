@@ -186,8 +186,9 @@ TEST(Template, OptionalSectionsAreValid) {
     expect_valid_sections("stepped_base", {"# [slope.bench]", "# [seismic]", "# [[surcharge]]", "# [[line_load]]",
                                            "# [[point_load]]", "# [[bolt]]", "# [slide_head.water]", "# [critical]",
                                            "# [[required]]", "# [[required_cable]]", "# [linear_programming_bound]"});
-    expect_valid_sections("relaxation", {"# [tilting]", "# [[force]]", "# [[pressure]]", "# [[shaking]]",
-                                         "# [[removal]]", "# [settings]", "# [critical]", "# [history]"});
+    expect_valid_sections("relaxation",
+                          {"# [tilting]", "# [[force]]", "# [[pressure]]", "# [[joint_water]]", "# [[shaking]]",
+                           "# [[removal]]", "# [settings]", "# [critical]", "# [history]"});
     expect_valid_sections("kinematics", {"# [slope.upper_surface]", "# [sampling]"});
 }
 

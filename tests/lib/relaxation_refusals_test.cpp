@@ -93,6 +93,21 @@ TEST(Refusals, NumbersThatAreNone) {
     }
 }
 
+TEST(Refusals, PartsThatAreNotOfTheirEdge) {
+    const auto check_of = [](const EdgePart& part) {
+        RelaxationScene scene = full_scene();
+        scene.pressure[0].part = part;
+        return word(fault_of(scene).check);
+    };
+    EXPECT_EQ(check_of({0, 1}), "valid");
+    EXPECT_EQ(check_of({0.25, 0.5}), "valid");
+    for (const EdgePart& part : {EdgePart{-0.1, 1}, EdgePart{0, 1.1}, EdgePart{0.5, 0.5}, EdgePart{0.5, 0.25}}) {
+        EXPECT_EQ(check_of(part), "load_out_of_range") << part.begin << " to " << part.end;
+    }
+    EXPECT_EQ(check_of({nan, 1}), "number_not_finite");
+    EXPECT_EQ(check_of({0, infinity}), "number_not_finite");
+}
+
 TEST(Refusals, UnknownBlocksEdgesAndMaterials) {
     const auto spoilt = [](const std::function<void(RelaxationScene&)>& spoil) {
         RelaxationScene scene = full_scene();
