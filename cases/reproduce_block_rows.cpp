@@ -1,5 +1,6 @@
 // 5.3.3 and 5.3.4 of the thesis: three and four blocks, and columns of unequal height.
 #include "cases/clean_chapter_5.hpp"
+#include "cases/interrupt.hpp"
 #include "cases/relaxation_drawing.hpp"
 #include "cases/reproduction_chapter_5.hpp"
 #include "fitting/words.hpp"
@@ -60,6 +61,7 @@ std::vector<TotalsRange> spread_of_totals(const Chapter5Run& run, const ComputeF
     std::vector<TotalsRange> ranges(columns);
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);
     for (int seed = 1; seed <= starts; ++seed) {
+        stop_if_interrupted();
         const HockingResult result = compute(run, perturbed(blocks, unit, static_cast<unsigned>(seed)));
         if (result.outcome == HockingOutcome::blown_out) {
             continue;

@@ -1,6 +1,7 @@
 // The thesis's chapter 5: what its items share, and single blocks. Rows of two in reproduce_double_blocks.cpp, the
 // blow-out in reproduce_blow_out.cpp, other rows and slopes in reproduce_block_rows.cpp.
 #include "cases/clean_chapter_5.hpp"
+#include "cases/interrupt.hpp"
 #include "cases/relaxation_drawing.hpp"
 #include "cases/reproduction_chapter_5.hpp"
 #include "fitting/words.hpp"
@@ -297,6 +298,7 @@ OutcomeCount count_outcomes(const Chapter5Run& run, double unit, int runs) {
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);
     OutcomeCount count;
     for (int seed = 1; seed <= runs; ++seed) {
+        stop_if_interrupted();
         count.include(run_hocking(perturbed(blocks, unit, static_cast<unsigned>(seed)), run.settings).outcome);
     }
     return count;
@@ -306,6 +308,7 @@ OutcomeCount count_clean_outcomes(const Chapter5Run& run, RelaxationStart start,
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);
     OutcomeCount count;
     for (int seed = 1; seed <= runs; ++seed) {
+        stop_if_interrupted();
         count.include(run_clean(run, perturbed(blocks, unit, static_cast<unsigned>(seed)), start).history.outcome);
     }
     return count;
