@@ -200,6 +200,25 @@ TEST(RelaxationCase, ASearchThatFindsNothingSaysWhichBoundToMove) {
     EXPECT_EQ(high.unfinished, "the blocks fail even at 5 deg: raise critical.upper");
 }
 
+TEST(RelaxationCase, ASearchShowsItsBracketBesideItsAnswer) {
+    const auto shown = [](const Analysis& analysis, std::string_view name) {
+        const NamedOutput* output = analysis.find(name);
+        return output != nullptr && !output->detail;
+    };
+    const Analysis found = analysis_of(std::string(row_text) +
+                                       "[critical]\nparameter = \"tilt\"\nlower = \"5 deg\"\nupper = \"40 deg\"\n");
+    EXPECT_TRUE(shown(found, "critical.stands"));
+    EXPECT_TRUE(shown(found, "critical.fails"));
+    EXPECT_FALSE(shown(found, "critical.runs"));
+    const double answer = std::get<double>(found.find("critical_tilt")->value);
+    EXPECT_LT(std::get<double>(found.find("critical.stands")->value), answer);
+    EXPECT_GT(std::get<double>(found.find("critical.fails")->value), answer);
+    // Without an answer the greater bound was never found to fail.
+    const Analysis not_found =
+        analysis_of(std::string(row_text) + "[critical]\nparameter = \"tilt\"\nlower = \"1 deg\"\nupper = \"5 deg\"\n");
+    EXPECT_FALSE(shown(not_found, "critical.fails"));
+}
+
 TEST(RelaxationCase, SaysThatAStartOfAThousandBricksWasCutShort) {
     CaseFile file = parse_case(blocks_text, "case");
     RelaxationStudy& study = std::get<RelaxationStudy>(file.model);
