@@ -10,6 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 namespace delabole {
 namespace {
@@ -217,6 +221,35 @@ TEST(RelaxationCase, ASearchShowsItsBracketBesideItsAnswer) {
     const Analysis not_found =
         analysis_of(std::string(row_text) + "[critical]\nparameter = \"tilt\"\nlower = \"1 deg\"\nupper = \"5 deg\"\n");
     EXPECT_FALSE(shown(not_found, "critical.fails"));
+}
+
+// A block without friction slides and does not turn; its base presses it all the way.
+TEST(RelaxationCase, DrawsWhatAHistoryHasAndNothingEmpty) {
+    const std::string text =
+        changed(changed(row_text, "\"30 deg\"", "\"0 deg\""), "[[scene.block]]\nwidth = \"1 m\"\nheight = \"2 m\"\n",
+                "") +
+        "[settings]\nstop = \"collapse\"\nduration = \"0.02 s\"\nviscous_damping = 0\nlocal_damping = 0\n"
+        "[history]\ninterval = \"0.002 s\"\n[[history.block]]\nblock = 1\n"
+        "[[history.contact]]\nblock = 1\nother = 2\n";
+    const CaseFile file = parse_case(text, "case");
+    const std::filesystem::path path = std::filesystem::temp_directory_path() / "delabole_history_figures";
+    std::filesystem::remove_all(path);
+    Options options;
+    options.out = path.string();
+    options.quiet = true;
+    Report report;
+    append_case_figures(std::get<RelaxationStudy>(file.model), analyse_model(file.model),
+                        ResultFolder(options, "case", OnInterrupt::stop), report);
+    const auto script = [&](const std::string& name) {
+        std::ifstream stream(path / "figures" / (name + ".gp"));
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    };
+    EXPECT_FALSE(std::filesystem::exists(path / "figures" / "rotations.gp"));
+    EXPECT_NE(script("displacements").find("displacement (m)"), std::string::npos);
+    EXPECT_NE(script("displacements").find("block 1 x"), std::string::npos);
+    EXPECT_NE(script("monitored_contacts").find("force on the first block (kN/m)"), std::string::npos);
+    EXPECT_NE(script("monitored_contacts").find("contact 1 2 normal"), std::string::npos);
+    std::filesystem::remove_all(path);
 }
 
 TEST(RelaxationCase, SaysThatAStartOfAThousandBricksWasCutShort) {
