@@ -383,7 +383,12 @@ class BlockPicture {
             for (const auto& [kind, colour] : kinds) {
                 add_chains(kind, colour);
             }
-            add_line({key_.from, key_.to}, "", Colour::black, Dash::solid, chain_width(key_force_));
+            // Not a line: of one with a single stretch gnuplot cuts the end aslant.
+            const Point half(0, 0.5 * chain_width(key_force_) * metres_per_px_);
+            figure_.series.emplace_back(
+                Region{.outline = {key_.from - half, key_.to - half, key_.to + half, key_.from + half},
+                       .colour = Colour::black,
+                       .opacity = 1});
             return;
         }
         for (const auto& [kind, colour] : kinds) {
@@ -404,7 +409,7 @@ class BlockPicture {
 
     // px; of the greatest force a good part of a block.
     double chain_width(double force) const {
-        return std::clamp(0.5 * block_size_ / metres_per_px_, 3.0, 12.0) * force / greatest_force_;
+        return std::clamp(0.9 * block_size_ / metres_per_px_, 4.0, 12.0) * force / greatest_force_;
     }
 
     // A line has one width: forces are sorted into as many as the eye can tell apart.

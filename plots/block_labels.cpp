@@ -40,7 +40,11 @@ class BlockLabels {
         for (Numeral& numeral : shown) {
             numeral.at = every ? place_of(numeral) : numeral.at;
         }
-        std::erase_if(shown, [&](const Numeral& numeral) { return covers_velocity(place_of_text(numeral)); });
+        // Of numbers that have not all room, those few that cover no velocity would mean nothing.
+        std::erase_if(shown, [&](const Numeral& numeral) {
+            return covers_velocity(place_of_text(numeral)) ||
+                   (!every && !across_.velocities.empty() && numeral.block->mode != DrawnMode::fixed);
+        });
         for (const Numeral& numeral : shown) {
             result.push_back(label_of(numeral, !every));
         }
@@ -59,8 +63,8 @@ class BlockLabels {
                 .size = numeral.size / text_height};
     }
 
-    // Long, but too thin for its label.
-    bool goes_beside(const DrawnBlock& block) const {
+    // Of a fixed block that is long and thin, as a base is.
+    bool bar(const DrawnBlock& block) const {
         if (block.mode != DrawnMode::fixed || block.label.empty()) {
             return false;
         }
@@ -68,10 +72,17 @@ class BlockLabels {
         for (const Point& corner : block.outline) {
             length = std::max(length, (corner - block.outline.front()).norm());
         }
-        const Numeral smallest{&block, centroid_of(block), smallest_label, Numeral::Thinned::always};
-        return length > 3 * smallest_label * metres_per_px_ &&
-               crosses(widened(place_of_text(smallest)), closed(block.outline));
+        const double thickness = std::abs(area_properties(block.outline).area) / length;
+        return length > 4 * thickness && length > 3 * smallest_label * metres_per_px_;
     }
+
+    // Without touching the outline.
+    bool fits(const DrawnBlock& block, double size) const {
+        const Numeral numeral{&block, centroid_of(block), size, Numeral::Thinned::always};
+        return !crosses(widened(place_of_text(numeral)), closed(block.outline));
+    }
+
+    bool goes_beside(const DrawnBlock& block) const { return bar(block) && !fits(block, beside_size); }
 
     // Beside long thin blocks, where nothing else is drawn.
     std::vector<Numeral> beside(const std::vector<Numeral>& inside_blocks) const {
@@ -187,6 +198,10 @@ class BlockLabels {
     // Height of a text that stays within its block, px.
     double fitting_size(const DrawnBlock& block) const {
         const Point at = centroid_of(block);
+        if (bar(block)) {
+            // Chords along a sloping one are long, and the text touches its sides all the same.
+            return fits(block, text_height) ? text_height : beside_size;
+        }
         const double letters = static_cast<double>(letter_count(block.label)) + 0.4;
         return std::min(chord(block.outline, at, 0) / (letter_width * letters), chord(block.outline, at, 1)) /
                metres_per_px_;

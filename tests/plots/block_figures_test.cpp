@@ -342,12 +342,14 @@ TEST(BlockFigure, DrawsManyForcesAsChainsAsThickAsTheyAreGreat) {
         }
     }
     EXPECT_EQ(links, drawing.forces.size());
-    // The key is a line of that width, and says of which force.
+    // The key is as thick, and says of which force.
     const auto text =
         std::ranges::find_if(figure.labels, [](const Label& label) { return label.text.ends_with(" kN/m"); });
     ASSERT_NE(text, figure.labels.end());
-    const std::vector<Line> lines = all<Line>(figure);
-    EXPECT_NEAR(lines.back().width, px_per_newton * 1e3 * std::stod(text->text), 1e-9);
+    const Polyline key = all<Region>(figure).back().outline;
+    const double metres_per_px = (figure.x.range->second - figure.x.range->first) / 620;
+    // Rounding: the drawing is as wide as the plot, 620 px.
+    EXPECT_NEAR((key[3] - key[0]).norm() / metres_per_px, px_per_newton * 1e3 * std::stod(text->text), 1e-9);
     drawing.forces.resize(40);
     EXPECT_FALSE(all<Arrows>(block_figure(drawing)).empty()) << "few are arrows";
 }
