@@ -37,6 +37,14 @@ void write_checkpoint(const std::filesystem::path& path, const RelaxationStudy& 
     write_file_atomically(path, checkpoint_of(study, frames, progress));
 }
 
+void remove_checkpoint(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored)) {
+        std::filesystem::remove(path, ignored);
+    }
+    remove_abandoned_parts(path);
+}
+
 KeptProgress read_checkpoint(const std::filesystem::path& path, const RelaxationStudy& study, KeepFrames frames) {
     std::error_code error;
     if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) {

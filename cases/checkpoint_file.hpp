@@ -13,6 +13,9 @@ namespace delabole {
 void write_checkpoint(const std::filesystem::path& path, const RelaxationStudy& study, KeepFrames frames,
                       const StudyProgress& progress);
 
+// With what runs that were killed while they wrote it have left.
+void remove_checkpoint(const std::filesystem::path& path);
+
 struct KeptProgress {
     StudyProgress progress = {};  // empty unless found
     bool found = false;

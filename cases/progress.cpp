@@ -37,10 +37,13 @@ Progress::~Progress() {
 
 void Progress::report(double share, const std::string& what) {
     const Clock::time_point now = Clock::now();
-    if (quiet_ || now - last_ < (terminal_ ? Clock::duration(terminal_interval) : Clock::duration(line_interval))) {
+    const bool next_part = terminal_ && what != what_;  // it may be long before it reports again
+    const Clock::duration interval = terminal_ ? Clock::duration(terminal_interval) : Clock::duration(line_interval);
+    if (quiet_ || (now - last_ < interval && !next_part)) {
         return;
     }
     last_ = now;
+    what_ = what;
     drawn_ = true;
     const double done = std::clamp(share, 0.0, 1.0);
     const double elapsed = std::chrono::duration<double>(now - start_).count();

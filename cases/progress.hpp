@@ -25,6 +25,7 @@ class Progress {
     bool drawn_ = false;
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_ = start_;
+    std::string what_ = {};  // last drawn
 };
 
 }  // namespace delabole

@@ -72,6 +72,34 @@ ColumnBehaviour behaviour(const Chapter5Run& run, const HockingResult& result, c
                                                                                         : ColumnBehaviour::stays;
 }
 
+JointOpening widest_opening(const Chapter5Run& run, const HockingPrint& print) {
+    const std::vector<HockingBlock> blocks = make_blocks(run.columns);
+    JointOpening widest{0, -std::numeric_limits<double>::infinity()};
+    // Of a point beyond a side, from one corner to the other; the sides face each other only between their ends.
+    const auto include = [&](std::size_t column, const Point& from, const Point& to, const Point& point,
+                             const Point& outward) {
+        const Point side = to - from;
+        const double share = side.dot(point - from) / side.squaredNorm();
+        if (share >= 0 && share <= 1) {
+            const double width = outward.dot(point - from);
+            widest = width > widest.width ? JointOpening{column, width} : widest;
+        }
+    };
+    for (std::size_t column = 0; column + 1 < run.columns.heights.size(); ++column) {
+        const auto lower = corners_of(blocks[column], print.blocks[column]);
+        const auto upper = corners_of(blocks[column + 1], print.blocks[column + 1]);
+        const Point uphill = (lower[1] - lower[0]).normalized();
+        const Point downhill = (upper[0] - upper[1]).normalized();
+        for (const std::size_t corner : {0U, 3U}) {
+            include(column, lower[1], lower[2], upper[corner], uphill);
+        }
+        for (const std::size_t corner : {1U, 2U}) {
+            include(column, upper[0], upper[3], lower[corner], downhill);
+        }
+    }
+    return widest;
+}
+
 const HockingPrint& print_at(const HockingResult& result, int cycle) {
     const auto after = std::ranges::upper_bound(result.prints, cycle, {}, &HockingPrint::cycle);
     return after == result.prints.begin() ? *after : *std::prev(after);

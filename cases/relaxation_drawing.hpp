@@ -22,6 +22,15 @@ constexpr std::array<std::string_view, 3> enum_names(ColumnBehaviour) {
 ColumnBehaviour behaviour(const Chapter5Run& run, const HockingResult& result, const HockingPrint& print,
                           std::size_t column);
 
+// How far the facing sides of two neighbouring columns are apart, where that is most.
+struct JointOpening {
+    std::size_t column = 0;  // the downhill one of the two
+    double width = 0;        // m; negative: they overlap
+};
+
+// Of at least two columns, between which the widest joint is.
+JointOpening widest_opening(const Chapter5Run& run, const HockingPrint& print);
+
 // The last print not after a cycle.
 const HockingPrint& print_at(const HockingResult& result, int cycle);
 

@@ -130,11 +130,7 @@ std::optional<Figure> velocity_figure(const RelaxationRun& made, const Bodies& b
     const Upright upright(made.result.tilt);
     BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, false);
     drawing.title = "Velocities after " + value_in_words(made.result.time, Dimension::time);
-    for (DrawnBlock& block : drawing.blocks) {
-        block.label = block.mode == DrawnMode::fixed ? block.label : "";
-    }
-    Figure figure = block_figure(drawing);
-    Arrows arrows;
+    Arrows& arrows = drawing.velocities;
     arrows.legend = "velocity, the longest " + value_in_words(fastest, Dimension::speed);
     arrows.colour = Colour::vermilion;
     for (std::size_t block = 0; block < bodies.size(); ++block) {
@@ -145,8 +141,7 @@ std::optional<Figure> velocity_figure(const RelaxationRun& made, const Bodies& b
             arrows.shafts.push_back({upright(centre), upright(PlanePoint<>(centre + way))});
         }
     }
-    figure.series.emplace_back(std::move(arrows));
-    return figure;
+    return block_figure(drawing);
 }
 
 Table block_table(const RelaxationRun& made) {
@@ -192,9 +187,11 @@ void append_block_figures(const RelaxationRun& made, const ResultFolder& folder,
         report.blocks.emplace_back(
             folder.draw(*figure, "velocities", "Velocities of the centroids at the end of the run."));
     }
-    report.blocks.emplace_back(folder.draw(force_figure(made, bodies), "contact_forces",
-                                           "Forces of the springs at the corners at the end of the run: on free "
-                                           "blocks by fixed ones, and on the block of the corner by its neighbour."));
+    report.blocks.emplace_back(
+        folder.draw(force_figure(made, bodies), "contact_forces",
+                    "Forces of the springs at the corners at the end of the run: on free "
+                    "blocks by fixed ones, and on the block of the corner by its neighbour. Too many "
+                    "for arrows, they are lines along the forces, as thick as these are great."));
 }
 
 }  // namespace delabole

@@ -151,6 +151,7 @@ Table movement_table(const RelaxationRun& made) {
     return table;
 }
 
+constexpr std::size_t most_curves = 16;
 constexpr std::array curve_colours{Colour::blue,   Colour::vermilion, Colour::green, Colour::orange,
                                    Colour::purple, Colour::sky,       Colour::grey,  Colour::black};
 
@@ -168,10 +169,11 @@ Figure curves(const RelaxationHistory& history, const std::vector<Column>& colum
         line.dash = again ? Dash::dashed : Dash::solid;
         // Where another curve covers it, both are seen.
         line.width *= index == 0 ? 2 : 1;
+        constexpr double rounding = 1e-12;  // m, rad, N/m or J/m
         bool any = false;
         for (const HistoryLine& entry : history) {
             const double value = columns[index].value(entry);
-            any = any || value != 0;
+            any = any || std::abs(value) > rounding;
             line.points.emplace_back(entry.time, in_display_unit(value, columns[index].dimension));
         }
         if (any) {
@@ -181,13 +183,22 @@ Figure curves(const RelaxationHistory& history, const std::vector<Column>& colum
     return figure;
 }
 
+// Some of the monitors' columns, no more than can be told apart.
+std::vector<Column> monitored(const HistoryRequest& request, Dimension dimension, std::string_view beginning) {
+    std::vector<Column> columns = monitor_columns(request);
+    std::erase_if(columns, [&](const Column& column) {
+        return column.dimension != dimension || !column.name.starts_with(beginning);
+    });
+    columns.resize(std::min(columns.size(), most_curves));
+    return columns;
+}
+
 std::vector<Column> rotations(const RelaxationScene& scene) {
     std::vector<Column> columns;
     for (const std::size_t block : free_blocks(scene)) {
         columns.push_back({"block " + std::to_string(block + 1), Dimension::angle,
                            [block](const HistoryLine& line) { return line.rotation[block]; }});
     }
-    constexpr std::size_t most_curves = 16;
     columns.resize(std::min(columns.size(), most_curves));
     return columns;
 }
@@ -204,12 +215,27 @@ void append_history(const HistoryRequest& request, const RelaxationRun& made, co
     report.blocks.emplace_back(Heading{"History"});
     report.blocks.emplace_back(movement_table(made));
     const std::string unit = human_unit(display_unit(Dimension::energy_per_length).symbol);
-    report.blocks.emplace_back(folder.draw(
-        curves(made.history, energy_columns(), "Energies", {.title = "energy since the start", .unit = unit}),
-        "energies", "The books of energy: applied work becomes all the others."));
-    report.blocks.emplace_back(folder.draw(
-        curves(made.history, rotations(made.scene), "Rotations", {.title = "rotation out of the slope", .unit = "°"}),
-        "rotations", "How the blocks turn, anticlockwise positive."));
+    const auto draw = [&](const Figure& figure, const std::string& name, const std::string& caption) {
+        if (!figure.series.empty()) {
+            report.blocks.emplace_back(folder.draw(figure, name, caption));
+        }
+    };
+    draw(curves(made.history, energy_columns(), "Energies", {.title = "energy since the start", .unit = unit}),
+         "energies", "The books of energy: applied work becomes all the others.");
+    draw(curves(made.history, rotations(made.scene), "Rotations", {.title = "rotation out of the slope", .unit = "°"}),
+         "rotations", "How the blocks turn, anticlockwise positive.");
+    draw(curves(made.history, monitored(request, Dimension::length, "block_"), "Displacements",
+                {.title = "displacement", .unit = human_unit(display_unit(Dimension::length).symbol)}),
+         "displacements",
+         "How far the centroids of the blocks of [[history.block]] have moved along the axes of the scene, in which "
+         "gravity "
+         "is tilted.");
+    draw(curves(made.history, monitored(request, Dimension::force_per_length, "contact_"), "Contact forces",
+                {.title = "force on the first block",
+                 .unit = human_unit(display_unit(Dimension::force_per_length).symbol)}),
+         "monitored_contacts",
+         "Forces between the blocks of [[history.contact]] along the axes of the scene, and the sum of what presses at "
+         "their corners.");
 }
 
 }  // namespace delabole

@@ -27,21 +27,24 @@ std::string block_name(std::size_t index) {
 
 void append_critical(Analysis& analysis, const CriticalRequest& request, const CriticalValue& critical) {
     const std::string name(name_of_critical(request.parameter));
-    const auto append = [&](const std::string& key, const std::string& meaning, Dimension dimension, auto value) {
-        analysis.outputs.push_back({key, meaning, dimension, value, key != name});
+    const bool found = critical.status == CriticalStatus::found;
+    const auto append = [&](const std::string& key, const std::string& meaning, Dimension dimension, auto value,
+                            bool detail) {
+        analysis.outputs.push_back({key, meaning, dimension, value, detail});
     };
     const std::string meaning = request.parameter == CriticalParameter::tilt
                                     ? "tilt at which the blocks begin to fail"
                                     : "friction angle of all joints below which the blocks fail";
-    if (critical.status == CriticalStatus::found) {
-        append(name, meaning, Dimension::angle, critical.value());
+    if (found) {
+        append(name, meaning, Dimension::angle, critical.value(), false);
     } else {
-        append(name, meaning, Dimension::angle, std::string(word_of(critical.status)));
+        append(name, meaning, Dimension::angle, std::string(word_of(critical.status)), false);
     }
-    append("critical.stands", "nearest value found to stand", Dimension::angle, critical.stands);
-    append("critical.fails", "nearest value found to fail", Dimension::angle, critical.fails);
-    append("critical.runs", "runs made", Dimension::ratio, static_cast<double>(critical.runs));
-    append("critical.steps", "time steps of all runs", Dimension::ratio, static_cast<double>(critical.steps));
+    // The answer's bracket; without an answer they may still be the bounds of the search.
+    append("critical.stands", "nearest value found to stand", Dimension::angle, critical.stands, !found);
+    append("critical.fails", "nearest value found to fail", Dimension::angle, critical.fails, !found);
+    append("critical.runs", "runs made", Dimension::ratio, static_cast<double>(critical.runs), true);
+    append("critical.steps", "time steps of all runs", Dimension::ratio, static_cast<double>(critical.steps), true);
 }
 
 // Empty where the search ended with an answer.

@@ -1,14 +1,19 @@
 // delabole reproduce
 #include "cases/commands.hpp"
 #include "cases/interrupt.hpp"
+#include "cases/progress.hpp"
 #include "cases/reproduction.hpp"
 #include "cases/spelling.hpp"
+#include "fitting/parallel.hpp"
 #include "fitting/words.hpp"
 #include "version/version.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <mutex>
+#include <optional>
+#include <utility>
 
 namespace delabole {
 
@@ -56,7 +61,49 @@ Chosen choose(const std::string& what) {
     return chosen;
 }
 
+// Tells how far all items have come, by the one that is at work.
+class ItemsProgress {
+  public:
+    ItemsProgress(const std::vector<const ReproductionItem*>& items, bool quiet) : items_(items), progress_(quiet) {
+        for (const ReproductionItem* item : items) {
+            total_ += weight(*item);
+        }
+    }
+
+    // `item` is done to a share.
+    void report(std::size_t item, double share, const std::string& what) {
+        double done = share * weight(*items_[item]);
+        for (std::size_t before = 0; before < item; ++before) {
+            done += weight(*items_[before]);
+        }
+        progress_.report(done / total_, items_[item]->name + (what.empty() ? "" : ": " + what));
+    }
+
+  private:
+    static double weight(const ReproductionItem& item) { return item.cost == ReproductionCost::minutes ? 30 : 1; }
+
+    const std::vector<const ReproductionItem*>& items_;
+    double total_ = 0;
+    Progress progress_;
+};
+
 }  // namespace
+
+void run_part(const ResultFolder& folder, const PartOfWork& part, std::size_t count,
+              const std::function<void(std::size_t)>& task) {
+    std::mutex reporting;
+    std::size_t done = 0;
+    run_tasks(count, folder.threads(), [&](std::size_t number) {
+        if (interrupt_flag()) {
+            return;
+        }
+        task(number);
+        const std::scoped_lock lock(reporting);
+        const double share = static_cast<double>(++done) / static_cast<double>(count);
+        folder.report_progress(part.begin + share * (part.end - part.begin), part.what);
+    });
+    stop_if_interrupted();
+}
 
 std::string statement(bool met) {
     return met ? "statement met" : "statement NOT met";
@@ -125,18 +172,24 @@ std::vector<std::vector<std::string>> on_screen(const std::vector<PrintedRow>& r
 ExitCode reproduce_command(const std::string& what, const Options& options) {
     const Stopwatch watch;
     const Chosen chosen = choose(what);
-    const ResultFolder folder(options, chosen.name, OnInterrupt::stop);
+    ResultFolder folder(options, chosen.name, OnInterrupt::stop);
     Report report{chosen.title, "The analysis of toppling failure using models and numerical methods", {}};
     Json json;
     json["status"] = "ok";
     std::vector<PrintedRow> rows;
-    for (const ReproductionItem* item : chosen.items) {
+    std::optional<ItemsProgress> progress(std::in_place, chosen.items, options.quiet);
+    for (std::size_t number = 0; number < chosen.items.size(); ++number) {
+        const ReproductionItem* item = chosen.items[number];
+        folder.on_progress([&](double share, const std::string& doing) { progress->report(number, share, doing); });
         Reproduction result;
         try {
             stop_if_interrupted();
+            folder.report_progress(0, "");
             result = item->reproduce(folder, report);
         } catch (const Interrupted&) {
-            std::cerr << "delabole: interrupted at " << item->name << '\n';
+            progress.reset();
+            std::cerr << "delabole: interrupted at " << item->name
+                      << "; nothing is kept of it: the same command begins anew\n";
             return ExitCode::not_converged;
         }
         json[item->name] = result.json;
@@ -150,6 +203,7 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
             json[item->name]["printed_and_computed"].push_back(one);
         }
     }
+    progress.reset();
     Json source;
     source["program"] = "delabole " + std::string(version());
     source["revision"] = std::string(revision());

@@ -2,10 +2,8 @@
 #include "cases/base_friction_runs.hpp"
 #include "cases/interrupt.hpp"
 #include "cases/physical_models.hpp"
-#include "cases/progress.hpp"
 #include "cases/reproduction_chapter_3.hpp"
 #include "dynamic_relaxation/cracks.hpp"
-#include "fitting/parallel.hpp"
 #include "fitting/words.hpp"
 #include "plots/block_figures.hpp"
 #include "plots/text.hpp"
@@ -14,7 +12,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <mutex>
 
 namespace delabole {
 
@@ -23,33 +20,6 @@ namespace {
 using States = std::vector<BaseFrictionState>;
 using Scenes = std::vector<BaseFrictionScene>;
 using Needs = std::vector<SceneNeed>;
-
-// Work on many scenes, with the progress of all of it.
-class ManyScenes {
-  public:
-    ManyScenes(const ResultFolder& folder, std::size_t scenes)
-        : threads_(folder.threads()), total_(2 * scenes), progress_(folder.quiet()) {}
-
-    void run(std::size_t count, const std::string& what, const std::function<void(std::size_t)>& task) {
-        run_tasks(count, threads_, [&](std::size_t number) {
-            if (interrupt_flag()) {
-                return;
-            }
-            task(number);
-            const std::scoped_lock lock(reporting_);
-            ++done_;
-            progress_.report(static_cast<double>(done_) / static_cast<double>(total_), what);
-        });
-        stop_if_interrupted();
-    }
-
-  private:
-    int threads_;
-    std::size_t total_;
-    std::size_t done_ = 0;
-    std::mutex reporting_;
-    Progress progress_;
-};
 
 struct Prediction {
     const BaseFrictionState* state;
@@ -315,14 +285,13 @@ Reproduction reproduce_base_friction_runs(const ResultFolder& folder, Report& re
     const ModelMixture mixture = model_mixture();
     const Scenes scenes = base_friction_scenes(states, mixture);
     const auto goes_on = [] { return !interrupt_flag(); };
-    ManyScenes work(folder, scenes.size());
     Needs needs(scenes.size());
-    work.run(scenes.size(), "strength needed",
+    run_part(folder, {"strength needed", 0, 0.5}, scenes.size(),
              [&](std::size_t scene) { needs[scene] = needed_strength(scenes[scene].geometry, mixture, goes_on); });
     const StrengthFit fit = fit_strength(states, scenes, needs);
     Needs runs(scenes.size());
     const auto fails = [&](std::size_t scene) { return needs[scene].strength() > fit.strength; };
-    work.run(scenes.size(), "runs at the fitted strength", [&](std::size_t scene) {
+    run_part(folder, {"runs at the fitted strength", 0.5, 1}, scenes.size(), [&](std::size_t scene) {
         const bool has_path = std::ranges::any_of(
             scenes[scene].state, [&](std::size_t state) { return states[state].crack_angle_from.has_value(); });
         if (fails(scene) && has_path) {

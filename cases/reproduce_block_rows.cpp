@@ -1,5 +1,6 @@
 // 5.3.3 and 5.3.4 of the thesis: three and four blocks, and columns of unequal height.
 #include "cases/clean_chapter_5.hpp"
+#include "cases/interrupt.hpp"
 #include "cases/relaxation_drawing.hpp"
 #include "cases/reproduction_chapter_5.hpp"
 #include "fitting/words.hpp"
@@ -60,6 +61,7 @@ std::vector<TotalsRange> spread_of_totals(const Chapter5Run& run, const ComputeF
     std::vector<TotalsRange> ranges(columns);
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);
     for (int seed = 1; seed <= starts; ++seed) {
+        stop_if_interrupted();
         const HockingResult result = compute(run, perturbed(blocks, unit, static_cast<unsigned>(seed)));
         if (result.outcome == HockingOutcome::blown_out) {
             continue;
@@ -120,6 +122,49 @@ bool behaves_as_printed(const Chapter5Run& run, const HockingResult& result) {
         }
     }
     return true;
+}
+
+// Less is the give of the springs.
+constexpr double open_joint = 1e-3;  // of a column's width
+
+std::string opening_in_words(const Chapter5Run& run, const HockingPrint& print) {
+    const JointOpening widest = widest_opening(run, print);
+    if (widest.width < open_joint * run.columns.width) {
+        return "none";
+    }
+    return "columns " + std::to_string(widest.column + 1) + " and " + std::to_string(widest.column + 2) + ", " +
+           human_number(widest.width / inch, 2) + " in";
+}
+
+// First print with an open joint; the last one where none opens.
+const HockingPrint& first_opening(const Chapter5Run& run, const HockingResult& result) {
+    const auto found = std::ranges::find_if(result.prints, [&](const HockingPrint& print) {
+        return widest_opening(run, print).width >= open_joint * run.columns.width;
+    });
+    return found == result.prints.end() ? result.prints.back() : *found;
+}
+
+// The tension crack: the first joint to open, and the widest at the end.
+void add_crack(const Chapter5Run& run, const HockingResult& recreated, const HockingResult& clean,
+               Reproduction& result) {
+    constexpr std::size_t fifth = 4;
+    const bool fails = run.printed == PrintedOutcome::fails;
+    const auto shown = [&](const HockingResult& history) {
+        return "first " + opening_in_words(run, first_opening(run, history)) + ", at the end " +
+               opening_in_words(run, history.prints.back());
+    };
+    const auto place = [&](const HockingPrint& print) { return widest_opening(run, print).column; };
+    const auto as_printed = [&](const HockingResult& history) {
+        const bool at_end = place(history.prints.back()) == fifth;
+        return (!fails || at_end) && place(first_opening(run, history)) == fifth;
+    };
+    result.rows.push_back({"stepped base, " + run.name + ": widest joint, between",
+                           fails ? "columns 5 and 6" : "columns 5 and 6, slight", shown(recreated), "",
+                           statement(as_printed(recreated)), shown(clean)});
+    result.json["crack"][run.name] = {{"as_printed", as_printed(recreated)},
+                                      {"clean_as_printed", as_printed(clean)},
+                                      {"width_in", widest_opening(run, recreated.prints.back()).width / inch},
+                                      {"clean_width_in", widest_opening(run, clean.prints.back()).width / inch}};
 }
 
 }  // namespace
@@ -355,9 +400,9 @@ Reproduction reproduce_fig_5_17(const ResultFolder& folder, Report& report) {
         };
         result.json["rotation_deg"][run.name] = {rotation(0), rotation(1), rotation(2), rotation(3),
                                                  rotation(4), rotation(5), rotation(6), rotation(7)};
-        const bool fails = run.printed == PrintedOutcome::fails;
-        if (fails) {
-            const HockingResult other = clean_history(run);
+        const HockingResult other = clean_history(run);
+        add_crack(run, computed, other, result);
+        if (run.printed == PrintedOutcome::fails) {
             result.rows.push_back({"stepped base, " + run.name + ": behaviour", "1 slides, 2-5 topple, 6-8 stay",
                                    behaviour_in_words(run, computed), "", statement(behaves_as_printed(run, computed)),
                                    behaviour_in_words(run, other)});
@@ -367,14 +412,18 @@ Reproduction reproduce_fig_5_17(const ResultFolder& folder, Report& report) {
     }
     const Chapter5Run& drawn = runs[1];
     const HockingResult computed = delabole::run(drawn);
+    const auto widest_joint = [&](const HockingResult& history, int cycle) {
+        return "The widest open joint: " + opening_in_words(drawn, print_at(history, cycle)) + ".";
+    };
     for (const int cycle : {0, 1000, 13000}) {
         report.blocks.emplace_back(
             folder.draw(frames_figure("Fig 5.17: stepped base, friction " + drawn.name, drawn, computed, {cycle}),
-                        "fig_5_17_" + std::to_string(cycle), "Crack between columns 5 and 6."));
+                        "fig_5_17_" + std::to_string(cycle), widest_joint(computed, cycle)));
     }
-    report.blocks.emplace_back(folder.draw(
-        frames_figure("Fig 5.17, clean engine: friction " + drawn.name, drawn, clean_history(drawn), {13000}),
-        "fig_5_17_clean", "The same by the clean engine, dropped."));
+    const HockingResult drawn_clean = clean_history(drawn);
+    report.blocks.emplace_back(
+        folder.draw(frames_figure("Fig 5.17, clean engine: friction " + drawn.name, drawn, drawn_clean, {13000}),
+                    "fig_5_17_clean", "The same by the clean engine, dropped. " + widest_joint(drawn_clean, 13000)));
     report.blocks.emplace_back(printed_table("Stepped base", result.rows));
     return result;
 }

@@ -1,5 +1,6 @@
 // Fig 5.13 of the thesis: the run that blew out at cycle 677, and why.
 #include "cases/clean_chapter_5.hpp"
+#include "cases/interrupt.hpp"
 #include "cases/relaxation_drawing.hpp"
 #include "cases/reproduction_chapter_5.hpp"
 #include "plots/text.hpp"
@@ -61,6 +62,7 @@ BlowOuts of_shifted_starts(const Chapter5Run& run, double unit) {
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);
     BlowOuts found;
     for (unsigned seed = 1; seed <= starts; ++seed) {
+        stop_if_interrupted();
         found.include(run_hocking(perturbed(blocks, unit, seed), run.settings));
     }
     return found;
@@ -81,6 +83,7 @@ Chapter5Run of_slenderness(const Chapter5Run& run, double slenderness) {
 BlowOuts over_inclinations(const Chapter5Run& run, double slenderness, double coordinate_unit) {
     BlowOuts found;
     for (int step = 0; step < inclinations; ++step) {
+        stop_if_interrupted();
         Chapter5Run other = of_slenderness(run, slenderness);
         other.columns.coordinate_unit = coordinate_unit;
         other.columns.dip = std::atan(1 / slenderness) + degrees(0.02) * (step - middle);
@@ -145,6 +148,7 @@ Table clean_table(const Chapter5Run& run, Reproduction& result) {
         double error = 0;
         double speed = 0;
         for (unsigned seed = 1; seed <= random_starts; ++seed) {
+            stop_if_interrupted();
             Chapter5Run start = sized;
             start.columns.coordinate_unit = 0;
             start.columns.dip = std::atan(1 / slenderness) + degrees(any(random));

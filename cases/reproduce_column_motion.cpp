@@ -4,7 +4,6 @@
 #include "cases/reproduction_chapter_2.hpp"
 #include "cases/slope_models.hpp"
 #include "cases/units.hpp"
-#include "fitting/parallel.hpp"
 #include "fitting/words.hpp"
 #include "plots/text.hpp"
 
@@ -131,7 +130,7 @@ void compare(Reproduction& result, const std::string& what, const std::string& p
 Reproduction reproduce_column_motion(const ResultFolder& folder, Report& report) {
     const std::vector<GroundwaterTest> tests = groundwater_tests();
     std::vector<ColumnMotion> motions(tests.size());
-    run_tasks(tests.size(), folder.threads(), [&](std::size_t index) { motions[index] = move(tests[index]); });
+    run_part(folder, {"columns", 0, 1}, tests.size(), [&](std::size_t index) { motions[index] = move(tests[index]); });
     constexpr double mixture = degrees(40.5);
     constexpr double plain = degrees(43);
     constexpr double once = degrees(29.5);

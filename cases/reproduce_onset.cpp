@@ -1,5 +1,6 @@
 // 5.3.4.2 well resolved: at which friction the stepped base begins to move, apart from where it collapses.
 #include "cases/clean_chapter_5.hpp"
+#include "cases/interrupt.hpp"
 #include "cases/reproduction_chapter_5.hpp"
 #include "dynamic_relaxation/scenes.hpp"
 #include "dynamic_relaxation/simulation.hpp"
@@ -33,6 +34,7 @@ double limit(const std::function<bool(double)>& moves) {
     double low = degrees(39);
     double high = degrees(45);
     while (high - low > degrees(0.005)) {
+        stop_if_interrupted();
         const double middle = (low + high) / 2;
         (moves(middle) ? low : high) = middle;
     }

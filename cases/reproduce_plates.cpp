@@ -3,7 +3,6 @@
 #include "cases/relaxation_figures.hpp"
 #include "cases/reproduction_chapter_2.hpp"
 #include "cases/slope_models.hpp"
-#include "fitting/parallel.hpp"
 #include "fitting/words.hpp"
 #include "plots/text.hpp"
 
@@ -79,8 +78,8 @@ void draw(const Plate& plate, const SlopeRun& run, const ResultFolder& folder, R
 Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
     const std::vector<MechanismVerdict> verdicts = mechanism_verdicts();
     std::vector<SlopeRun> runs(plates.size());
-    run_tasks(plates.size(), folder.threads(),
-              [&](std::size_t index) { runs[index] = run_slope(slope_model(plates[index].file)); });
+    run_part(folder, {"slopes", 0, 1}, plates.size(),
+             [&](std::size_t index) { runs[index] = run_slope(slope_model(plates[index].file)); });
     Reproduction result;
     for (std::size_t index = 0; index < plates.size(); ++index) {
         const auto printed = std::ranges::find(verdicts, plates[index].plate, &MechanismVerdict::plate);

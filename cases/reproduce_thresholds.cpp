@@ -1,6 +1,7 @@
 // What the clean engine says where the thesis's program leaves doubts: at which tilt one and two blocks fail, at which
 // friction the stepped base does, and how stiffness, time step, damping and start change that.
 #include "cases/clean_chapter_5.hpp"
+#include "cases/interrupt.hpp"
 #include "cases/reproduction_chapter_5.hpp"
 #include "dynamic_relaxation/scenes.hpp"
 #include "dynamic_relaxation/simulation.hpp"
@@ -38,6 +39,7 @@ double threshold(Chapter5Run run, RelaxationStart start) {
     double low = degrees(16.5);
     double high = degrees(19);
     while (high - low > accuracy) {
+        stop_if_interrupted();
         run.columns.dip = (low + high) / 2;
         (stands(run, start) ? low : high) = run.columns.dip;
     }

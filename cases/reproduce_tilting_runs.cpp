@@ -1,12 +1,10 @@
 // Figs 3.4, 3.6, 3.7 and Plate 3.XIV of the thesis as runs on a tilting frame, with plaster's scatter.
 #include "cases/interrupt.hpp"
 #include "cases/physical_models.hpp"
-#include "cases/progress.hpp"
 #include "cases/relaxation_figures.hpp"
 #include "cases/reproduction_chapter_3.hpp"
 #include "cases/reproduction_chapter_4.hpp"
 #include "cases/tilting_runs.hpp"
-#include "fitting/parallel.hpp"
 #include "fitting/words.hpp"
 #include "plots/block_figures.hpp"
 #include "plots/text.hpp"
@@ -52,7 +50,7 @@ struct Curve {
 };
 
 // Runs of all the places of curves; `value` is the tilt of a place, by its curve, number and sample.
-void sample(std::vector<Curve>& curves, std::uint64_t per_place, const ResultFolder& folder, const std::string& what,
+void sample(std::vector<Curve>& curves, std::uint64_t per_place, const ResultFolder& folder, const PartOfWork& part,
             const std::function<std::optional<double>(std::size_t, const Sampled&, std::uint64_t)>& value) {
     struct Task {
         std::size_t curve;
@@ -68,19 +66,10 @@ void sample(std::vector<Curve>& curves, std::uint64_t per_place, const ResultFol
         }
     }
     std::vector<std::optional<double>> found(tasks.size());
-    std::mutex reporting;
-    Progress progress(folder.quiet());
-    std::size_t done = 0;
-    run_tasks(tasks.size(), folder.threads(), [&](std::size_t number) {
-        if (interrupt_flag()) {
-            return;
-        }
+    run_part(folder, part, tasks.size(), [&](std::size_t number) {
         const Task& task = tasks[number];
         found[number] = value(task.curve, curves[task.curve].at[task.place], task.seed);
-        const std::scoped_lock lock(reporting);
-        progress.report(static_cast<double>(++done) / static_cast<double>(tasks.size()), what);
     });
-    stop_if_interrupted();
     for (std::size_t number = 0; number < tasks.size(); ++number) {
         if (found[number]) {
             curves[tasks[number].curve].at[tasks[number].place].value.push_back(*found[number]);
@@ -130,7 +119,7 @@ void add_single_columns(const ResultFolder& folder, Report& report, Reproduction
     std::vector<Curve> curves = {
         {"one piece, worn edges", Colour::blue, places(least_height, most_height)},
         {"cubes, worn edges, out of line", Colour::vermilion, places(least_height, most_height)}};
-    sample(curves, samples, folder, "single columns",
+    sample(curves, samples, folder, {"single columns", 0, 0.2},
            [&](std::size_t number, const Sampled& at, std::uint64_t seed) -> std::optional<double> {
                const bool cubes = number == 1;
                if (!cubes && seed > 1) {
@@ -167,7 +156,7 @@ void add_equal_columns(const ResultFolder& folder, Report& report, Reproduction&
     }
     curves.push_back({"two on tin", Colour::purple, places(least_height, most_height)});
     const double tin = degrees(18);
-    sample(curves, samples, folder, "equal columns",
+    sample(curves, samples, folder, {"equal columns", 0.2, 0.6},
            [&](std::size_t number, const Sampled& at, std::uint64_t seed) -> std::optional<double> {
                const bool on_tin = number == 4;
                FrameRow row{std::vector<double>(on_tin ? 2 : number + 1, at.x), plaster_friction(), seed};
@@ -222,7 +211,7 @@ void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) 
     std::mutex counting;
     int at_three_inches = 0;
     int cracks = 0;
-    sample(curves, 2, folder, "rows of growing and falling height",
+    sample(curves, 2, folder, {"rows of growing and falling height", 0.6, 1},
            [&](std::size_t, const Sampled& at, std::uint64_t seed) -> std::optional<double> {
                const int columns = static_cast<int>(at.x);
                const std::optional<FrameFailure> failure =

@@ -3,7 +3,6 @@
 #include "cases/rank_correlation.hpp"
 #include "cases/reproduction_chapter_2.hpp"
 #include "cases/slope_models.hpp"
-#include "fitting/parallel.hpp"
 #include "plots/text.hpp"
 
 #include <algorithm>
@@ -206,7 +205,7 @@ Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
             tasks.emplace_back(index, trial);
         }
     }
-    run_tasks(tasks.size(), folder.threads(), [&](std::size_t task) {
+    run_part(folder, {"slopes", 0, 1}, tasks.size(), [&](std::size_t task) {
         const auto [index, trial] = tasks[task];
         responses[index][trial] = respond(series[index].trial[trial]);
     });

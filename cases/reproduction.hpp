@@ -3,6 +3,7 @@
 
 #include "cases/result_folder.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -47,6 +48,18 @@ ReproductionChapter chapter_3();
 ReproductionChapter chapter_4();
 ReproductionChapter chapter_5();
 ReproductionChapter appendix_a_chapter();
+
+// What is being done, and of the item's work where it begins and ends, 0 to 1.
+struct PartOfWork {
+    std::string what;
+    double begin = 0;
+    double end = 1;
+};
+
+// task(0) ... task(count - 1) on the threads of the folder, which is told of the progress. Interrupted once the flag of
+// cases/interrupt.hpp is set: tasks under way may look at it and end sooner.
+void run_part(const ResultFolder& folder, const PartOfWork& part, std::size_t count,
+              const std::function<void(std::size_t)>& task);
 
 std::string statement(bool met);
 // A difference of rounding is no difference.

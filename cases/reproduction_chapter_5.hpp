@@ -52,13 +52,16 @@ OutcomeCount count_clean_outcomes(const Chapter5Run& run, RelaxationStart start,
 std::string in_words(const OutcomeCount& count);
 int agreeing(PrintedOutcome printed, const OutcomeCount& count);
 
-// Every run's outcome beside the printed one, also for result.json; where they differ, of shifted starts too.
-void add_outcomes(const std::string& what, const std::vector<Chapter5Run>& runs, Reproduction& result);
+// Every run's outcome beside the printed one, also for result.json; where they differ, of shifted starts too, and the
+// reason, if one is known.
+void add_outcomes(const std::string& what, const std::vector<Chapter5Run>& runs, Reproduction& result,
+                  const std::function<std::string(const Chapter5Run&)>& reason = {});
 
 Reproduction reproduce_fig_5_5(const ResultFolder& folder, Report& report);
 Reproduction reproduce_single_blocks(const ResultFolder& folder, Report& report);
 
 Reproduction reproduce_double_blocks(const ResultFolder& folder, Report& report);
+Reproduction reproduce_tilted_blocks(const ResultFolder& folder, Report& report);
 Reproduction reproduce_fig_5_12(const ResultFolder& folder, Report& report);
 Reproduction reproduce_observations(const ResultFolder& folder, Report& report);
 

@@ -159,6 +159,12 @@ ResultFolder::ResultFolder(const Options& options, const std::string& name, OnIn
     }
 }
 
+void ResultFolder::report_progress(double share, const std::string& what) const {
+    if (on_progress_) {
+        on_progress_(share, what);
+    }
+}
+
 void ResultFolder::write(const std::string& name, std::string_view text) const {
     write_file_atomically(path_ / name, text);
 }

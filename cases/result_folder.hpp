@@ -11,7 +11,9 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace delabole {
@@ -65,8 +67,11 @@ class ResultFolder {
 
     const std::filesystem::path& path() const { return path_; }
     // As the command was told; for long work.
-    bool quiet() const { return quiet_; }
     int threads() const { return threads_; }
+    // How much of the work whose results these are is done, 0 to 1, and what is being done. Told to the command where
+    // it listens; from one thread at a time.
+    void report_progress(double share, const std::string& what) const;
+    void on_progress(std::function<void(double, const std::string&)> listener) { on_progress_ = std::move(listener); }
     void write(const std::string& name, std::string_view text) const;
     // A figure that cannot be drawn is reported inside the report and by a warning on standard error.
     FigureInReport draw(const Figure& figure, const std::string& name, const std::string& caption) const;
@@ -77,6 +82,7 @@ class ResultFolder {
     bool quiet_;
     int threads_;
     OnInterrupt on_interrupt_;
+    std::function<void(double, const std::string&)> on_progress_ = {};
 };
 
 // Columns aligned for a terminal, the first to the left, the others to the right.

@@ -2,6 +2,7 @@
 #include "cases/analysis.hpp"
 #include "cases/case_error.hpp"
 #include "cases/case_writer.hpp"
+#include "cases/checkpoint_file.hpp"
 #include "cases/commands.hpp"
 #include "cases/impossible_case.hpp"
 #include "cases/inputs_report.hpp"
@@ -140,15 +141,15 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     } else if (!options.quiet) {
         print(file, analysis, folder);
     }
-    std::error_code ignored;
-    if (!interrupt_flag() && std::filesystem::is_regular_file(checkpoint, ignored)) {
-        std::filesystem::remove(checkpoint, ignored);
+    if (!interrupt_flag()) {
+        remove_checkpoint(checkpoint);
     }
     if (analysis.unfinished.empty()) {
         return ExitCode::ok;
     }
     std::cerr << "delabole: " << (interrupt_flag() ? "interrupted: " : "not converged: ") << analysis.unfinished
               << '\n';
+    std::error_code ignored;
     if (std::filesystem::exists(checkpoint, ignored)) {
         std::cerr << "delabole: the same command goes on from " << checkpoint.string() << '\n';
     }

@@ -1,10 +1,13 @@
 #include "plots/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -34,6 +37,32 @@ fs::path target_of(const fs::path& path) {
     return target;
 }
 
+// A part is locked as long as its writer lives, so that one without a lock is abandoned. File systems that cannot lock
+// refuse the remover's lock as well: there parts stay.
+bool lock(int descriptor) {
+    return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+}
+
+// ".<file name>.<process>.<number>.part"
+std::string beginning_of_part(const fs::path& target) {
+    return "." + target.filename().string() + ".";
+}
+
+constexpr std::string_view end_of_part = ".part";
+
+bool is_part_of(const fs::path& target, const std::string& name) {
+    const std::string beginning = beginning_of_part(target);
+    if (name.size() <= beginning.size() + end_of_part.size() || !name.starts_with(beginning) ||
+        !name.ends_with(end_of_part)) {
+        return false;
+    }
+    const std::string_view numbers =
+        std::string_view(name).substr(beginning.size(), name.size() - beginning.size() - end_of_part.size());
+    return std::ranges::count(numbers, '.') == 1 && numbers.front() != '.' && numbers.back() != '.' &&
+           std::ranges::all_of(numbers,
+                               [](unsigned char letter) { return std::isdigit(letter) != 0 || letter == '.'; });
+}
+
 // Open file that is removed again unless it was committed to its final name.
 class TemporaryFile {
   public:
@@ -43,13 +72,17 @@ class TemporaryFile {
         static std::atomic<unsigned> counter = 0;
         constexpr int attempts = 100;
         for (int attempt = 0; attempt < attempts && descriptor_ < 0; ++attempt) {
-            std::string name = ".";
-            name.append(target.filename().string()).append(".").append(std::to_string(::getpid()));
-            name.append(".").append(std::to_string(counter++)).append(".part");
+            std::string name = beginning_of_part(target);
+            name.append(std::to_string(::getpid())).append(".").append(std::to_string(counter++)).append(end_of_part);
             path_ = target.parent_path() / name;
             descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
             if (descriptor_ < 0 && errno != EEXIST) {
                 break;
+            }
+            if (descriptor_ >= 0 && taken_for_abandoned()) {
+                ::unlink(path_.c_str());
+                ::close(std::exchange(descriptor_, -1));
+                errno = EEXIST;
             }
         }
         if (descriptor_ < 0) {
@@ -87,16 +120,25 @@ class TemporaryFile {
         if (::fsync(descriptor_) != 0 && errno != EINVAL) {
             throw OutputError(target_, reason_of(errno));
         }
-        if (::close(std::exchange(descriptor_, -1)) != 0) {
-            throw OutputError(target_, reason_of(errno));
-        }
-        if (::rename(path_.c_str(), target_.c_str()) != 0) {
+        // The copy keeps the lock until the part has its final name.
+        const int lock_holder = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
+        const bool closed = ::close(std::exchange(descriptor_, lock_holder)) == 0;
+        if (!closed || ::rename(path_.c_str(), target_.c_str()) != 0) {
             throw OutputError(target_, reason_of(errno));
         }
         committed_ = true;
     }
 
   private:
+    // By a remover, between its creation and its lock.
+    bool taken_for_abandoned() const {
+        if (!lock(descriptor_) && errno == EWOULDBLOCK) {
+            return true;
+        }
+        struct stat status {};
+        return ::fstat(descriptor_, &status) == 0 && status.st_nlink == 0;
+    }
+
     fs::path target_;
     fs::path path_;
     int descriptor_ = -1;
@@ -120,6 +162,24 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view t
     TemporaryFile file(target);
     file.write(text);
     file.commit();
+}
+
+void remove_abandoned_parts(const fs::path& path) {
+    const fs::path target = target_of(path);
+    std::error_code error;
+    for (fs::directory_iterator entry(target.has_parent_path() ? target.parent_path() : fs::path("."), error);
+         !error && entry != fs::directory_iterator(); entry.increment(error)) {
+        if (!is_part_of(target, entry->path().filename().string())) {
+            continue;
+        }
+        const int descriptor = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        if (descriptor >= 0) {
+            if (lock(descriptor)) {
+                ::unlink(entry->path().c_str());
+            }
+            ::close(descriptor);
+        }
+    }
 }
 
 void create_output_folder(const std::filesystem::path& folder) {

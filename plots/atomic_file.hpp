@@ -26,6 +26,9 @@ class OutputError : public std::runtime_error {
 // link is followed. Only regular files are replaced: a folder, device or pipe named `path` is refused.
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
 
+// Removes what processes killed while they wrote `path` have left beside it; what another is writing just now stays.
+void remove_abandoned_parts(const std::filesystem::path& path);
+
 // Creates the folder and its parents where they are missing. OutputError if that is impossible.
 void create_output_folder(const std::filesystem::path& folder);
 

@@ -68,6 +68,10 @@ BlockDrawing prepared(BlockDrawing drawing) {
     for (DrawnForce& force : drawing.forces) {
         force.at.y() += drawing.toe_elevation;
     }
+    for (Arrows::Shaft& velocity : drawing.velocities.shafts) {
+        velocity.from.y() += drawing.toe_elevation;
+        velocity.to.y() += drawing.toe_elevation;
+    }
     for (std::vector<DrawnCrack>* cracks : {&drawing.broken, &drawing.open_joints}) {
         std::erase_if(*cracks,
                       [](const DrawnCrack& crack) { return !crack.from.allFinite() || !crack.to.allFinite(); });
@@ -102,7 +106,16 @@ class BlockPicture {
         add_cracks(drawing_.broken, "broken rock", Colour::vermilion, 4);
         add_water();
         add_forces();
-        std::vector<Label> labels = block_labels(drawing_.blocks, {drawing_.water, shafts()}, metres_per_px_);
+        if (!drawing_.velocities.shafts.empty()) {
+            figure_.series.emplace_back(drawing_.velocities);
+        }
+        std::vector<Label> labels =
+            block_labels(drawing_.blocks,
+                         {drawing_.water,
+                          across_labels(),
+                          drawing_.velocities.shafts,
+                          {{frame_.x.lowest, frame_.y.lowest}, {frame_.x.highest, frame_.y.highest}}},
+                         metres_per_px_);
         std::move(labels.begin(), labels.end(), std::back_inserter(figure_.labels));
         figure_.x.range = std::pair{frame_.x.lowest, frame_.x.highest};
         figure_.y.range = std::pair{frame_.y.lowest, frame_.y.highest};
@@ -137,8 +150,13 @@ class BlockPicture {
         if (greatest_force_ > 0) {
             metres_per_newton_ = greatest_arrow() / greatest_force_;
         }
+        chains_ = as_chains();
         for (const DrawnForce& force : drawing_.forces) {
-            frame_.include({tip(force)});
+            const Arrows::Shaft shaft = shaft_of(force);
+            frame_.include({shaft.from, shaft.to});
+        }
+        for (const Arrows::Shaft& velocity : drawing_.velocities.shafts) {
+            frame_.include({velocity.from, velocity.to});
         }
         Extent surface;
         for (const Polyline* line : {&drawing_.base, &drawing_.ground}) {
@@ -173,12 +191,42 @@ class BlockPicture {
                           longest_arrow * frame_.metres_per_px());
     }
 
-    Point tip(const DrawnForce& force) const { return force.at + metres_per_newton_ * force.force; }
+    // Whether the heads of arrows would cover the blocks: with less than the square of a head and its surroundings for
+    // each.
+    bool as_chains() {
+        constexpr double least_area = 22 * 22;  // px2
+        double area = 0;
+        std::size_t blocks = 0;
+        for (const DrawnBlock& block : drawing_.blocks) {
+            if (block.mode != DrawnMode::fixed) {
+                area += std::abs(area_properties(block.outline).area);
+                ++blocks;
+            }
+        }
+        const double px = frame_.metres_per_px();
+        if (blocks == 0 || area >= least_area * px * px * static_cast<double>(drawing_.forces.size())) {
+            return false;
+        }
+        block_size_ = std::sqrt(area / static_cast<double>(blocks));
+        return true;
+    }
 
-    std::vector<Arrows::Shaft> shafts() const {
+    // Of an arrow, or of a link of a chain: through the contact, as long as a block is wide.
+    Arrows::Shaft shaft_of(const DrawnForce& force) const {
+        if (chains_) {
+            const Point half = 0.5 * block_size_ * force.force.normalized();
+            return {force.at - half, force.at + half};
+        }
+        return {force.at, force.at + metres_per_newton_ * force.force};
+    }
+
+    std::vector<Arrows::Shaft> across_labels() const {
         std::vector<Arrows::Shaft> result;
         for (const DrawnForce& force : drawing_.forces) {
-            result.push_back({force.at, tip(force)});
+            result.push_back(shaft_of(force));
+        }
+        if (greatest_force_ > 0) {
+            result.push_back({key_.from, key_end_});
         }
         return result;
     }
@@ -195,7 +243,12 @@ class BlockPicture {
         return std::none_of(others.begin(), others.end(),
                             [&](const Polyline* line) { return crosses(place, *line); }) &&
                std::none_of(drawing_.forces.begin(), drawing_.forces.end(),
-                            [&](const DrawnForce& force) { return crosses(place, force.at, tip(force)); });
+                            [&](const DrawnForce& force) {
+                                const Arrows::Shaft shaft = shaft_of(force);
+                                return crosses(place, shaft.from, shaft.to);
+                            }) &&
+               std::none_of(drawing_.velocities.shafts.begin(), drawing_.velocities.shafts.end(),
+                            [&](const Arrows::Shaft& velocity) { return crosses(place, velocity.from, velocity.to); });
     }
 
     // In a corner where nothing is drawn, otherwise above everything.
@@ -205,7 +258,8 @@ class BlockPicture {
         }
         const double unit = display_unit(Dimension::force_per_length).si_per_unit;
         const double force = tick_step(0.5 * greatest_force_ / unit, 1);
-        const double arrow = force * unit * metres_per_newton_;
+        key_force_ = force * unit;
+        const double arrow = chains_ ? shortest_arrow * metres_per_px_ : key_force_ * metres_per_newton_;
         const std::string text =
             human_number(force, 6) + " " + human_unit(display_unit(Dimension::force_per_length).symbol);
         const double gap = 10 * metres_per_px_;
@@ -227,6 +281,7 @@ class BlockPicture {
         if (!found) {
             frame_.y.highest += size.y() + 1.5 * gap;
         }
+        key_end_ = {place.x() + size.x(), place.y() + 0.5 * size.y()};
         key_ = {{place.x(), place.y() + 0.5 * size.y()}, {place.x() + arrow, place.y() + 0.5 * size.y()}};
         figure_.labels.push_back({.at = {key_.to.x() + gap, key_.to.y()}, .text = text, .boxed = false});
     }
@@ -290,7 +345,8 @@ class BlockPicture {
             append(outlines, block.outline);
             append(displaced, block.displaced);
         }
-        add_line(outlines, "", Colour::black, Dash::solid, 1.2);
+        // Chains run along joints and are to be seen on them.
+        add_line(outlines, "", chains_ ? Colour::grey : Colour::black, Dash::solid, chains_ ? 0.6 : 1.2);
         add_line(displaced, drawing_.displaced_legend, Colour::vermilion, Dash::dashed, 1.8);
     }
 
@@ -323,11 +379,23 @@ class BlockPicture {
             std::pair{ForceKind::interblock, Colour::purple}, std::pair{ForceKind::base_reaction, Colour::black},
             std::pair{ForceKind::thrust, Colour::blue}, std::pair{ForceKind::applied, Colour::vermilion},
             std::pair{ForceKind::weight, Colour::green}};
+        if (chains_) {
+            for (const auto& [kind, colour] : kinds) {
+                add_chains(kind, colour);
+            }
+            // Not a line: of one with a single stretch gnuplot cuts the end aslant.
+            const Point half(0, 0.5 * chain_width(key_force_) * metres_per_px_);
+            figure_.series.emplace_back(
+                Region{.outline = {key_.from - half, key_.to - half, key_.to + half, key_.from + half},
+                       .colour = Colour::black,
+                       .opacity = 1});
+            return;
+        }
         for (const auto& [kind, colour] : kinds) {
             Arrows arrows{.legend = std::string(enum_names(kind)[static_cast<std::size_t>(kind)]), .colour = colour};
             for (const DrawnForce& force : drawing_.forces) {
                 if (force.kind == kind) {
-                    arrows.shafts.push_back({force.at, tip(force)});
+                    arrows.shafts.push_back(shaft_of(force));
                 }
             }
             if (!arrows.shafts.empty()) {
@@ -339,13 +407,46 @@ class BlockPicture {
         }
     }
 
+    // px; of the greatest force a good part of a block.
+    double chain_width(double force) const {
+        return std::clamp(0.9 * block_size_ / metres_per_px_, 4.0, 12.0) * force / greatest_force_;
+    }
+
+    // A line has one width: forces are sorted into as many as the eye can tell apart.
+    void add_chains(ForceKind kind, Colour colour) {
+        constexpr std::size_t widths = 24;
+        const Point gap = Point::Constant(std::numeric_limits<double>::quiet_NaN());
+        std::array<Polyline, widths> links;
+        for (const DrawnForce& force : drawing_.forces) {
+            if (force.kind == kind) {
+                const double share = force.force.norm() / greatest_force_;
+                Polyline& line = links[std::min(static_cast<std::size_t>(share * widths), widths - 1)];
+                const Arrows::Shaft shaft = shaft_of(force);
+                line.insert(line.end(), {shaft.from, shaft.to, gap});
+            }
+        }
+        std::string legend(enum_names(kind)[static_cast<std::size_t>(kind)]);
+        // The thickest last, which is the one that the legend shows.
+        const auto thickest =
+            std::find_if(links.rbegin(), links.rend(), [](const Polyline& line) { return !line.empty(); });
+        for (std::size_t number = 0; number < widths; ++number) {
+            const double force = greatest_force_ * (static_cast<double>(number) + 0.5) / widths;
+            const bool last = thickest != links.rend() && &links[number] == &*thickest;
+            add_line(links[number], last ? legend : "", colour, Dash::solid, chain_width(force));
+        }
+    }
+
     BlockDrawing drawing_;
     Figure figure_ = {};
     Frame frame_ = {};
     double metres_per_px_ = 1;
     double metres_per_newton_ = 0;
     double greatest_force_ = 0;  // N/m
+    bool chains_ = false;
+    double block_size_ = 0;  // m, of the middling free block, where forces are chains
+    double key_force_ = 0;   // N/m
     Arrows::Shaft key_ = {};
+    Point key_end_ = {};  // of its text
 };
 
 }  // namespace

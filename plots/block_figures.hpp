@@ -61,14 +61,15 @@ struct BlockDrawing {
     std::vector<DrawnCrack> broken = {};       // rock that has broken
     std::vector<DrawnCrack> open_joints = {};  // joints that stand open
     std::vector<DrawnForce> forces = {};
+    Arrows velocities = {};  // to a scale of their own, of which the legend tells
     std::string displaced_legend = "mechanism, displacements enlarged";
     double toe_elevation = 0;  // m; added to heights on the vertical axis
 };
 
 // Forces are drawn to one scale, the greatest about one and a half times as long as the blocks are apart; an arrow of a
-// round force beside the blocks is the key to it. A block's label shrinks with its block and keeps clear of arrows;
-// a block too small for any goes without, unless most are; when even small labels would run into each other, every
-// second, fifth, tenth, ... is drawn, always with the first.
+// round force beside the blocks is the key to it. So many that their heads would cover the blocks are drawn as force
+// chains: lines through the points of contact along the forces, as thick as the forces are great. Labels: see
+// block_labels.
 Figure block_figure(const BlockDrawing& drawing);
 
 // Interblock forces against the number of the block, N/m. Every column is empty or as long as `block`.

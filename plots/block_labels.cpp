@@ -9,12 +9,14 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <utility>
 
 namespace delabole {
 
 namespace {
 
 constexpr double smallest_label = 12;  // px
+constexpr double beside_size = 15;     // px
 
 struct Numeral {
     const DrawnBlock* block;
@@ -32,25 +34,139 @@ class BlockLabels {
     std::vector<Label> labels() const {
         std::vector<Numeral> numerals = all_numerals();
         keep_fixed(numerals);
-        const std::vector<Numeral> shown = thinned_out(numerals);
+        std::vector<Numeral> shown = thinned_out(numerals);
         const bool every = shown.size() == numerals.size();
         std::vector<Label> result;
+        for (Numeral& numeral : shown) {
+            numeral.at = every ? place_of(numeral) : numeral.at;
+        }
+        // Of numbers that have not all room, those few that cover no velocity would mean nothing.
+        std::erase_if(shown, [&](const Numeral& numeral) {
+            return covers_velocity(place_of_text(numeral)) ||
+                   (!every && !across_.velocities.empty() && numeral.block->mode != DrawnMode::fixed);
+        });
         for (const Numeral& numeral : shown) {
-            result.push_back({.at = every ? place_of(numeral) : numeral.at,
-                              .text = numeral.block->label,
-                              .align = Label::Align::centre,
-                              .boxed = !every,
-                              .size = numeral.size / text_height});
+            result.push_back(label_of(numeral, !every));
+        }
+        for (const Numeral& numeral : beside(shown)) {
+            result.push_back(label_of(numeral, false));
         }
         return result;
     }
 
   private:
+    static Label label_of(const Numeral& numeral, bool boxed) {
+        return {.at = numeral.at,
+                .text = numeral.block->label,
+                .align = Label::Align::centre,
+                .boxed = boxed,
+                .size = numeral.size / text_height};
+    }
+
+    // Of a fixed block that is long and thin, as a base is.
+    bool bar(const DrawnBlock& block) const {
+        if (block.mode != DrawnMode::fixed || block.label.empty()) {
+            return false;
+        }
+        double length = 0;
+        for (const Point& corner : block.outline) {
+            length = std::max(length, (corner - block.outline.front()).norm());
+        }
+        const double thickness = std::abs(area_properties(block.outline).area) / length;
+        return length > 4 * thickness && length > 3 * smallest_label * metres_per_px_;
+    }
+
+    // Without touching the outline.
+    bool fits(const DrawnBlock& block, double size) const {
+        const Numeral numeral{&block, centroid_of(block), size, Numeral::Thinned::always};
+        return !crosses(widened(place_of_text(numeral)), closed(block.outline));
+    }
+
+    bool goes_beside(const DrawnBlock& block) const { return bar(block) && !fits(block, beside_size); }
+
+    // Beside long thin blocks, where nothing else is drawn.
+    std::vector<Numeral> beside(const std::vector<Numeral>& inside_blocks) const {
+        std::vector<Numeral> taken = inside_blocks;
+        std::vector<Numeral> result;
+        for (const DrawnBlock& block : blocks_) {
+            if (!goes_beside(block)) {
+                continue;
+            }
+            for (const Point& place : places_beside(block)) {
+                const Numeral numeral{&block, place, beside_size, Numeral::Thinned::always};
+                if (nothing_drawn(place_of_text(numeral)) &&
+                    std::ranges::none_of(taken, [&](const Numeral& other) { return touch(numeral, other); })) {
+                    taken.push_back(numeral);
+                    result.push_back(numeral);
+                    break;
+                }
+            }
+        }
+        return result;
+    }
+
+    // Off the middle and the ends of its faces, those that look down first.
+    std::vector<Point> places_beside(const DrawnBlock& block) const {
+        const Polyline edge = closed(block.outline);
+        const double turn = area_properties(block.outline).area < 0 ? -1 : 1;
+        std::vector<std::pair<double, Point>> places;
+        for (std::size_t face = 1; face < edge.size(); ++face) {
+            const Point along = edge[face] - edge[face - 1];
+            if (!(along.norm() > 0)) {
+                continue;
+            }
+            const Point outward = turn * Point(along.y(), -along.x()) / along.norm();
+            const Point half = 0.5 * text_size({&block, {}, beside_size, Numeral::Thinned::always});
+            const double gap = 5 * metres_per_px_ + half.dot(outward.cwiseAbs());
+            for (const double share : {0.5, 0.25, 0.75, 0.05, 0.95}) {
+                // Long faces before the short ones at the ends.
+                places.emplace_back(outward.y() - along.norm() / (along.norm() + half.norm()),
+                                    edge[face - 1] + share * along + gap * outward);
+            }
+        }
+        std::ranges::stable_sort(places, {}, &std::pair<double, Point>::first);
+        std::vector<Point> result;
+        for (const auto& [order, place] : places) {
+            result.push_back(place);
+        }
+        return result;
+    }
+
+    bool nothing_drawn(const Rectangle& text) const {
+        const Rectangle wider = widened(text);
+        const Point centre = 0.5 * (text.lowest + text.highest);
+        return (wider.lowest.array() >= across_.frame.lowest.array()).all() &&
+               (wider.highest.array() <= across_.frame.highest.array()).all() && !crosses(wider, across_.water) &&
+               !covers_velocity(wider) &&
+               std::ranges::none_of(across_.arrows,
+                                    [&](const Arrows::Shaft& arrow) { return crosses(wider, arrow.from, arrow.to); }) &&
+               std::ranges::none_of(blocks_, [&](const DrawnBlock& block) {
+                   return crosses(wider, closed(block.outline)) || crosses(wider, closed(block.displaced)) ||
+                          inside(block.outline, centre);
+               });
+    }
+
+    // So that a text touches nothing.
+    Rectangle widened(const Rectangle& text) const {
+        const Point around = Point::Constant(2 * metres_per_px_);
+        return {text.lowest - around, text.highest + around};
+    }
+
+    bool covers_velocity(const Rectangle& text) const {
+        return std::ranges::any_of(across_.velocities,
+                                   [&](const Arrows::Shaft& arrow) { return crosses(text, arrow.from, arrow.to); });
+    }
+
+    Rectangle place_of_text(const Numeral& numeral) const {
+        const Point half = 0.5 * text_size(numeral);
+        return {numeral.at - half, numeral.at + half};
+    }
+
     std::vector<Numeral> all_numerals() const {
         std::vector<Numeral> numerals;
         std::vector<double> sizes;
         for (const DrawnBlock& block : blocks_) {
-            if (!block.label.empty()) {
+            if (!block.label.empty() && !goes_beside(block)) {
                 const double size = fitting_size(block);
                 numerals.push_back({&block, centroid_of(block), size, Numeral::Thinned::counted});
                 sizes.push_back(size);
@@ -82,6 +198,10 @@ class BlockLabels {
     // Height of a text that stays within its block, px.
     double fitting_size(const DrawnBlock& block) const {
         const Point at = centroid_of(block);
+        if (bar(block)) {
+            // Chords along a sloping one are long, and the text touches its sides all the same.
+            return fits(block, text_height) ? text_height : beside_size;
+        }
         const double letters = static_cast<double>(letter_count(block.label)) + 0.4;
         return std::min(chord(block.outline, at, 0) / (letter_width * letters), chord(block.outline, at, 1)) /
                metres_per_px_;
@@ -94,6 +214,9 @@ class BlockLabels {
         double sum = 0;
         sum += crosses(text, closed(block.outline)) ? 3 : 0;
         sum += crosses(text, across_.water) ? 2 : 0;
+        for (const Arrows::Shaft& velocity : across_.velocities) {
+            sum += crosses(wider, velocity.from, velocity.to) ? 4 : 0;
+        }
         for (const Arrows::Shaft& arrow : across_.arrows) {
             sum += crosses(text, arrow.from, arrow.to) ? 4 : crosses(wider, arrow.from, arrow.to) ? 1 : 0;
         }

@@ -3,6 +3,7 @@
 
 #include "plots/block_figures.hpp"
 #include "plots/figure.hpp"
+#include "plots/polygon.hpp"
 
 #include <vector>
 
@@ -14,15 +15,18 @@ constexpr double letter_width = 0.66;  // of the height of the text
 // In the units of the blocks' outlines.
 Point centroid_of(const DrawnBlock& block);
 
-// What labels keep clear of besides outlines.
+// What labels keep clear of besides outlines, and the frame that those beside a block stay in.
 struct DrawnAcrossBlocks {
     Polyline water = {};
     std::vector<Arrows::Shaft> arrows = {};
+    std::vector<Arrows::Shaft> velocities = {};  // never covered: rather no label
+    Rectangle frame;
 };
 
 // A label is in its block, off what is drawn across it, and no larger than the block has room for; a block too small
-// for any goes without, unless most are. Where labels would run into each other, every second, fifth, tenth, ... is
-// left, always with the first, and with those of fixed blocks, the largest ones first.
+// for any goes without, unless most are. A long fixed block, as a thin base is, has its label beside it then, below if
+// possible. Where labels would run into each other, every second, fifth, tenth, ... is left, always with the first, and
+// with those of fixed blocks, the largest ones first.
 std::vector<Label> block_labels(const std::vector<DrawnBlock>& blocks, const DrawnAcrossBlocks& across,
                                 double metres_per_px);
 

@@ -10,6 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 namespace delabole {
 namespace {
@@ -252,6 +256,54 @@ TEST(RelaxationCase, ASearchThatFindsNothingSaysWhichBoundToMove) {
                                       "[critical]\nparameter = \"friction\"\nlower = \"1 deg\"\nupper = \"5 deg\"\n");
     EXPECT_EQ(word(high, "limiting_friction_angle"), "fails_everywhere");
     EXPECT_EQ(high.unfinished, "the blocks fail even at 5 deg: raise critical.upper");
+}
+
+TEST(RelaxationCase, ASearchShowsItsBracketBesideItsAnswer) {
+    const auto shown = [](const Analysis& analysis, std::string_view name) {
+        const NamedOutput* output = analysis.find(name);
+        return output != nullptr && !output->detail;
+    };
+    const Analysis found = analysis_of(std::string(row_text) +
+                                       "[critical]\nparameter = \"tilt\"\nlower = \"5 deg\"\nupper = \"40 deg\"\n");
+    EXPECT_TRUE(shown(found, "critical.stands"));
+    EXPECT_TRUE(shown(found, "critical.fails"));
+    EXPECT_FALSE(shown(found, "critical.runs"));
+    const double answer = std::get<double>(found.find("critical_tilt")->value);
+    EXPECT_LT(std::get<double>(found.find("critical.stands")->value), answer);
+    EXPECT_GT(std::get<double>(found.find("critical.fails")->value), answer);
+    // Without an answer the greater bound was never found to fail.
+    const Analysis not_found =
+        analysis_of(std::string(row_text) + "[critical]\nparameter = \"tilt\"\nlower = \"1 deg\"\nupper = \"5 deg\"\n");
+    EXPECT_FALSE(shown(not_found, "critical.fails"));
+}
+
+// A block without friction slides and does not turn; its base presses it all the way.
+TEST(RelaxationCase, DrawsWhatAHistoryHasAndNothingEmpty) {
+    const std::string text =
+        changed(changed(row_text, "\"30 deg\"", "\"0 deg\""), "[[scene.block]]\nwidth = \"1 m\"\nheight = \"2 m\"\n",
+                "") +
+        "[settings]\nstop = \"collapse\"\nduration = \"0.02 s\"\nviscous_damping = 0\nlocal_damping = 0\n"
+        "[history]\ninterval = \"0.002 s\"\n[[history.block]]\nblock = 1\n"
+        "[[history.contact]]\nblock = 1\nother = 2\n";
+    const CaseFile file = parse_case(text, "case");
+    const std::filesystem::path path = std::filesystem::temp_directory_path() / "delabole_history_figures";
+    std::filesystem::remove_all(path);
+    Options options;
+    options.out = path.string();
+    options.quiet = true;
+    Report report;
+    append_case_figures(std::get<RelaxationStudy>(file.model), analyse_model(file.model),
+                        ResultFolder(options, "case", OnInterrupt::stop), report);
+    const auto script = [&](const std::string& name) {
+        std::ifstream stream(path / "figures" / (name + ".gp"));
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    };
+    EXPECT_FALSE(std::filesystem::exists(path / "figures" / "rotations.gp"));
+    EXPECT_NE(script("displacements").find("displacement (m)"), std::string::npos);
+    EXPECT_NE(script("displacements").find("block 1 x"), std::string::npos);
+    EXPECT_NE(script("monitored_contacts").find("force on the first block (kN/m)"), std::string::npos);
+    EXPECT_NE(script("monitored_contacts").find("contact 1 2 normal"), std::string::npos);
+    std::filesystem::remove_all(path);
 }
 
 TEST(RelaxationCase, SaysThatAStartOfAThousandBricksWasCutShort) {

@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <string>
 #include <thread>
@@ -118,6 +122,48 @@ TEST(AtomicFile, RefusesAFolderThatIsNotWritable) {
     const std::string message = message_of_writing(folder.path() / "result.json", "x");
     ASSERT_TRUE(!root || ::seteuid(0) == 0);
     EXPECT_EQ(message, "cannot write " + (folder.path() / "result.json").string() + ": Permission denied");
+}
+
+// A process that was killed holds no lock any more; one that is writing does.
+TEST(AtomicFile, RemovesAbandonedPartsOfThatFileAlone) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "checkpoint";
+    const Names others{".checkpoint.1.2.3.part", ".checkpoint.1.part", ".checkpoint.a.2.part", ".checkpoint.part",
+                       ".checkpoint2.1.2.part",  "checkpoint",         "checkpoint.1.2.part"};
+    for (const std::string& name : others) {
+        write_file_atomically(folder.path() / name, "other");
+    }
+    const auto abandoned = folder.path() / ".checkpoint.1.2.part";
+    const auto written = folder.path() / (".checkpoint." + std::to_string(::getpid()) + ".7.part");
+    write_file_atomically(abandoned, "half");
+    write_file_atomically(written, "half");
+    const int writer = ::open(written.c_str(), O_WRONLY | O_CLOEXEC);
+    ASSERT_EQ(::flock(writer, LOCK_EX | LOCK_NB), 0);
+    remove_abandoned_parts(path);
+    EXPECT_FALSE(std::filesystem::exists(abandoned));
+    EXPECT_TRUE(std::filesystem::exists(written));
+    ::close(writer);
+    remove_abandoned_parts(path);
+    EXPECT_EQ(folder.names(), others);
+    remove_abandoned_parts(folder.path() / "missing" / "checkpoint");
+}
+
+TEST(AtomicFile, WritersAndARemoverDoNotDisturbEachOther) {
+    const ScratchFolder folder;
+    const auto path = folder.path() / "checkpoint";
+    std::atomic<bool> writing = true;
+    std::thread remover([&] {
+        while (writing) {
+            remove_abandoned_parts(path);
+        }
+    });
+    for (int round = 0; round < 200; ++round) {
+        EXPECT_EQ(message_of_writing(path, std::to_string(round)), "written");
+    }
+    writing = false;
+    remover.join();
+    EXPECT_EQ(content_of(path), "199");
+    EXPECT_EQ(folder.names(), Names{"checkpoint"});
 }
 
 TEST(AtomicFile, ManyWritersOfOneFileLeaveOneWholeFile) {

@@ -269,6 +269,91 @@ TEST(BlockFigure, NamesTheLargestFixedBlocksFirst) {
               1);
 }
 
+// The label of a base 0.3 m thick, whatever its slope, is beside it and on nothing else.
+TEST(BlockFigure, NamesABaseTooThinForItsLabelBesideIt) {
+    for (const double slope : {0.0, 0.15, 0.35, 0.6}) {
+        const Point along(std::cos(slope), std::sin(slope));
+        const Point normal(-along.y(), along.x());
+        const auto rectangle = [&](double from, double to, double bottom, double top) {
+            return Polyline{from * along + bottom * normal, to * along + bottom * normal, to * along + top * normal,
+                            from * along + top * normal};
+        };
+        BlockDrawing drawing{
+            .blocks = {{.outline = rectangle(0, 2, 0, 8), .label = "1"},
+                       {.outline = rectangle(2, 4, 0, 8), .label = "2"},
+                       {.outline = rectangle(-4, 12, -0.3, 0), .label = "F", .mode = DrawnMode::fixed}}};
+        const Figure figure = block_figure(drawing);
+        const auto label = std::ranges::find(figure.labels, std::string("F"), &Label::text);
+        ASSERT_NE(label, figure.labels.end()) << slope;
+        const double metres_per_px = (figure.x.range->second - figure.x.range->first) / 620;
+        // 15 px high, 0.66 of it wide.
+        const Point half = 0.5 * 15 * metres_per_px * Point(0.66, 0.85);
+        const Rectangle text{label->at - half, label->at + half};
+        for (const DrawnBlock& block : drawing.blocks) {
+            EXPECT_FALSE(crosses(text, closed(block.outline))) << slope;
+            EXPECT_FALSE(inside(block.outline, label->at)) << slope;
+        }
+        // Near by: the middle of the base is at (4, -0.15) along it, its half length 8 m.
+        EXPECT_LT(normal.dot(label->at), -0.3) << "below";
+        EXPECT_GT(normal.dot(label->at), -2.5);
+        EXPECT_GT(label->at.y() - half.y(), figure.y.range->first);
+    }
+}
+
+TEST(BlockFigure, LeavesOutANumberThatWouldHideAVelocity) {
+    BlockDrawing drawing = two_squares();
+    // A net of arrows over the first block, one corner to corner over none of the second's lower half.
+    for (double at = 0.05; at < 2; at += 0.1) {
+        drawing.velocities.shafts.push_back({{at, 0}, {at, 2}});
+    }
+    drawing.velocities.legend = "velocity";
+    const Figure figure = block_figure(drawing);
+    EXPECT_EQ(std::ranges::count(figure.labels, std::string("1"), &Label::text), 0);
+    EXPECT_EQ(std::ranges::count(figure.labels, std::string("2"), &Label::text), 1);
+    EXPECT_EQ(with_legend<Arrows>(figure, "velocity").shafts.size(), drawing.velocities.shafts.size());
+}
+
+TEST(BlockFigure, DrawsManyForcesAsChainsAsThickAsTheyAreGreat) {
+    BlockDrawing drawing;
+    constexpr int side = 40;
+    for (int row = 0; row < side; ++row) {
+        for (int column = 0; column < side; ++column) {
+            drawing.blocks.push_back({.outline = square(column, row, 1)});
+            drawing.forces.push_back(
+                {.at = Point(column, row), .force = {0, 1e3 * (row + 1)}, .kind = ForceKind::interblock});
+        }
+    }
+    const Figure figure = block_figure(drawing);
+    EXPECT_TRUE(all<Arrows>(figure).empty());
+    const Line thickest = with_legend<Line>(figure, "interblock force");
+    // Twenty-four widths: each is right to half of their difference.
+    const double px_per_newton = thickest.width / (40e3 * 23.5 / 24);
+    std::size_t links = 0;
+    for (const Line& line : all<Line>(figure)) {
+        if (line.colour != Colour::purple) {
+            continue;
+        }
+        for (std::size_t index = 0; index + 1 < line.points.size(); index += 3) {
+            const Point middle = 0.5 * (line.points[index] + line.points[index + 1]);
+            EXPECT_NEAR(line.width, px_per_newton * 1e3 * (std::round(middle.y()) + 1),
+                        px_per_newton * 40e3 / 48 * 1.001);
+            EXPECT_NEAR((line.points[index + 1] - line.points[index]).norm(), 1, 1e-12) << "as long as a block";
+            ++links;
+        }
+    }
+    EXPECT_EQ(links, drawing.forces.size());
+    // The key is as thick, and says of which force.
+    const auto text =
+        std::ranges::find_if(figure.labels, [](const Label& label) { return label.text.ends_with(" kN/m"); });
+    ASSERT_NE(text, figure.labels.end());
+    const Polyline key = all<Region>(figure).back().outline;
+    const double metres_per_px = (figure.x.range->second - figure.x.range->first) / 620;
+    // Rounding: the drawing is as wide as the plot, 620 px.
+    EXPECT_NEAR((key[3] - key[0]).norm() / metres_per_px, px_per_newton * 1e3 * std::stod(text->text), 1e-9);
+    drawing.forces.resize(40);
+    EXPECT_FALSE(all<Arrows>(block_figure(drawing)).empty()) << "few are arrows";
+}
+
 TEST(BlockFigure, DrawsBrokenRockBoldAndOpenJointsApart) {
     BlockDrawing drawing = two_squares();
     drawing.toe_elevation = 10;

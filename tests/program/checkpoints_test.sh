@@ -52,11 +52,14 @@ for delay in 0.3 0.7 0.2 1.1 0.5; do
 done
 expect "it was killed more than once" test "$killed" -gt 1
 expect "a checkpoint is left" test -s "killed/$checkpoint"
+# As if it had been killed in the middle of writing one.
+cp "killed/$checkpoint" "killed/.$checkpoint.123.4.part"
 delabole run case.toml "${settings[@]}" --out killed
 expect_status 0
 expect_error "going on from killed/$checkpoint"
 expect "the same bytes" same_answers whole killed
 expect "the checkpoint is gone" test ! -e "killed/$checkpoint"
+expect_no_leftovers killed
 
 title "Ctrl-C leaves a checkpoint and says how to go on"
 setsid "$program" run case.toml "${settings[@]}" --out stopped >"$scratch/out" 2>"$scratch/err" </dev/null &

@@ -190,6 +190,20 @@ expect_complete_results traded
 expect "marked in result.json" test "$(json_value traded/result.json status)" == '"interrupted"'
 expect "the settings that were finished" test "$(wc -l <traded/trade.csv)" -ge 2
 
+title "Ctrl-C in a chapter that is reproduced: where it was, and what the command does the next time"
+setsid "$program" reproduce chapter5 --out chapter >"$scratch/out" 2>"$scratch/err" </dev/null &
+child=$!
+# A line every five seconds, of some forty.
+wait_until grep -qE '^[0-9]+ %: [a-z_0-9.]+(, [0-9]+ (s|min|h) left)?$' "$scratch/err"
+kill -s INT -- "-$child"
+wait_for_child
+echo "  ended after $waited ms"
+expect_status 4
+expect_error 'delabole: interrupted at '
+expect_error '; nothing is kept of it: the same command begins anew'
+expect "soon: a run or two of blocks" test "$waited" -lt 3000
+expect "nothing that would say that all is there" refuse test -e chapter/result.json
+
 title "progress as plain lines where there is no terminal, none when quiet"
 rm "$scratch/err"
 setsid "$program" "${long_fit[@]}" --out lines >"$scratch/out" 2>"$scratch/err" </dev/null &
