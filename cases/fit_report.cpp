@@ -49,10 +49,21 @@ std::string determination_in_words(const ProfileLikelihood* profile) {
         return "only a lower limit";
     case Determination::bounded_above:
         return "only an upper limit";
+    case Determination::doubtful:
+        return "doubtful: see the verdict";
     case Determination::undetermined:
         break;
     }
     return "not identifiable";
+}
+
+std::string data_misfit_in_words(const MechanismFit& fit) {
+    const std::string misfit = number_in_words(fit.data_misfit);
+    if (!fit.surrogate || fit.best.empty()) {
+        return misfit;
+    }
+    const double run = fit.surrogate->misfit_of_run;
+    return misfit + " (run there: " + (std::isfinite(run) ? number_in_words(run) : "no answer") + ")";
 }
 
 Table ranking_table(const FitResult& result) {
@@ -67,7 +78,7 @@ Table ranking_table(const FitResult& result) {
                 {}};
     for (const MechanismFit& fit : result.mechanisms) {
         table.rows.push_back({fit.title.empty() ? fit.name : fit.title, number_in_words(fit.ranking_score),
-                              number_in_words(fit.data_misfit), number_in_words(fit.prior_misfit),
+                              data_misfit_in_words(fit), number_in_words(fit.prior_misfit),
                               std::to_string(fit.data_count), std::to_string(fit.unexplained.size()),
                               std::string(word_of(fit.status))});
     }
@@ -203,6 +214,7 @@ Json json_of(const MechanismFit& fit) {
     json["name"] = fit.name;
     json["status"] = word_of(fit.status);
     json["verdict"] = fit.identifiability.verdict;
+    json["identifiability"] = word_of(fit.identifiability.status);
     json["rank"] = fit.identifiability.rank;
     json["singular_values"] = fit.identifiability.singular_values;
     json["directions"] = Json::array();
@@ -264,7 +276,7 @@ Json json_of(const MechanismFit& fit) {
         }
     }
     if (fit.surrogate) {
-        json["surrogate"] = json_of_surrogate(*fit.surrogate);
+        json["surrogate"] = json_of_surrogate(fit);
     }
     json["explained"] = fit.explained;
     json["unexplained"] = fit.unexplained;
@@ -395,8 +407,8 @@ std::string screen_of(const MechanismFit& fit) {
     if (fit.surrogate && !fit.best.empty()) {
         text += "  " + surrogate_in_words(fit) + "\n";
     }
-    text += "  misfit " + number_in_words(fit.data_misfit) + " of " + std::to_string(fit.data_count) +
-            " data, priors " + number_in_words(fit.prior_misfit) + "; " + std::string(word_of(fit.status)) + "\n";
+    text += "  misfit " + data_misfit_in_words(fit) + " of " + std::to_string(fit.data_count) + " data, priors " +
+            number_in_words(fit.prior_misfit) + "; " + std::string(word_of(fit.status)) + "\n";
     for (const std::string& sentence : fit.unexplained) {
         text += "  does not explain: " + sentence + "\n";
     }

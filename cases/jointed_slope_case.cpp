@@ -5,7 +5,6 @@
 #include "dynamic_relaxation/slope_scene.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 
@@ -141,8 +140,8 @@ void check_slope(Checker& checker, const RelaxationSlope& slope) {
     check_names(checker, "scene.cut", slope.geometry.cut);
     for (std::size_t index = 0; index < slope.geometry.cut.size(); ++index) {
         const auto* set = std::get_if<JointSetCut>(&slope.geometry.cut[index].trace);
-        if (set != nullptr && set->seed && *set->seed != std::floor(*set->seed)) {
-            checker.complain(indexed("scene.cut", index) + ".trace.seed", "must be a whole number");
+        if (set != nullptr) {
+            check_whole(checker, indexed("scene.cut", index) + ".trace.seed", set->seed);
         }
     }
     if (const std::optional<SlopeComplaint> complaint = complaint_of(slope)) {

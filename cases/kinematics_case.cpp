@@ -3,7 +3,6 @@
 #include "kinematics/kinematics.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace delabole {
 namespace {
@@ -27,12 +26,6 @@ void check_dips(Checker& checker, const std::vector<JointSet>& sets) {
             checker.complain(indexed("joint_set", index) + ".lower_dip",
                              "range is reversed: must be at most " + indexed("joint_set", index) + ".upper_dip");
         }
-    }
-}
-
-void check_whole(Checker& checker, const std::string& key, const std::optional<double>& value) {
-    if (value && std::floor(*value) != *value) {
-        checker.complain(key, "must be a whole number");
     }
 }
 

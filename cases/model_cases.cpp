@@ -5,6 +5,7 @@
 #include "cases/spelling.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace delabole {
 
@@ -15,6 +16,12 @@ void Checker::complain(const std::string& key, std::string message) {
 
 std::string indexed(const std::string& key, std::size_t index) {
     return key + "[" + std::to_string(index + 1) + "]";
+}
+
+void check_whole(Checker& checker, const std::string& key, const std::optional<double>& number) {
+    if (number && *number != std::floor(*number)) {
+        checker.complain(key, "must be a whole number");
+    }
 }
 
 void check_input_name(Checker& checker, const std::string& key, const std::string& name, const CaseModel& model) {

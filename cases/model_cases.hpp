@@ -6,6 +6,7 @@
 #include "cases/section.hpp"
 #include "parameters/model_interface.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,6 +29,9 @@ class Checker {
 
 // "bolt[2]" for index 1
 std::string indexed(const std::string& key, std::size_t index);
+
+// Complains about a number that is there and not whole.
+void check_whole(Checker& checker, const std::string& key, const std::optional<double>& number);
 
 // Complains about the first point whose coordinate does not exceed the one before.
 template <class Point, class Coordinate>

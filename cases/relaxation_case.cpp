@@ -32,15 +32,11 @@ void check_joint_number(Checker& checker, const std::string& key, const std::opt
     }
 }
 
-void check_scatter(Checker& checker, const std::optional<RelaxationScatter>& scatter) {
-    if (scatter && !is_whole(scatter->seed)) {
-        checker.complain("scene.scatter.seed", "must be a whole number");
-    }
-}
-
 // A row or columns.
 void check_blocks(Checker& checker, const auto& standing) {
-    check_scatter(checker, standing.scatter);
+    if (standing.scatter) {
+        check_whole(checker, "scene.scatter.seed", standing.scatter->seed);
+    }
     check_joint(checker, "scene.interface", standing.interface);
     check_joint(checker, "scene.base", standing.base);
 }
@@ -158,6 +154,7 @@ void check_loads(Checker& checker, const Relaxation& model, const RelaxationScen
 }
 
 void check_settings(Checker& checker, const RelaxationNumerics& settings, const RelaxationScene& scene) {
+    check_whole(checker, "settings.most_steps", settings.most_steps);
     const bool ramped = settings.start == RelaxationStart::ramped;
     if (ramped != (settings.ramp_time.value_or(0) > 0)) {
         checker.complain(ramped ? "settings.start" : "settings.ramp_time",

@@ -22,6 +22,8 @@ struct StudySubject {
     ParameterNames names = {};
     std::vector<Dimension> dimensions = {};  // of the parameters
     InputSpace space;
+    std::optional<FailureCriterion> criterion;  // with the words that decide by the model's bounds
+    std::vector<OutputBound> bounds = {};       // of the quantity
 
     StudySubject(const CaseFile& file, const SensitivityProblem& problem);
 
@@ -40,7 +42,7 @@ Json json_of(const Estimate& estimate, double unit);
 Json json_of(const EvaluationCount& count);
 std::string evaluations_in_words(const EvaluationCount& count);
 
-// For a sentence.
+// "Probability of failure 5.5 % (95 % interval 5.2 to 5.8 %) from 64 samples"
 std::string probability_in_words(const FailureProbability& failure);
 std::string reliability_in_words(const ReliabilityResult& result);
 

@@ -1,4 +1,5 @@
 #include "cases/sensitivity_parts.hpp"
+#include "cases/units.hpp"
 #include "fitting/words.hpp"
 #include "plots/text.hpp"
 
@@ -23,38 +24,41 @@ std::string method_in_words(const PropagationSettings& settings) {
     return {};
 }
 
+std::string counted_as(const StudySubject& subject, const std::string& cause) {
+    const Evaluation evaluation{0, cause};
+    const bool decided = subject.criterion && subject.criterion->decided(evaluation);
+    const std::string judged = !decided ? "neither" : subject.criterion->failed(evaluation) ? "failed" : "stands";
+    const auto bound = std::ranges::find(subject.bounds, cause, &OutputBound::failure);
+    return bound == subject.bounds.end() ? judged
+                                         : judged + ": " + readable_range(bound->within, subject.quantity.dimension);
+}
+
 Table causes_table(const StudySubject& subject, const PropagationResult& result) {
     Table table{
         "Samples without a value, by cause", {{"cause"}, {"samples", true}, {"share", true}, {"counted as"}}, {}};
     for (const auto& [cause, number] : result.evaluations.failed_by_cause) {
-        const auto& criterion = subject.study.failure;
-        const Evaluation evaluation{0, cause};
-        const bool decided = criterion && criterion->decided(evaluation);
         table.rows.push_back({cause, std::to_string(number),
                               percent(static_cast<double>(number) / static_cast<double>(result.samples)),
-                              !decided                        ? "neither"
-                              : criterion->failed(evaluation) ? "failed"
-                                                              : "stands"});
+                              counted_as(subject, cause)});
     }
     return table;
 }
 
 void document_failure(const StudySubject& subject, const FailureProbability& failure, const PropagationResult& result,
                       Report& report, Json& json) {
-    json["probability"] = json_of(failure.probability, 1);
-    json["interval_by"] = word_of(failure.method);
+    json["probability"] = failure.probability ? json_of(*failure.probability, 1) : Json(nullptr);
+    if (failure.probability) {
+        json["interval_by"] = word_of(failure.method);
+    }
     json["failed"] = failure.failed;
     json["decided"] = failure.decided;
     json["least"] = failure.least;
     json["greatest"] = failure.greatest;
-    std::string text = "Probability of failure: " + probability_in_words(failure) + ", " +
-                       std::to_string(failure.failed) + " of " + std::to_string(failure.decided) +
-                       " samples that are decided; ";
-    text += failure.method == ErrorMethod::wilson ? "interval of Wilson for independent samples."
-                                                  : "interval from the spread of the replicates.";
-    if (failure.decided < result.samples) {
-        text += " If all samples without an answer stood it would be " + percent(failure.least) + ", if all failed " +
-                percent(failure.greatest) + ".";
+    std::string text = probability_in_words(failure) + ". " + std::to_string(failure.failed) +
+                       (failure.failed == 1 ? " sample has failed." : " samples have failed.");
+    if (failure.probability) {
+        text += failure.method == ErrorMethod::wilson ? " Interval of Wilson for independent samples."
+                                                      : " Interval from the spread of the replicates.";
     }
     for (const auto* words : {&subject.study.failure->failing_words, &subject.study.failure->standing_words}) {
         for (const std::string& word : *words) {
@@ -97,8 +101,17 @@ void write_distribution(const StudySubject& subject, const PropagationResult& re
 }  // namespace
 
 std::string probability_in_words(const FailureProbability& failure) {
-    return percent(failure.probability.value) + " (95 % interval " + percent_range(failure.probability.interval_95) +
-           ")";
+    const std::string decided = std::to_string(failure.decided) + " of " + std::to_string(failure.samples);
+    const std::string bounds =
+        percent(failure.least) + " if the others all stood, " + percent(failure.greatest) + " if they had all failed";
+    if (!failure.probability) {
+        return "Probability of failure not known: only " + decided + " samples are decided; " + bounds;
+    }
+    const std::string probability = "Probability of failure " + percent(failure.probability->value) +
+                                    " (95 % interval " + percent_range(failure.probability->interval_95) + ")";
+    return failure.decided == failure.samples
+               ? probability + " from " + std::to_string(failure.samples) + " samples"
+               : probability + " from the " + decided + " samples that are decided; " + bounds;
 }
 
 void document_samples(const StudySubject& subject, const PropagationResult& result,
@@ -118,7 +131,10 @@ void document_samples(const StudySubject& subject, const PropagationResult& resu
         report.blocks.emplace_back(causes_table(subject, result));
     }
     if (result.with_value == 0) {
-        report.blocks.emplace_back(Notice{NoticeKind::warning, "No answer", {"no sample has a value"}});
+        report.blocks.emplace_back(
+            Notice{NoticeKind::warning,
+                   result.status == PropagationStatus::no_answer ? "No answer" : "No distribution",
+                   {"no sample has a value"}});
         return;
     }
     const double unit = display_unit(subject.quantity.dimension).si_per_unit;

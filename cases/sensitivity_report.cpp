@@ -5,6 +5,7 @@
 #include "plots/text.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace delabole {
 
@@ -66,11 +67,14 @@ std::vector<std::string> findings(const StudySubject& subject, const Sensitivity
     if (result.propagation && result.propagation->with_value > 0) {
         const PropagationResult& samples = *result.propagation;
         sentences.push_back(human_name(subject.quantity.name) + ": mean " + subject.in_words(samples.mean.value) +
-                            ", standard deviation " + subject.in_words(samples.standard_deviation) + ".");
+                            ", standard deviation " + subject.in_words(samples.standard_deviation) +
+                            (samples.with_value < samples.samples
+                                 ? ", of the " + std::to_string(samples.with_value) + " of " +
+                                       std::to_string(samples.samples) + " samples that have a value."
+                                 : "."));
     }
     if (result.propagation && result.propagation->failure) {
-        sentences.push_back("Probability of failure " + probability_in_words(*result.propagation->failure) + ", from " +
-                            std::to_string(result.propagation->samples) + " samples.");
+        sentences.push_back(probability_in_words(*result.propagation->failure) + ".");
     }
     if (result.reliability) {
         sentences.push_back("First order: " + reliability_in_words(*result.reliability) + ".");
@@ -98,7 +102,13 @@ std::vector<std::string> findings(const StudySubject& subject, const Sensitivity
 }  // namespace
 
 StudySubject::StudySubject(const CaseFile& file, const SensitivityProblem& problem)
-    : study(problem.study), quantity{study.quantity, file.sensitivity->dimension}, space(input_space(study)) {
+    : study(problem.study),
+      quantity{study.quantity, file.sensitivity->dimension},
+      space(input_space(study)),
+      criterion(criterion_of(problem)) {
+    std::ranges::copy_if(problem.model.bounds, std::back_inserter(bounds), [&](const OutputBound& bound) {
+        return problem.model.outputs[bound.output].name == study.quantity;
+    });
     for (const UncertainParameter& parameter : study.parameters) {
         names.push_back(parameter.name);
         const auto input = std::find_if(problem.model.inputs.begin(), problem.model.inputs.end(),

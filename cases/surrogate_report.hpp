@@ -11,7 +11,7 @@ namespace delabole {
 // How many runs, how well the surrogate knows them, what that leaves open. The mechanism has to have a surrogate.
 std::string surrogate_in_words(const MechanismFit& fit);
 
-Json json_of_surrogate(const SurrogateFit& surrogate);
+Json json_of_surrogate(const MechanismFit& fit);
 
 // Parameters, misfit and failure of every run, as <mechanism>_runs.csv.
 void write_runs(const MechanismFit& fit, const ResultFolder& folder);

@@ -98,12 +98,19 @@ void add_profiles(const Search& search, MultiStartResult& found, MechanismFit& f
     fit.profiles.insert(fit.profiles.end(), data_only.begin(), data_only.end());
 }
 
-void analyse_best(const Search& search, const Expected& expected, MultiStartResult& found, MechanismFit& fit) {
+void analyse_best(const Search& search, const Expected& expected, double scatter, MultiStartResult& found,
+                  MechanismFit& fit) {
     search.progress.begin_stage(fit.name, "profiles", expected.profiles);
     add_profiles(search, found, fit);
     if (!search.stopped()) {
-        fit.identifiability = identify(search, fit.best, fit.evaluations);
+        fit.identifiability = identify(search, fit.best, fit.evaluations, scatter);
         fit.identifiability.verdict += doubt_from_profiles(fit.identifiability, fit.profiles);
+        for (ProfileLikelihood& profile : fit.profiles) {
+            if (profile.determination != Determination::undetermined &&
+                in_doubt(fit.identifiability, profile.parameter)) {
+                profile.determination = Determination::doubtful;
+            }
+        }
     }
     search.progress.begin_stage(fit.name, "failure loci", expected.loci);
     if (!search.stopped()) {
@@ -163,6 +170,7 @@ MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem
         }
     }
     const Search search{misfit, progress, stop, costly.surrogate.get()};
+    const std::optional<Jump> jump = by_surrogate ? steepest_jump(costly) : std::nullopt;
 
     progress.begin_stage(mechanism.name, "starts", expected.starts);
     MultiStartResult found = search_from_many_starts(search, Priors::counted);
@@ -170,7 +178,8 @@ MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem
     if (valid) {
         fit.minima = found.minima;
         fit.best = found.best.point;
-        analyse_best(search, expected, found, fit);
+        // What a surrogate takes for scatter may be a jump, which is none.
+        analyse_best(search, expected, by_surrogate && !jump ? costly.surrogate->scatter() : 0, found, fit);
     }
     fit.status = search.stopped() ? FitStatus::interrupted : status_of(found.best.status);
     fit.evaluations.add(found.best.evaluations);
@@ -178,6 +187,7 @@ MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem
         // Looks at the surrogate are none of the model.
         fit.evaluations = costly.evaluations;
         fit.surrogate = account_of(costly);
+        fit.surrogate->jump = jump;
     }
     summarise(misfit, costly.surrogate.get(), valid, fit);
     return fit;

@@ -173,6 +173,21 @@ InputSpace input_space(const SensitivityStudy& study) {
     return {std::move(marginals), correlations};
 }
 
+std::optional<FailureCriterion> criterion_of(const SensitivityProblem& problem) {
+    std::optional<FailureCriterion> criterion = problem.study.failure;
+    const auto output = place_of(problem.model.outputs, problem.study.quantity);
+    if (!criterion || !output) {
+        return criterion;
+    }
+    for (const OutputBound& bound : problem.model.bounds) {
+        const std::optional<bool> failed = bound.output == *output ? criterion->failed(bound.within) : std::nullopt;
+        if (failed && !criterion->decided(Evaluation{0, bound.failure})) {
+            (*failed ? criterion->failing_words : criterion->standing_words).emplace_back(bound.failure);
+        }
+    }
+    return criterion;
+}
+
 std::vector<StudyFault> check_study(const SensitivityProblem& problem) {
     const SensitivityStudy& study = problem.study;
     Faults faults;

@@ -219,6 +219,26 @@ std::size_t valid_runs(const CostlyRuns& made) {
         std::ranges::count_if(made.runs, [](const KnownRun& run) { return run.residuals.failure.empty(); }));
 }
 
+// Greatest difference of a free parameter, in shares of its range.
+double distance(const Misfit& misfit, std::span<const double> left, std::span<const double> right) {
+    double greatest = 0;
+    for (const std::size_t index : misfit.free_parameters()) {
+        const Interval& range = misfit.bounds()[index];
+        greatest = std::max(greatest, std::abs(left[index] - right[index]) / (range.upper - range.lower));
+    }
+    return greatest;
+}
+
+// In standard deviations of the data; satisfied inequalities are alike.
+double difference(const Residuals& left, const Residuals& right) {
+    double squares = 0;
+    for (std::size_t index = 0; index < left.pulls.size(); ++index) {
+        const double step = (left.idle[index] ? 0 : left.pulls[index]) - (right.idle[index] ? 0 : right.pulls[index]);
+        squares += step * step;
+    }
+    return std::sqrt(squares);
+}
+
 }  // namespace
 
 CostlyRuns make_costly_runs(const Misfit& misfit, const Misfit* coarse, const SurrogateSettings& settings,
@@ -250,6 +270,35 @@ CostlyRuns make_costly_runs(const Misfit& misfit, const Misfit* coarse, const Su
         run_at(next, misfit, workers, progress, stop, made);
     }
     return made;
+}
+
+std::optional<Jump> steepest_jump(const CostlyRuns& costly) {
+    constexpr double beside = 0.02;
+    const Misfit& misfit = costly.surrogate->misfit();
+    std::vector<const KnownRun*> runs;
+    for (const KnownRun& run : costly.runs) {
+        if (!run.coarse && run.residuals.failure.empty()) {
+            runs.push_back(&run);
+        }
+    }
+    double greatest = 0;
+    std::optional<Jump> steepest;
+    for (std::size_t left = 0; left < runs.size(); ++left) {
+        for (std::size_t right = left + 1; right < runs.size(); ++right) {
+            Jump jump{{},
+                      distance(misfit, runs[left]->parameters, runs[right]->parameters),
+                      difference(runs[left]->residuals, runs[right]->residuals)};
+            greatest = std::max(greatest, jump.difference);
+            if (jump.distance <= beside &&
+                (!steepest || jump.difference * steepest->distance > steepest->difference * jump.distance)) {
+                std::ranges::transform(runs[left]->parameters, runs[right]->parameters, std::back_inserter(jump.at),
+                                       [](double one, double other) { return (one + other) / 2; });
+                steepest = std::move(jump);
+            }
+        }
+    }
+    const double least = std::max(4 * std::max(1.0, costly.surrogate->scatter()), greatest / 2);
+    return steepest && steepest->difference > least ? steepest : std::nullopt;
 }
 
 std::vector<KnownRun> judged_by(const Misfit& other, const Misfit& as_judged, std::vector<KnownRun> runs) {

@@ -21,6 +21,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace delabole {
@@ -47,6 +48,11 @@ inline constexpr long weight_of_run = 20'000;
 CostlyRuns make_costly_runs(const Misfit& misfit, const Misfit* coarse, const SurrogateSettings& settings,
                             std::uint64_t seed, double log_evidence_to_beat, const Workers& workers,
                             ProgressMeter& progress, StopFlag stop);
+
+// The steepest of all pairs of full runs whose parameters differ by no more than 2 % of their ranges, if half of all
+// that runs differ by lies between the two, and over four standard deviations of the data (four times the scatter where
+// that is more).
+std::optional<Jump> steepest_jump(const CostlyRuns& costly);
 
 // The runs as they would be judged with other standard deviations of the data: `as_judged` is the misfit that they were
 // made with, `other` that of a problem that differs from its problem in nothing else that a run depends on.

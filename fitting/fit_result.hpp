@@ -42,10 +42,11 @@ enum class Determination {
     bounded_below,  // only a lower limit
     bounded_above,  // only an upper limit
     undetermined,   // the misfit stays under the 95 % level up to both ends of the range
+    doubtful,       // an end or both close, but in_doubt() of verdict.hpp says that this means nothing
 };
 
-constexpr std::array<std::string_view, 4> enum_names(Determination) {
-    return {"determined", "bounded_below", "bounded_above", "undetermined"};
+constexpr std::array<std::string_view, 5> enum_names(Determination) {
+    return {"determined", "bounded_below", "bounded_above", "undetermined", "doubtful"};
 }
 
 // Least misfit as a function of one parameter, the others free; intervals by chi-square with one degree of freedom,
@@ -76,11 +77,12 @@ enum class IdentifiabilityStatus {
     reliable,
     steps_disagree,      // sensitivities differ by over 1 % between two step sizes: a kink or a rough model
     model_fails_nearby,  // some parameter cannot be moved either way from the best point
+    run_contradicts,     // the run at the best point is not what the surrogate says: nothing further is evaluated
     not_evaluated,       // no valid point, or interrupted
 };
 
-constexpr std::array<std::string_view, 4> enum_names(IdentifiabilityStatus) {
-    return {"reliable", "steps_disagree", "model_fails_nearby", "not_evaluated"};
+constexpr std::array<std::string_view, 5> enum_names(IdentifiabilityStatus) {
+    return {"reliable", "steps_disagree", "model_fails_nearby", "run_contradicts", "not_evaluated"};
 }
 
 // From the Jacobian of the data residuals (priors left out) at the best point, columns scaled by the parameters'
@@ -91,8 +93,10 @@ struct Identifiability {
     // Of the scaled Jacobian: standard deviations of data per range of parameter; as many as parameters, descending.
     std::vector<double> singular_values;
     Eigen::MatrixXd directions;  // right singular vectors, one per column, in the order of singular_values
-    int rank = 0;                // singular values above 1 / 2: a range of parameter moves the data by over half a sd
-    int rank_with_priors = 0;    // the same with a row range / standard deviation for each prior
+    // Of each parameter: the greatest pull among the data that its range moves by over half a sd.
+    std::vector<double> misses;
+    int rank = 0;              // singular values above 1 / 2: a range of parameter moves the data by over half a sd
+    int rank_with_priors = 0;  // the same with a row range / standard deviation for each prior
     std::string verdict = "Not evaluated.";     // in words, printed before any fitted value
     std::optional<Eigen::MatrixXd> covariance;  // of data and priors, SI; only where rank_with_priors is full
     std::optional<Eigen::MatrixXd> correlation;
@@ -136,6 +140,13 @@ struct ObservationFit {
     std::string source;
 };
 
+// Two runs side by side with very different outcomes.
+struct Jump {
+    std::vector<double> at;  // parameters between them, SI
+    double distance;         // greatest difference of a parameter, in shares of its range
+    double difference;       // root of the sum of squares over the data, in their standard deviations
+};
+
 // How a costly mechanism was fitted. The misfits of a MechanismFit are then the surrogate's, its predictions those of a
 // run at the best point.
 struct SurrogateFit {
@@ -145,15 +156,16 @@ struct SurrogateFit {
         std::string failure;  // why it had none
         bool coarse;          // of the coarse model, which found the point hopeless
     };
-    std::vector<Run> runs;       // that the surrogate was made of, in the order in which they were chosen
-    long coarse_runs = 0;        // made to find hopeless points
-    std::size_t components = 0;  // of the data, inequalities included
-    double error = 0;            // root mean square, each run predicted from the others; standard deviations of data
-    double within_95 = 0;        // share of such predictions within 1.96 of their own standard deviations
-    double scatter = 0;          // of runs that ought to be alike, in standard deviations of data
-    double evidence_error = 0;   // bound, relative; see costly_runs.hpp
-    bool given_up = false;       // before its time, for want of evidence
-    double misfit_of_run = 0;    // data misfit of the run at the best point; infinite where it has no answer
+    std::vector<Run> runs;          // that the surrogate was made of, in the order in which they were chosen
+    long coarse_runs = 0;           // made to find hopeless points
+    std::size_t components = 0;     // of the data, inequalities included
+    double error = 0;               // root mean square, each run predicted from the others; standard deviations of data
+    double within_95 = 0;           // share of such predictions within 1.96 of their own standard deviations
+    double scatter = 0;             // of runs that ought to be alike, in standard deviations of data
+    double evidence_error = 0;      // bound, relative; see costly_runs.hpp
+    bool given_up = false;          // before its time, for want of evidence
+    double misfit_of_run = 0;       // data misfit of the run at the best point; infinite where it has no answer
+    std::optional<Jump> jump = {};  // the steepest
 };
 
 struct MechanismFit {

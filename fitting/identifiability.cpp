@@ -132,6 +132,26 @@ void add_covariance(Identifiability& result, const Eigen::VectorXd& values, cons
     result.correlation = inverse_deviation.asDiagonal() * *result.covariance * inverse_deviation.asDiagonal();
 }
 
+std::vector<double> misses_of(const Eigen::MatrixXd& jacobian, const Residuals& at_best) {
+    std::vector<double> misses(static_cast<std::size_t>(jacobian.cols()), 0.0);
+    for (Eigen::Index column = 0; column < jacobian.cols(); ++column) {
+        double& miss = misses[static_cast<std::size_t>(column)];
+        for (Eigen::Index row = 0; row < jacobian.rows(); ++row) {
+            const double pull = std::abs(at_best.pulls[static_cast<std::size_t>(row)]);
+            miss = std::abs(jacobian(row, column)) > rank_threshold ? std::max(miss, pull) : miss;
+        }
+    }
+    return misses;
+}
+
+// Whether the model, run at the best point, is far from what the surrogate says of it.
+bool run_contradicts(const Search& search, std::span<const double> best, double scatter) {
+    constexpr double allowed = 2;  // standard deviations of data, or of runs that ought to be alike
+    const Residuals run = search.misfit.residuals(best);
+    const double expected = std::sqrt(std::max(search.surrogate->value(best, Priors::ignored).value, 0.0));
+    return !run.failure.empty() || std::abs(std::sqrt(data_misfit(run)) - expected) > allowed * std::max(1.0, scatter);
+}
+
 // One FS = 1 equation and nothing else that bears on the parameters.
 bool only_failure_bears(const Misfit& misfit) {
     int failures = 0;
@@ -147,7 +167,7 @@ bool only_failure_bears(const Misfit& misfit) {
 
 }  // namespace
 
-Identifiability identify(const Search& search, std::span<const double> best, EvaluationCount& account) {
+Identifiability identify(const Search& search, std::span<const double> best, EvaluationCount& account, double scatter) {
     const Misfit& misfit = search.misfit;
     const std::vector<std::size_t> free = misfit.free_parameters();
     const std::vector<Dimension> dimensions = misfit.dimensions();
@@ -169,12 +189,18 @@ Identifiability identify(const Search& search, std::span<const double> best, Eva
         return result;
     }
 
+    if (search.surrogate != nullptr && run_contradicts(search, best, scatter)) {
+        result.status = IdentifiabilityStatus::run_contradicts;
+        result.verdict = verdict(result, question);
+        return result;
+    }
     Differences differences(search, best, account);
     const Eigen::MatrixXd jacobian = scaled_jacobian(differences, free, result.status);
     Eigen::VectorXd values;
     decompose(jacobian, values, result.directions);
     result.singular_values.assign(values.begin(), values.end());
     result.rank = rank_of(values);
+    result.misses = misses_of(jacobian, differences.at_best());
     Eigen::VectorXd posterior_values;
     Eigen::MatrixXd posterior_directions;
     decompose(with_prior_rows(jacobian, misfit, free), posterior_values, posterior_directions);

@@ -45,8 +45,8 @@ struct Sums {
 };
 
 struct ProbabilityOfSums {
-    Estimate estimate;
-    ErrorMethod method;
+    std::optional<Estimate> estimate;
+    ErrorMethod method = ErrorMethod::wilson;
 };
 
 // `replicates` is empty for independent samples.
@@ -69,7 +69,10 @@ Estimate mean_estimate(const Sums& all, const std::vector<Sums>& replicates, dou
     return {mean, {mean - half, mean + half}};
 }
 
-ProbabilityOfSums probability_estimate(const Sums& all, const std::vector<Sums>& replicates) {
+ProbabilityOfSums probability_estimate(const Sums& all, const std::vector<Sums>& replicates, std::size_t samples) {
+    if (all.decided == 0 || static_cast<std::size_t>(all.decided) < samples - samples / 2) {
+        return {};
+    }
     std::vector<double> shares;
     for (const Sums& replicate : replicates) {
         if (replicate.decided > 0) {
@@ -80,12 +83,12 @@ ProbabilityOfSums probability_estimate(const Sums& all, const std::vector<Sums>&
     const bool spread_tells = shares.size() >= 2 && std::any_of(shares.begin(), shares.end(),
                                                                 [&](double other) { return other != shares.front(); });
     if (!spread_tells) {
-        return {{share, wilson_interval(static_cast<double>(all.failed), static_cast<double>(all.decided))},
+        return {Estimate{share, wilson_interval(static_cast<double>(all.failed), static_cast<double>(all.decided))},
                 ErrorMethod::wilson};
     }
     const Estimate spread = mean_of_replicates(shares);
     const double half = spread.interval_95.upper - spread.value;
-    return {{share, {std::max(share - half, 0.0), std::min(share + half, 1.0)}}, ErrorMethod::replicates};
+    return {Estimate{share, {std::max(share - half, 0.0), std::min(share + half, 1.0)}}, ErrorMethod::replicates};
 }
 
 class Samples {
@@ -226,11 +229,12 @@ bool is_among(const std::vector<std::string>& words, std::string_view word) {
 
 FailureProbability failure_probability(const Sums& all, const std::vector<Sums>& replicates, long samples) {
     FailureProbability failure;
-    const ProbabilityOfSums found = probability_estimate(all, replicates);
+    const ProbabilityOfSums found = probability_estimate(all, replicates, static_cast<std::size_t>(samples));
     failure.probability = found.estimate;
     failure.method = found.method;
     failure.failed = all.failed;
     failure.decided = all.decided;
+    failure.samples = samples;
     const auto count = static_cast<double>(samples);
     failure.least = static_cast<double>(all.failed) / count;
     failure.greatest = static_cast<double>(all.failed + samples - all.decided) / count;
@@ -241,6 +245,19 @@ FailureProbability failure_probability(const Sums& all, const std::vector<Sums>&
 
 bool FailureCriterion::failed(const Evaluation& evaluation) const {
     return evaluation.valid() ? failed(evaluation.value) : is_among(failing_words, evaluation.failure);
+}
+
+std::optional<bool> FailureCriterion::failed(const Interval& values) const {
+    const bool below = side == FailureSide::below;
+    const bool all_below = values.upper < limit || (values.upper == limit && values.upper_open);
+    const bool all_above = values.lower > limit || (values.lower == limit && values.lower_open);
+    // The limit itself stands.
+    const bool none_below = values.lower >= limit;
+    const bool none_above = values.upper <= limit;
+    if (below ? all_below : all_above) {
+        return true;
+    }
+    return (below ? none_below : none_above) ? std::optional(false) : std::nullopt;
 }
 
 bool FailureCriterion::decided(const Evaluation& evaluation) const {
@@ -282,12 +299,12 @@ PropagationResult propagate(const Evaluator& evaluator, const InputSpace& space,
     const bool interrupted = samples.evaluations().size() < plan.size();
     const std::vector<double>& sorted = samples.sorted();
     result.with_value = static_cast<long>(sorted.size());
-    result.status = interrupted      ? PropagationStatus::interrupted
-                    : sorted.empty() ? PropagationStatus::no_answer
-                                     : PropagationStatus::finished;
     const auto [all, replicates] =
         samples.sums(settings.method == SamplingMethod::latin_hypercube ? plan.replicates() : plan.points());
-    if (criterion && all.decided > 0) {
+    result.status = interrupted                          ? PropagationStatus::interrupted
+                    : sorted.empty() && all.decided == 0 ? PropagationStatus::no_answer
+                                                         : PropagationStatus::finished;
+    if (criterion && result.samples > 0) {
         result.failure = failure_probability(all, replicates, result.samples);
     }
     if (sorted.empty()) {
@@ -309,8 +326,8 @@ PropagationResult propagate(const Evaluator& evaluator, const InputSpace& space,
         }
         ConvergenceStep step{static_cast<long>(samples.evaluated(count)), mean_estimate(part, parts, samples.offset()),
                              std::nullopt};
-        if (criterion && part.decided > 0) {
-            step.probability = probability_estimate(part, parts).estimate;
+        if (criterion) {
+            step.probability = probability_estimate(part, parts, samples.evaluated(count)).estimate;
         }
         result.convergence.push_back(step);
     }

@@ -34,6 +34,8 @@ struct FailureCriterion {
 
     bool failed(double value) const { return side == FailureSide::below ? value < limit : value > limit; }
     bool failed(const Evaluation& evaluation) const;
+    // Whether all values in it have failed (true) or stand (false); nothing where it holds values of both kinds.
+    std::optional<bool> failed(const Interval& values) const;
     // Failed or standing, known from a value or a word.
     bool decided(const Evaluation& evaluation) const;
 };
@@ -67,11 +69,13 @@ constexpr std::array<std::string_view, 2> enum_names(ErrorMethod) {
 }
 
 struct FailureProbability {
-    Estimate probability;  // of the samples that are decided
+    // Of the samples that are decided; none where they are fewer than half, and so no sample of the whole.
+    std::optional<Estimate> probability;
     ErrorMethod method = ErrorMethod::wilson;
     long failed = 0;
     long decided = 0;
-    // If all samples without an answer stood, and if all had failed.
+    long samples = 0;
+    // If all samples that are not decided stood, and if all had failed.
     double least = 0;
     double greatest = 1;
 };
@@ -86,12 +90,12 @@ struct HistogramBin {
 struct ConvergenceStep {
     long samples;
     Estimate mean;
-    std::optional<Estimate> probability;  // of failure
+    std::optional<Estimate> probability;  // of failure, as in FailureProbability
 };
 
 enum class PropagationStatus {
     finished,
-    no_answer,    // no sample has a value
+    no_answer,    // no sample has a value or is decided
     interrupted,  // what was finished is shown
 };
 
@@ -113,7 +117,7 @@ struct PropagationResult {
     std::vector<std::pair<double, double>> quantiles;   // share of shown_shares, value
     std::vector<std::pair<double, double>> cumulative;  // value, share of samples not above it; both ascending
     std::vector<HistogramBin> histogram;                // the limit of failure, where inside, is an edge
-    std::optional<FailureProbability> failure;          // where there is a criterion and a decided sample
+    std::optional<FailureProbability> failure;          // where there is a criterion
     std::vector<ConvergenceStep> convergence;
     EvaluationCount evaluations;
 };

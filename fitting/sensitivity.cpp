@@ -121,6 +121,7 @@ SensitivityResult sensitivity(const SensitivityProblem& problem, FitProgressCall
     const SensitivityStudy& study = problem.study;
     const InputSpace space = input_space(study);
     const Objective quantity = quantity_of(problem.model, study);
+    const std::optional<FailureCriterion> criterion = criterion_of(problem);
     const Expected expected(study);
     ProgressMeter meter(std::move(progress), expected.total());
     const Evaluator evaluator{quantity, meter, stop, problem.threads, problem.ranks};
@@ -137,11 +138,11 @@ SensitivityResult sensitivity(const SensitivityProblem& problem, FitProgressCall
     // Before the samples, which are many: when interrupted there, this is known.
     if (study.reliability && !evaluator.stopped()) {
         meter.begin_stage(study.quantity, "design point", expected.reliability);
-        result.reliability = reliability(evaluator, space, *study.reliability, *study.failure, study.seed);
+        result.reliability = reliability(evaluator, space, *study.reliability, *criterion, study.seed);
     }
     if (study.propagation && !evaluator.stopped()) {
         meter.begin_stage(study.quantity, "samples", expected.propagation);
-        result.propagation = propagate(evaluator, space, *study.propagation, study.failure, study.seed);
+        result.propagation = propagate(evaluator, space, *study.propagation, criterion, study.seed);
     }
     if (study.sobol_indices && !evaluator.stopped()) {
         meter.begin_stage(study.quantity, "Sobol indices", expected.sobol_indices);

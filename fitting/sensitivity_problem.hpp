@@ -61,6 +61,10 @@ struct StudyFault {
 // The joint distribution of the parameters. The distributions have to be in order, and the pairs to exist.
 InputSpace input_space(const SensitivityStudy& study);
 
+// The study's, with the words that decide by the bounds they tell of the quantity; what the study says of a word goes
+// first.
+std::optional<FailureCriterion> criterion_of(const SensitivityProblem& problem);
+
 // Names that the model does not have, distributions that cannot be drawn, correlations that are impossible, settings
 // out of their range, methods that do not go with the rest. Empty when sensitivity() can start.
 std::vector<StudyFault> check_study(const SensitivityProblem& problem);

@@ -51,8 +51,13 @@ Eigen::MatrixXd principal_directions(const Eigen::MatrixXd& rows) {
 }  // namespace
 
 double LikelihoodEstimate::log_deviation() const {
-    const double relative_variance = std::expm1(std::max(log_mean_square - 2 * log_mean, 0.0));
-    return log_mean + log_of(std::sqrt(relative_variance));
+    const double log_ratio = log_mean_square - 2 * log_mean;
+    // Where the mean is nothing beside it the deviation is the root of the mean square, and the ratio beyond a double.
+    constexpr double beyond_a_double = 700;
+    if (log_ratio > beyond_a_double) {
+        return log_mean_square / 2;
+    }
+    return log_mean + log_of(std::sqrt(std::expm1(std::max(log_ratio, 0.0))));
 }
 
 Surrogate::Surrogate(const Misfit& misfit, std::span<const KnownRun> runs, const Surrogate* before)

@@ -12,6 +12,8 @@ namespace delabole {
 namespace {
 
 constexpr double untouched_below = 1e-6;  // standard deviations of data over the whole range
+constexpr double hardly_below = 0.5;      // likewise
+constexpr double far_off = 4;             // standard deviations of data
 constexpr double involved_above = 0.05;   // share of a unit vector in the directions that the data do not see
 
 using Places = std::vector<Eigen::Index>;
@@ -20,7 +22,13 @@ struct Sorted {
     Places untouched;
     Places determined;
     Places involved;
+    Places missed;  // the data that would determine these
 };
+
+double effect_of(const Identifiability& facts, Eigen::Index place) {
+    const Eigen::Map<const Eigen::VectorXd> values(facts.singular_values.data(), std::ssize(facts.singular_values));
+    return facts.directions.row(place).cwiseProduct(values.transpose()).norm();
+}
 
 class Words {
   public:
@@ -33,6 +41,8 @@ class Words {
     Sorted sort() const;
     std::string doubt() const;
     std::string combination(const Places& involved, int known) const;
+    std::string missed(const Places& places) const;
+    double miss(Eigen::Index place) const { return facts_.misses[static_cast<std::size_t>(place)]; }
     std::string exchange_rates(const Places& involved) const;
     std::string common_change(const Places& involved) const;
     std::string priors() const;
@@ -57,17 +67,21 @@ std::string Words::names(const Places& places) const {
 
 Sorted Words::sort() const {
     Sorted result;
-    const Eigen::Map<const Eigen::VectorXd> values(facts_.singular_values.data(), count());
+    const auto far_from_data = [&](Eigen::Index place) { return miss(place) > far_off; };
     const Eigen::MatrixXd hidden = unseen();
     for (Eigen::Index place = 0; place < count(); ++place) {
-        const double effect = facts_.directions.row(place).cwiseProduct(values.transpose()).norm();
-        if (effect < untouched_below) {
+        if (effect_of(facts_, place) < untouched_below) {
             result.untouched.push_back(place);
         } else if (hidden.cols() > 0 && hidden.row(place).norm() > involved_above) {
             result.involved.push_back(place);
         } else {
-            result.determined.push_back(place);
+            (far_from_data(place) ? result.missed : result.determined).push_back(place);
         }
+    }
+    // A combination that some such data determine is no better.
+    if (std::ranges::any_of(result.involved, far_from_data)) {
+        result.missed.insert(result.missed.end(), result.involved.begin(), result.involved.end());
+        result.involved.clear();
     }
     return result;
 }
@@ -129,7 +143,9 @@ std::string Words::combination(const Places& involved, int known) const {
         return {};
     }
     if (known <= 0) {
-        return names(involved) + ": hardly any effect on what was observed (less than half a standard deviation over " +
+        return names(involved) +
+               ": hardly any effect on what was observed near the best point (at that rate less than half a standard "
+               "deviation over " +
                (involved.size() == 1 ? "its range)." : "their ranges).");
     }
     if (known == 1 && involved.size() > 1) {
@@ -143,12 +159,24 @@ std::string Words::combination(const Places& involved, int known) const {
     return text + ".";
 }
 
+std::string Words::missed(const Places& places) const {
+    double greatest = 0;
+    for (const Eigen::Index place : places) {
+        greatest = std::max(greatest, miss(place));
+    }
+    return names(places) + ": not determined: the best fit misses the data that depend on " +
+           (places.size() == 1 ? "it" : "them") + " by up to " + number_in_words(greatest) + " standard deviations.";
+}
+
 std::string Words::doubt() const {
     switch (facts_.status) {
     case IdentifiabilityStatus::steps_disagree:
         return "Doubtful: the sensitivities at the best point change with the size of the step.";
     case IdentifiabilityStatus::model_fails_nearby:
         return "Doubtful: the model has no answer next to the best point.";
+    case IdentifiabilityStatus::run_contradicts:
+        return "Nothing is determined: the run at the best point contradicts the surrogate that was fitted in place of "
+               "the model.";
     case IdentifiabilityStatus::not_evaluated:
         return "Not evaluated.";
     case IdentifiabilityStatus::reliable:
@@ -178,18 +206,22 @@ std::string Words::all() const {
     if (count() == 0) {
         return "No free parameters: nothing to identify.";
     }
-    if (facts_.status == IdentifiabilityStatus::not_evaluated) {
+    if (facts_.status == IdentifiabilityStatus::not_evaluated ||
+        facts_.status == IdentifiabilityStatus::run_contradicts) {
         return doubt();
     }
     const Sorted sorted = sort();
     std::vector<std::string> sentences = {doubt()};
     if (!sorted.untouched.empty()) {
-        sentences.push_back("Nothing observed depends on " + names(sorted.untouched) + ".");
+        sentences.push_back("Nothing observed depends on " + names(sorted.untouched) + " near the best point.");
     }
     if (!sorted.determined.empty()) {
         sentences.push_back(names(sorted.determined) + ": determined by the data.");
     }
-    const int known = facts_.rank - static_cast<int>(sorted.determined.size());
+    if (!sorted.missed.empty()) {
+        sentences.push_back(missed(sorted.missed));
+    }
+    const int known = facts_.rank - static_cast<int>(sorted.determined.size() + sorted.missed.size());
     sentences.push_back(combination(sorted.involved, known));
     sentences.push_back(priors());
     std::string text;
@@ -199,16 +231,46 @@ std::string Words::all() const {
     return text;
 }
 
+std::string limited_all_the_same(const Identifiability& identifiability,
+                                 const std::vector<ProfileLikelihood>& profiles) {
+    std::vector<std::string> limited;
+    for (std::size_t place = 0; place < identifiability.parameters.size(); ++place) {
+        const auto limits = [&](const ProfileLikelihood& profile) {
+            return profile.parameter == identifiability.parameters[place] && !profile.with_priors &&
+                   profile.determination != Determination::undetermined;
+        };
+        if (effect_of(identifiability, static_cast<Eigen::Index>(place)) < hardly_below &&
+            std::ranges::any_of(profiles, limits)) {
+            limited.push_back(identifiability.parameters[place]);
+        }
+    }
+    return limited.empty() ? ""
+                           : " That holds near the best point only: over the whole range the data alone limit " +
+                                 list_in_words(limited) + " (95 % range from the data alone).";
+}
+
 }  // namespace
 
 std::string verdict(const Identifiability& identifiability, const VerdictQuestion& question) {
     return Words(identifiability, question).all();
 }
 
+bool in_doubt(const Identifiability& identifiability, const std::string& parameter) {
+    if (identifiability.status == IdentifiabilityStatus::run_contradicts) {
+        return true;
+    }
+    const auto found = std::ranges::find(identifiability.parameters, parameter);
+    const auto place = static_cast<std::size_t>(found - identifiability.parameters.begin());
+    return place < identifiability.misses.size() && identifiability.misses[place] > far_off;
+}
+
 std::string doubt_from_profiles(const Identifiability& identifiability,
                                 const std::vector<ProfileLikelihood>& profiles) {
-    if (identifiability.rank < static_cast<int>(identifiability.parameters.size())) {
+    if (identifiability.singular_values.empty()) {
         return {};
+    }
+    if (identifiability.rank < static_cast<int>(identifiability.parameters.size())) {
+        return limited_all_the_same(identifiability, profiles);
     }
     std::vector<std::string> open;
     for (const ProfileLikelihood& profile : profiles) {

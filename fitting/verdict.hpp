@@ -23,8 +23,13 @@ struct VerdictQuestion {
 // display units), and what the priors add.
 std::string verdict(const Identifiability& identifiability, const VerdictQuestion& question);
 
-// A Jacobian sees only the neighbourhood of the best point. Where it has full rank and yet the data alone close no
-// interval for some parameter, a sentence that says so (with a space before it); empty otherwise.
+// Whether what the data say of a free parameter is worth nothing: the run at the best point contradicts the surrogate,
+// or the best fit misses data that the parameter moves by more than four standard deviations.
+bool in_doubt(const Identifiability& identifiability, const std::string& parameter);
+
+// A Jacobian sees only the neighbourhood of the best point. A sentence (with a space before it) where it has full rank
+// and yet the data alone close no interval for some parameter, or where it sees no effect of a parameter that the data
+// alone limit all the same; empty otherwise.
 std::string doubt_from_profiles(const Identifiability& identifiability, const std::vector<ProfileLikelihood>& profiles);
 
 }  // namespace delabole

@@ -289,12 +289,15 @@ Figure cumulative_figure(const StudiedQuantity& quantity, const PropagationResul
         const auto [left, right] = *figure.x.range;
         const double limit = criterion->limit / unit;
         const bool below = criterion->side == FailureSide::below;
-        const double probability = result.failure->probability.value;
+        std::string legend = limit_legend(quantity, *criterion);
+        if (const auto& probability = result.failure->probability) {
+            legend += ": " + human_number(100 * probability->value, 3) + " % of the samples";
+            legend += result.failure->decided < result.samples ? " that are decided" : "";
+        }
         figure.series.emplace_back(Region{.outline = below
                                                          ? Polyline{{left, 0}, {limit, 0}, {limit, 100}, {left, 100}}
                                                          : Polyline{{limit, 0}, {right, 0}, {right, 100}, {limit, 100}},
-                                          .legend = limit_legend(quantity, *criterion) + ": " +
-                                                    human_number(100 * probability, 3) + " % of the samples",
+                                          .legend = std::move(legend),
                                           .colour = Colour::vermilion,
                                           .opacity = 0.15});
     }
@@ -304,7 +307,7 @@ Figure cumulative_figure(const StudiedQuantity& quantity, const PropagationResul
 
 Figure sampling_convergence_figure(const StudiedQuantity& quantity, const PropagationResult& result,
                                    std::optional<double> first_order_probability) {
-    const bool of_failure = result.failure.has_value();
+    const bool of_failure = result.failure && result.failure->probability;
     const double unit = of_failure ? 0.01 : unit_of(quantity);
     Figure figure{.title = "Convergence of the sampling",
                   .x = {.title = "samples"},

@@ -143,6 +143,17 @@ RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
     return shape;
 }
 
+// What a search tells that ended at one of its bounds. At the critical value itself the blocks stand.
+std::vector<OutputBound> bounds_of(const CriticalRequest& request, std::size_t output) {
+    const bool stands_low = request.parameter == CriticalParameter::tilt;
+    const std::string_view stands = word_of(CriticalStatus::stands_everywhere);
+    const std::string_view fails = word_of(CriticalStatus::fails_everywhere);
+    if (stands_low) {
+        return {{stands, output, at_least(request.upper)}, {fails, output, less_than(request.lower)}};
+    }
+    return {{stands, output, at_most(request.lower)}, {fails, output, more_than(request.upper)}};
+}
+
 std::vector<Quantity> outputs_of(const RelaxationAnswer& shape, const std::optional<CriticalRequest>& critical) {
     std::vector<Quantity> outputs = outputs_of(shape);
     if (critical) {
@@ -358,6 +369,9 @@ ModelInterface model_interface(const RelaxationStudy& study) {
     ModelInterface model;
     model.inputs = inputs_of(study.model);
     model.outputs = outputs_of(without_blocks_of_slope(shape_of_answer(study), study), study.critical);
+    if (study.critical) {
+        model.bounds = bounds_of(*study.critical, model.outputs.size() - 1);
+    }
     model.predict = [study](std::span<const Assignment> assignments) { return predict(study, assignments); };
     model.costly = true;
     return model;

@@ -98,7 +98,8 @@ struct RelaxationNumerics {
                     "end at equilibrium or collapse, at onset too, at nothing before collapse, or at the latest at the "
                     "duration, which is then no lack of an answer; absent: equilibrium"),
             number("duration", &N::duration, Dimension::time, more_than(0), "longest model time; absent: 60 s"),
-            number("most_steps", &N::most_steps, Dimension::ratio, within(1, 1e12), "longest run; absent: 1e8"),
+            number("most_steps", &N::most_steps, Dimension::ratio, within(1, 1e12),
+                   "longest run, a whole number; absent: 1e8"),
             number("crack_opening", &N::crack_opening, Dimension::ratio, more_than(0),
                    "in shortest edges; neighbours that part by more show the first tension crack; absent: 0.01 for "
                    "rows and stepped bases, none looked for else"),

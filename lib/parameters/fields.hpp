@@ -119,6 +119,12 @@ constexpr Interval at_least(double lower) {
 constexpr Interval more_than(double lower) {
     return {.lower = lower, .lower_open = true};
 }
+constexpr Interval at_most(double upper) {
+    return {.upper = upper};
+}
+constexpr Interval less_than(double upper) {
+    return {.upper = upper, .upper_open = true};
+}
 constexpr Interval within(double lower, double upper) {
     return {.lower = lower, .upper = upper};
 }

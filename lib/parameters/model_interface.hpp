@@ -46,9 +46,18 @@ struct Prediction {
     Polyline profile;             // ground left standing after the failure, from the toe into the slope; may be empty
 };
 
+// What a prediction without an answer tells of an output all the same: a search that ended at a bound has found that
+// the value lies beyond it.
+struct OutputBound {
+    std::string_view failure;  // of Prediction
+    std::size_t output;        // index into ModelInterface::outputs
+    Interval within;           // the same wherever the inputs of the model are
+};
+
 struct ModelInterface {
     std::vector<Quantity> inputs;
     std::vector<Quantity> outputs;
+    std::vector<OutputBound> bounds;
     // Field evidence without a number that the mechanism reproduces, e.g. "parallel_crest_cracks".
     std::vector<std::string> explains;
     // Pure and safe to call from several threads. Values outside an input's range give a failure, not an exception.

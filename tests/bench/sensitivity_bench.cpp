@@ -40,7 +40,7 @@ void million_samples(benchmark::State& state) {
     problem.study.propagation = PropagationSettings{SamplingMethod::sobol_sequence, 1 << 20, 16};
     for (auto _ : state) {
         const SensitivityResult result = sensitivity(problem);
-        state.counters["failure_percent"] = 100 * result.propagation->failure->probability.value;
+        state.counters["failure_percent"] = 100 * result.propagation->failure->probability->value;
         state.counters["samples"] = static_cast<double>(result.propagation->samples);
     }
 }

@@ -134,6 +134,13 @@ TEST(RelaxationCase, RefusesWhatContradictsItself) {
               std::string::npos);
     EXPECT_NE(complaint_with("[settings]\nstart = \"ramped\"\n").find("ramp_time"), std::string::npos);
     EXPECT_NE(complaint_with("[settings]\nconsolidation_time = \"1 s\"\n").find("held_at_first"), std::string::npos);
+    EXPECT_NE(complaint_with("[settings]\nmost_steps = 1.5\n").find("most_steps = 1.5: must be a whole number"),
+              std::string::npos);
+    EXPECT_NE(complaint(changed(row_text, "[scene.base]",
+                                "[scene.scatter]\nseed = 2.5\nheight_deviation = 0.1\n"
+                                "friction_deviation = \"1 deg\"\n[scene.base]"))
+                  .find("seed = 2.5: must be a whole number"),
+              std::string::npos);
     EXPECT_NE(complaint_with("[history]\ninterval = \"1 s\"\n[[history.block]]\nblock = 9\n")
                   .find("history.block[1].block = 9"),
               std::string::npos);

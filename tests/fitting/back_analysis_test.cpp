@@ -193,8 +193,43 @@ TEST(BackAnalysis, AcceptsAnEmptyProblem) {
     EXPECT_EQ(result.misfit, 0);
     EXPECT_EQ(result.data_count, 0);
     EXPECT_EQ(result.identifiability.rank, 0);
-    EXPECT_EQ(result.identifiability.verdict.find("Nothing observed depends on x1."), 0u);
+    EXPECT_EQ(result.identifiability.verdict.find("Nothing observed depends on x1 near the best point."), 0u);
     EXPECT_EQ(result.profiles[0].determination, Determination::undetermined);
+}
+
+// A single block overturns at 18.4 deg, whatever the friction, unless that is less.
+TEST(BackAnalysis, AFlatBestPointIsNotTheWholeRange) {
+    const ModelInterface model =
+        formula_model(1, {"critical_tilt"}, [](std::span<const double> x) { return answer({std::min(x[0], 18.4)}); });
+    const MechanismFit flat =
+        fit(test::problem_of(model, {test::free_parameter("x1", 5, 30)}, {observe("critical_tilt", 25, 1)}))
+            .mechanisms[0];
+    const std::string& verdict = flat.identifiability.verdict;
+    EXPECT_EQ(flat.identifiability.rank, 0);
+    EXPECT_NE(verdict.find("near the best point"), std::string::npos) << verdict;
+    EXPECT_NE(verdict.find(" That holds near the best point only: over the whole range the data alone limit x1"),
+              std::string::npos)
+        << verdict;
+    const MechanismFit idle =
+        fit(test::problem_of(formula_model(1, {"critical_tilt"}, [](std::span<const double>) { return answer({18}); }),
+                             {test::free_parameter("x1", 5, 30)}, {observe("critical_tilt", 25, 1)}))
+            .mechanisms[0];
+    EXPECT_EQ(idle.identifiability.verdict.find("That holds"), std::string::npos);
+}
+
+TEST(BackAnalysis, IntervalsBetweenContradictingDataAreDoubtful) {
+    const ModelInterface model = formula_model(1, {"a", "b"}, [](std::span<const double> x) {
+        return answer({x[0], x[0]});
+    });
+    const auto determination = [&](double a, double b) {
+        return fit(test::problem_of(model, {test::free_parameter("x1", 0, 1)},
+                                    {observe("a", a, 0.05), observe("b", b, 0.05)}))
+            .mechanisms[0]
+            .profiles[0]
+            .determination;
+    };
+    EXPECT_EQ(determination(0.45, 0.55), Determination::determined);
+    EXPECT_EQ(determination(0.1, 0.9), Determination::doubtful);
 }
 
 TEST(BackAnalysis, RanksMechanismsAndSaysWhatTheyCannotExplain) {

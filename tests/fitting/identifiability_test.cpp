@@ -1,5 +1,7 @@
 #include "fitting/identifiability.hpp"
 
+#include "fitting/verdict.hpp"
+
 #include "test_models.hpp"
 
 #include <gtest/gtest.h>
@@ -75,7 +77,8 @@ TEST(Identifiability, NamesAParameterThatNothingDependsOn) {
     const Identifiability result = identify_at(problem, {0.5, 0.5, 0.5});
     EXPECT_EQ(result.rank, 1);
     EXPECT_NEAR(result.singular_values[0], 10, 1e-6);
-    EXPECT_EQ(result.verdict.find("Nothing observed depends on x3. x1: determined by the data. x2: hardly any effect"),
+    EXPECT_EQ(result.verdict.find("Nothing observed depends on x3 near the best point. x1: determined by the data. x2: "
+                                  "hardly any effect on what was observed near the best point"),
               0u);
 }
 
@@ -124,6 +127,26 @@ TEST(Identifiability, WorksAtABoundAndBesideFailures) {
     EXPECT_NEAR(identify_at(problem, {0}).singular_values[0], 30, 1e-6);
     EXPECT_NEAR(identify_at(problem, {0.5}).singular_values[0], 30, 1e-6);
     EXPECT_EQ(identify_at(problem, {0.5}).status, IdentifiabilityStatus::reliable);
+}
+
+TEST(Identifiability, WhatMissesTheDataIsNotDetermined) {
+    const ModelInterface model = formula_model(2, {"a", "b", "c", "d"}, [](std::span<const double> x) {
+        return answer({x[0], x[0], x[1], 3});
+    });
+    const auto verdict_of = [&](double a, double b) {
+        const FitProblem problem =
+            test::problem_of(model, {test::free_parameter("x1", 0, 1), test::free_parameter("x2", 0, 1)},
+                             {observe("a", a, 0.05), observe("b", b, 0.05), observe("c", 0.3, 0.1),
+                              observe("d", 9, 0.1)});  // missed whatever the parameters are
+        return identify_at(problem, {0.5, 0.3});
+    };
+    EXPECT_EQ(verdict_of(0.4, 0.6).verdict, "x1 and x2: determined by the data.");
+    const Identifiability result = verdict_of(0.1, 0.9);
+    EXPECT_EQ(result.verdict,
+              "x2: determined by the data. x1: not determined: the best fit misses the data that depend on it by up to "
+              "8 standard deviations.");
+    EXPECT_TRUE(in_doubt(result, "x1"));
+    EXPECT_FALSE(in_doubt(result, "x2"));
 }
 
 TEST(Identifiability, GivesASatisfiedInequalityNoWeight) {

@@ -44,7 +44,7 @@ TEST(Propagation, LinearMarginHasTheMomentsAndTheProbabilityOfTheTextbook) {
         EXPECT_EQ(result.samples, 16'384);
         EXPECT_NEAR(result.mean.value, 2, expected.mean);
         EXPECT_NEAR(result.standard_deviation, margin_deviation, 0.03);
-        EXPECT_NEAR(result.failure->probability.value, margin_failure, expected.probability);
+        EXPECT_NEAR(result.failure->probability->value, margin_failure, expected.probability);
         EXPECT_EQ(result.failure->least, result.failure->greatest);  // every sample has an answer
         for (const auto& [share, value] : result.quantiles) {
             const double exact = 2 + margin_deviation * normal_quantile(share);
@@ -65,7 +65,7 @@ TEST(Propagation, IntervalsCoverTheTruthAsOftenAsTheySay) {
         for (int seed = 0; seed < repetitions; ++seed) {
             const PropagationResult result = propagated(method, 512, static_cast<std::uint64_t>(seed));
             mean_covered += result.mean.interval_95.contains(2) ? 1 : 0;
-            failure_covered += result.failure->probability.interval_95.contains(margin_failure) ? 1 : 0;
+            failure_covered += result.failure->probability->interval_95.contains(margin_failure) ? 1 : 0;
         }
         // 190 expected; 179 or fewer of 200 has a probability of 0.001 at 95 %. Replicates of 32 points are skewed a
         // little.
@@ -78,7 +78,7 @@ TEST(Propagation, SequenceBeatsHypercubesAndThoseBeatChance) {
     const auto error = [](SamplingMethod method) {
         double squares = 0;
         for (std::uint64_t seed = 0; seed < 20; ++seed) {
-            const double off = propagated(method, 2048, seed).failure->probability.value - margin_failure;
+            const double off = propagated(method, 2048, seed).failure->probability->value - margin_failure;
             squares += off * off;
         }
         return std::sqrt(squares / 20);
@@ -124,7 +124,7 @@ TEST(Propagation, ConvergenceEndsAtTheAnswer) {
         ASSERT_GE(result.convergence.size(), 3U);
         EXPECT_EQ(result.convergence.back().samples, 4096);
         EXPECT_EQ(result.convergence.back().mean.value, result.mean.value);
-        EXPECT_EQ(result.convergence.back().probability->value, result.failure->probability.value);
+        EXPECT_EQ(result.convergence.back().probability->value, result.failure->probability->value);
         const auto width = [](const Estimate& estimate) {
             return estimate.interval_95.upper - estimate.interval_95.lower;
         };
@@ -152,7 +152,7 @@ TEST(Propagation, SamplesWithoutAnswerAreCountedByCause) {
     EXPECT_EQ(causes[2].first, "holds_at_any_strength");
     EXPECT_EQ(result.with_value + causes[0].second + causes[1].second + causes[2].second, result.samples);
     // (0.1 + 0.35) of the 0.9 that are decided; 0.45 to 0.55 of all.
-    EXPECT_NEAR(result.failure->probability.value, 0.5, 0.005);
+    EXPECT_NEAR(result.failure->probability->value, 0.5, 0.005);
     EXPECT_NEAR(result.failure->least, 0.45, 0.005);
     EXPECT_NEAR(result.failure->greatest, 0.55, 0.005);
 }
@@ -161,8 +161,47 @@ TEST(Propagation, NoAnswerAnywhereIsSaid) {
     Study study([](std::span<const double>) { return Evaluation{0, "crack_outside"}; });
     const PropagationResult result = propagate(study.evaluator(), unit_box(2), {}, below_zero, 1);
     EXPECT_EQ(result.status, PropagationStatus::no_answer);
-    EXPECT_FALSE(result.failure);
+    EXPECT_FALSE(result.failure->probability);
+    EXPECT_EQ(result.failure->least, 0);
+    EXPECT_EQ(result.failure->greatest, 1);
     EXPECT_EQ(result.evaluations.failed(), result.samples);
+}
+
+TEST(Propagation, FewDecidedSamplesGiveBoundsAndNoProbability) {
+    const auto decided_below = [](double share) {
+        Study study([share](std::span<const double> x) {
+            return x[0] < share ? Evaluation{-1, {}} : Evaluation{0, "stands_everywhere"};
+        });
+        return propagate(study.evaluator(), unit_box(1), {SamplingMethod::latin_hypercube, 1000, 10}, below_zero, 1);
+    };
+    const PropagationResult few = decided_below(0.49);
+    EXPECT_EQ(few.status, PropagationStatus::finished);
+    EXPECT_FALSE(few.failure->probability);
+    EXPECT_FALSE(few.convergence.back().probability);
+    EXPECT_EQ(few.failure->decided, 490);
+    EXPECT_EQ(few.failure->samples, 1000);
+    EXPECT_DOUBLE_EQ(few.failure->least, 0.49);
+    EXPECT_EQ(few.failure->greatest, 1);
+    const PropagationResult half = decided_below(0.5);
+    ASSERT_TRUE(half.failure->probability);
+    EXPECT_EQ(half.failure->probability->value, 1);
+    EXPECT_TRUE(half.convergence.back().probability);
+}
+
+TEST(Propagation, ValuesOnOneSideOfTheLimitAreDecided) {
+    const FailureCriterion below{1, FailureSide::below, {}, {}};
+    EXPECT_EQ(below.failed(at_least(1)), false);
+    EXPECT_EQ(below.failed(more_than(2)), false);
+    EXPECT_EQ(below.failed(at_least(0.9)), std::nullopt);
+    EXPECT_EQ(below.failed(less_than(1)), true);
+    EXPECT_EQ(below.failed(at_most(1)), std::nullopt);  // the limit itself stands
+    EXPECT_EQ(below.failed(at_most(0.9)), true);
+    const FailureCriterion above{1, FailureSide::above, {}, {}};
+    EXPECT_EQ(above.failed(at_most(1)), false);
+    EXPECT_EQ(above.failed(less_than(1.1)), std::nullopt);
+    EXPECT_EQ(above.failed(more_than(1)), true);
+    EXPECT_EQ(above.failed(at_least(1)), std::nullopt);
+    EXPECT_EQ(above.failed(any_number()), std::nullopt);
 }
 
 TEST(Propagation, NumbersThatAreNoneAreFailuresOfTheModel) {
@@ -176,10 +215,10 @@ TEST(Propagation, NoFailureAmongManySamplesLeavesAnUpperBound) {
     Study study(objective([](std::span<const double> x) { return x[0]; }));
     const PropagationResult result =
         propagate(study.evaluator(), unit_box(1), {SamplingMethod::monte_carlo, 1000, 16}, below_zero, 1);
-    EXPECT_EQ(result.failure->probability.value, 0);
-    EXPECT_EQ(result.failure->probability.interval_95.lower, 0);
+    EXPECT_EQ(result.failure->probability->value, 0);
+    EXPECT_EQ(result.failure->probability->interval_95.lower, 0);
     // Wilson: z^2 / (n + z^2)
-    EXPECT_NEAR(result.failure->probability.interval_95.upper, 3.8415 / 1003.8415, 1e-6);
+    EXPECT_NEAR(result.failure->probability->interval_95.upper, 3.8415 / 1003.8415, 1e-6);
     EXPECT_EQ(result.failure->method, ErrorMethod::wilson);
 }
 

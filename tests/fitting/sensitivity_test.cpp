@@ -35,12 +35,54 @@ TEST(Sensitivity, AllMethodsSpeakOfTheSameProblem) {
     EXPECT_EQ(result.status, SensitivityStatus::finished);
     const double beta = 0.5 / std::sqrt(0.09 + 0.04);
     EXPECT_NEAR(result.reliability->reliability_index, beta, 1e-5);
-    EXPECT_NEAR(result.propagation->failure->probability.value, result.reliability->probability_of_failure, 0.01);
+    EXPECT_NEAR(result.propagation->failure->probability->value, result.reliability->probability_of_failure, 0.01);
     EXPECT_NEAR(result.sobol_indices->parameters[0].total.value, 9.0 / 13, 0.03);
     EXPECT_NEAR(result.propagation->standard_deviation, std::sqrt(0.13), 0.01);
     EXPECT_DOUBLE_EQ(result.tornado->at_medians.value, 1.5);
     ASSERT_EQ(result.without_effect.size(), 1U);
     EXPECT_EQ(result.without_effect.front(), 1U);
+}
+
+// A search that ended at a bound decides where the bound is on one side of the limit.
+TEST(Sensitivity, BoundsOfTheQuantityDecideSamples) {
+    SensitivityProblem problem;
+    problem.model = formula_model(1, {"critical_tilt", "weight"}, [](std::span<const double> x) {
+        return x[0] > 0.5   ? Prediction{"stands_everywhere", {}, {}}
+               : x[0] < 0.1 ? Prediction{"fails_everywhere", {}, {}}
+                            : answer({x[0], 7});
+    });
+    problem.model.bounds = {{"stands_everywhere", 0, at_least(0.5)}, {"fails_everywhere", 0, less_than(0.1)}};
+    SensitivityStudy& study = problem.study;
+    study.quantity = "critical_tilt";
+    study.parameters = {{"x1", {Uniform{0, 1}}, ""}};
+    study.failure = FailureCriterion{0.3, FailureSide::below, {}, {}};
+    study.propagation = PropagationSettings{SamplingMethod::latin_hypercube, 1000, 10};
+    const auto studied = [&] { return *sensitivity(problem).propagation; };
+    const PropagationResult decided = studied();
+    EXPECT_EQ(decided.failure->decided, 1000);
+    EXPECT_DOUBLE_EQ(decided.failure->probability->value, 0.3);
+    EXPECT_EQ(decided.with_value, 400);  // a bound is no value
+    EXPECT_GE(decided.least, 0.1);
+    EXPECT_LE(decided.greatest, 0.5);
+
+    // At least 0.5 says nothing of 0.6.
+    study.failure->limit = 0.6;
+    const PropagationResult open = studied();
+    EXPECT_EQ(open.failure->decided, 500);
+    EXPECT_DOUBLE_EQ(open.failure->least, 0.5);
+
+    // The word of the study goes first; bounds of another output say nothing.
+    study.failure = FailureCriterion{0.3, FailureSide::below, {"stands_everywhere"}, {}};
+    EXPECT_DOUBLE_EQ(studied().failure->probability->value, 0.8);
+    study.quantity = "weight";
+    study.failure = FailureCriterion{0.3, FailureSide::below, {}, {}};
+    EXPECT_EQ(studied().failure->decided, 400);
+
+    study.quantity = "critical_tilt";
+    problem.model.predict = [](std::span<const Assignment>) { return Prediction{"stands_everywhere", {}, {}}; };
+    const SensitivityResult all_stand = sensitivity(problem);
+    EXPECT_EQ(all_stand.status, SensitivityStatus::finished);
+    EXPECT_EQ(all_stand.propagation->failure->probability->value, 0);
 }
 
 TEST(Sensitivity, NothingAnsweredIsAStatus) {

@@ -181,6 +181,39 @@ TEST(Surrogate, GivesUpWhereAnotherMechanismIsOutOfReach) {
     EXPECT_EQ(fit(problem).mechanisms[1].surrogate->runs.size(), alone.surrogate->runs.size());
 }
 
+// It stands or it collapses: what was observed lies between, and a smooth function crosses it.
+TEST(Surrogate, AJumpDeterminesNothing) {
+    ModelInterface model = formula_model(1, {"displacement"},
+                                         [](std::span<const double> x) { return answer({x[0] < 0.4567 ? 1.6 : 0.0}); });
+    model.costly = true;
+    FitProblem problem =
+        test::problem_of(model, {test::free_parameter("x1", 0, 1)}, {observe("displacement", 0.1, 0.01)});
+    problem.settings.starts = 4;
+    const MechanismFit found = only(fit(problem));
+    ASSERT_TRUE(found.surrogate);
+    EXPECT_EQ(found.identifiability.status, IdentifiabilityStatus::run_contradicts);
+    EXPECT_TRUE(std::isfinite(found.surrogate->evidence_error));
+    // Hardly any two runs are made at one point while others would tell more.
+    std::vector<double> made;
+    for (const SurrogateFit::Run& run : found.surrogate->runs) {
+        made.push_back(run.parameters[0]);
+    }
+    std::ranges::sort(made);
+    const auto repeated = std::ranges::unique(made);
+    EXPECT_LT(std::ssize(repeated), std::ssize(made) / 10);
+    EXPECT_EQ(found.identifiability.verdict.find("Nothing is determined: the run at the best point contradicts"), 0u);
+    EXPECT_FALSE(found.identifiability.covariance);
+    for (const ProfileLikelihood& profile : found.profiles) {
+        EXPECT_TRUE(profile.determination == Determination::doubtful ||
+                    profile.determination == Determination::undetermined);
+    }
+    ASSERT_TRUE(found.surrogate->jump);
+    EXPECT_LE(found.surrogate->jump->distance, 0.02);
+    EXPECT_NEAR(found.surrogate->jump->at[0], 0.4567, 0.02);
+    EXPECT_NEAR(found.surrogate->jump->difference, 160, 1e-9);
+    EXPECT_FALSE(only(fit(curved_problem(true))).surrogate->jump);
+}
+
 TEST(Surrogate, InterruptedRunsLeaveWhatWasFinished) {
     FitProblem problem = curved_problem(true);
     std::atomic<bool> stop = false;

@@ -239,6 +239,32 @@ TEST(RelaxationStudy, QualitiesSetStepStiffnessAndEquilibriumUnlessGiven) {
     EXPECT_EQ(relaxation_settings(study).step_fraction, 0.33);
 }
 
+TEST(RelaxationStudy, ASearchThatEndsAtABoundTellsThatTheCriticalValueLiesBeyond) {
+    RelaxationStudy study = one_block(degrees(10), degrees(40), 1, 3);
+    const auto bound = [&](CriticalParameter parameter, double lower, double upper) {
+        study.critical = CriticalRequest{parameter, lower, upper, {}};
+        const ModelInterface model = model_interface(study);
+        const Prediction prediction = model.predict({});
+        const auto found = std::ranges::find(model.bounds, prediction.failure, &OutputBound::failure);
+        EXPECT_NE(found, model.bounds.end()) << prediction.failure;
+        EXPECT_EQ(model.outputs[found->output].name, name_of_critical(parameter));
+        return found->within;
+    };
+    const auto expect = [](const Interval& found, const Interval& expected) {
+        EXPECT_EQ(found.lower, expected.lower);
+        EXPECT_EQ(found.upper, expected.upper);
+        EXPECT_EQ(found.lower_open, expected.lower_open);
+        EXPECT_EQ(found.upper_open, expected.upper_open);
+    };
+    // It overturns at atan(1 / 3), 18.4 deg; at 10 deg friction of 10 deg holds it.
+    expect(bound(CriticalParameter::tilt, degrees(5), degrees(16)), at_least(degrees(16)));
+    expect(bound(CriticalParameter::tilt, degrees(20), degrees(30)), less_than(degrees(20)));
+    expect(bound(CriticalParameter::friction, degrees(12), degrees(30)), at_most(degrees(12)));
+    expect(bound(CriticalParameter::friction, degrees(2), degrees(8)), more_than(degrees(8)));
+    study.critical.reset();
+    EXPECT_TRUE(model_interface(study).bounds.empty());
+}
+
 TEST(RelaxationStudy, PredictionsFailByName) {
     RelaxationStudy study = one_block(degrees(10), degrees(40), 1, 3);
     const ModelInterface model = model_interface(study);

@@ -59,7 +59,7 @@ TEST(SensitivityFigures, IndicesShowTheirIntervals) {
 
 TEST(SensitivityFigures, ConvergenceStandsOnALogarithmicAxis) {
     PropagationResult result;
-    result.failure = FailureProbability{};
+    result.failure = FailureProbability{.probability = Estimate{0.05, {0.04, 0.06}}};
     for (const long samples : {100L, 1000L, 10'000L}) {
         result.convergence.push_back({samples, {1, {0.9, 1.1}}, Estimate{0.05, {0.04, 0.06}}});
     }
@@ -67,6 +67,20 @@ TEST(SensitivityFigures, ConvergenceStandsOnALogarithmicAxis) {
     EXPECT_EQ(with_legend<Line>(figure, "estimate").points[1], Point(3, 5));
     EXPECT_EQ(with_legend<Line>(figure, "first-order reliability").points[0].y(), 3);
     ASSERT_EQ(figure.x.ticks.back().second, "10000");
+}
+
+TEST(SensitivityFigures, WithoutAProbabilityTheMeanConverges) {
+    PropagationResult result;
+    result.failure = FailureProbability{};
+    result.cumulative = {{degrees(15), 0.5}, {degrees(17), 1}};
+    result.convergence = {{100, {1, {0.9, 1.1}}, std::nullopt}, {1000, {1, {0.9, 1.1}}, std::nullopt}};
+    EXPECT_EQ(sampling_convergence_figure(tilt, result, 0.03).y.title, "mean of critical tilt");
+    EXPECT_EQ(all<Region>(cumulative_figure(tilt, result, below_sixteen))[0].legend, "fails below 16\u00b0");
+    result.failure->probability = Estimate{0.05, {0.04, 0.06}};
+    result.failure->decided = 60;
+    result.samples = 64;
+    EXPECT_EQ(all<Region>(cumulative_figure(tilt, result, below_sixteen))[0].legend,
+              "fails below 16\u00b0: 5 % of the samples that are decided");
 }
 
 TEST(SensitivityFigures, NothingToDrawIsNoFault) {

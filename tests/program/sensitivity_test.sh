@@ -108,6 +108,25 @@ expect_error 'found no value of the quantity anywhere'
 expect_complete_results hopeless
 expect "the status says so" test "$(json_value hopeless/result.json status)" == '"no_answer"'
 
+title "a search that ends at a bound decides a sample where the bound is the limit"
+probability=$source_folder/cases/relaxation/single_block_probability.toml
+# few UPPER STATUS: what a few samples say where the search of the critical tilt ends there
+few() {
+    delabole sensitivity "$probability" --out "few_$1" --set critical.upper="$1 deg" --set settings.quality=draft \
+        --set sensitivity.propagation.samples=64 --quiet
+    expect_status "$2"
+}
+few 30 0
+few 16 4 # where the medians stand, first-order reliability has nowhere to start from
+for answer in failed decided; do
+    expect "the same number $answer" \
+        test "$(json_value few_16/result.json "$answer")" == "$(json_value few_30/result.json "$answer")"
+done
+expect "and said in the report" contains few_16/report.html 'stands: at least 16 deg'
+few 15.9 4
+expect "few samples decided give no probability" contains few_15.9/result.json '"probability": null'
+expect "but bounds" contains few_15.9/result.json 'Probability of failure not known: only'
+
 title "a parameter that nothing depends on"
 sed 's/name = "water.water_depth"/name = "slope.toe_elevation"/' study.toml >idle.toml
 delabole sensitivity idle.toml --out idle
