@@ -140,7 +140,7 @@ struct Program {
         run->add_option("--checkpoint-every", options.seconds_between_checkpoints,
                         "Seconds between checkpoints of a long dynamic relaxation, from which the same command goes on "
                         "once it was stopped; 60 by default")
-            ->check(CLI::Range(0, 86'400))  // a day: the bounds are printed
+            ->check(CLI::Range(0.0, 86'400.0))  // a day: the bounds are printed
             ->type_name("SECONDS");
         run->footer(example("delabole run cases/plane_failure/wyllie_mah_7_1.toml --set water.water_depth=\"2 m\""));
         run->callback([this] { choose([this] { return delabole::run_command(cases, options); }); });

@@ -137,10 +137,8 @@ void check_loads(Checker& checker, const Relaxation& model, const RelaxationScen
             checker.complain(key + ".fixed_block", "is free: only a fixed block moves as prescribed");
         }
         check_increasing(checker, motion.velocity, &VelocityPoint::time, key + ".velocity", "time");
-        if (!motion.turning && motion.velocity.empty()) {
-            checker.complain(key, "moves nothing: needs a velocity or turning");
-        } else if (!motion.velocity.empty() &&
-                   (motion.velocity.front().horizontal != 0 || motion.velocity.front().vertical != 0)) {
+        if (!motion.velocity.empty() &&
+            (motion.velocity.front().horizontal != 0 || motion.velocity.front().vertical != 0)) {
             checker.complain(key + ".velocity[1]",
                              "must be 0 m/s at first: a base that jumps to a speed deals its blocks a blow");
         }

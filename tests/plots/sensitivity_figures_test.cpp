@@ -75,12 +75,12 @@ TEST(SensitivityFigures, WithoutAProbabilityTheMeanConverges) {
     result.cumulative = {{degrees(15), 0.5}, {degrees(17), 1}};
     result.convergence = {{100, {1, {0.9, 1.1}}, std::nullopt}, {1000, {1, {0.9, 1.1}}, std::nullopt}};
     EXPECT_EQ(sampling_convergence_figure(tilt, result, 0.03).y.title, "mean of critical tilt");
-    EXPECT_EQ(all<Region>(cumulative_figure(tilt, result, below_sixteen))[0].legend, "fails below 16\u00b0");
+    EXPECT_EQ(all<Region>(cumulative_figure(tilt, result, below_sixteen))[0].legend, "fails below 16\u00a0deg");
     result.failure->probability = Estimate{0.05, {0.04, 0.06}};
     result.failure->decided = 60;
     result.samples = 64;
     EXPECT_EQ(all<Region>(cumulative_figure(tilt, result, below_sixteen))[0].legend,
-              "fails below 16\u00b0: 5 % of the samples that are decided");
+              "fails below 16\u00a0deg: 5 % of the samples that are decided");
 }
 
 TEST(SensitivityFigures, NothingToDrawIsNoFault) {

@@ -47,7 +47,7 @@ misused trade good.toml --seed 1
 misused trade good.toml --threads 0
 misused run good.toml --threads 0
 misused run good.toml --checkpoint-every -1
-expect_error '[0 - 86400]'
+expect_error 'Value -1 not in range 0.000000 to 86400.000000'
 misused run good.toml --seed 1
 misused init plane_falure
 expect_error 'did you mean plane_failure?'
