@@ -77,16 +77,13 @@ bool is_base_contact(const Bodies& bodies, const ContactBlocks& contact) {
     return (bodies.fixed[contact.block] != 0) != (bodies.fixed[contact.other] != 0);
 }
 
-std::vector<SlipOverFace> slip_since_booked(const Bodies& bodies, const PlanePoint<>& up,
-                                            const RelaxationState& state) {
-    std::vector<SlipOverFace> slip = state.dropped_slip;
+void for_each_base_contact(const Bodies& bodies, const RelaxationState& state, const auto& visit) {
     const std::span<const ContactBlocks> contacts = state.contacts.contact.blocks();
     for (std::size_t index = 0; index < contacts.size(); ++index) {
         if (is_base_contact(bodies, contacts[index])) {
-            note_base_slip(bodies, state.motion, state.contacts.contact[index], state.contacts.memory[index], up, slip);
+            visit(index);
         }
     }
-    return slip;
 }
 
 }  // namespace
@@ -121,22 +118,23 @@ void note_base_slip(const Bodies& bodies, const std::vector<Motion>& motion, con
 }
 
 void book_base_slip(const Bodies& bodies, const PlanePoint<>& up, RelaxationState& state) {
-    const std::vector<SlipOverFace> since = slip_since_booked(bodies, up, state);
+    for_each_base_contact(bodies, state, [&](std::size_t index) {
+        note_base_slip(bodies, state.motion, state.contacts.contact[index], state.contacts.memory[index], up,
+                       state.dropped_slip);
+        state.contacts.memory.numbers()[index / packed_size].slip[index % packed_size] = 0;
+    });
     for (std::size_t block = 0; block < bodies.size(); ++block) {
-        state.base_slip[block] += since[block].slip;
-    }
-    std::ranges::fill(state.dropped_slip, SlipOverFace{});
-    const std::span<const ContactBlocks> contacts = state.contacts.contact.blocks();
-    for (std::size_t index = 0; index < contacts.size(); ++index) {
-        if (is_base_contact(bodies, contacts[index])) {
-            state.contacts.memory.numbers()[index / packed_size].slip[index % packed_size] = 0;
-        }
+        state.base_slip[block] += state.dropped_slip[block].slip;
+        state.dropped_slip[block] = {};
     }
 }
 
 std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const PlanePoint<>& up, const RelaxationState& state,
                                          const RelaxationSettings& settings) {
-    const std::vector<SlipOverFace> since = slip_since_booked(bodies, up, state);
+    std::vector<SlipOverFace> since = state.dropped_slip;
+    for_each_base_contact(bodies, state, [&](std::size_t index) {
+        note_base_slip(bodies, state.motion, state.contacts.contact[index], state.contacts.memory[index], up, since);
+    });
     const Thresholds thresholds = thresholds_of(bodies, state, settings);
     std::vector<BlockOutcome> outcomes(bodies.size());
     for (std::size_t block = 0; block < bodies.size(); ++block) {

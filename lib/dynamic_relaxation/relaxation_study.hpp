@@ -17,7 +17,7 @@
 
 namespace delabole {
 
-// Step fraction, stiffness ratio and equilibrium ratio together: 0.8, 1e5, 1e-5; 0.6, 1e6, 1e-6; 0.4, 1e8, 1e-7. Chosen
+// Step fraction, stiffness ratio and equilibrium ratio together: 0.8, 3e5, 1e-5; 0.6, 1e6, 1e-6; 0.4, 1e8, 1e-7. Chosen
 // by `delabole trade`: of a preloaded start the stiffness alone decides the critical value, and steps of 0.1 to 0.6 of
 // the stable one give the same bracket.
 enum class RelaxationQuality { draft, standard, reference };
