@@ -93,8 +93,12 @@ std::size_t index_of(double number) {
 }
 
 void check_joint_water(Checker& checker, const std::vector<WaterInJoint>& joint_water, const RelaxationScene& scene) {
+    if (joint_water.empty()) {
+        return;
+    }
     // Bodies of outlines that the scene's check refuses are none.
     const bool drawn = check_scene(scene).check != SceneCheck::outline_not_convex;
+    const Bodies bodies = drawn ? make_bodies(scene) : Bodies{};
     for (std::size_t index = 0; index < joint_water.size(); ++index) {
         const WaterInJoint& water = joint_water[index];
         const std::string key = indexed("joint_water", index);
@@ -104,8 +108,7 @@ void check_joint_water(Checker& checker, const std::vector<WaterInJoint>& joint_
         }
         if (water.block == water.other) {
             checker.complain(key + ".other", "is the block itself: water is between two");
-        } else if (drawn &&
-                   pressures_of({index_of(water.block), index_of(water.other), 0, 0}, make_bodies(scene)).empty()) {
+        } else if (drawn && pressures_of({index_of(water.block), index_of(water.other), 0, 0}, bodies).empty()) {
             checker.complain(key + ".other", "shares no face with block " + std::to_string(index_of(water.block) + 1) +
                                                  " in the drawing");
         }
