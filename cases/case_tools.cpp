@@ -92,7 +92,7 @@ ExitCode init_command(const std::string& model, const Options& options) {
     if (std::filesystem::exists(options.out, ignored)) {
         throw OutputError(options.out, "it exists already and is not overwritten");
     }
-    write_file_atomically(options.out, text);
+    write_file_atomically(end_of_links(options.out), text);
     return ExitCode::ok;
 }
 

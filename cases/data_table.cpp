@@ -162,6 +162,16 @@ std::vector<TableColumn> read_header(const Line& line, const std::vector<TableCo
     if (!Splitter(line, reading).split(cells)) {
         return {};
     }
+    // A case may name any file that its reader can read as its table, and send the message on: what is in such a file
+    // is not shown.
+    if (std::ranges::none_of(cells, [&](const Cell& cell) { return field_of(cell.text, fields) != nullptr; })) {
+        std::string names;
+        for (const TableColumnField& field : fields) {
+            names += (names.empty() ? "" : ", ") + example_column(field);
+        }
+        reading.complain(line.place, "", "", "names none of the columns of this table: " + names);
+        return {};
+    }
     std::vector<TableColumn> columns;
     for (const Cell& cell : cells) {
         const TableColumnField* field = field_of(cell.text, fields);

@@ -3,6 +3,7 @@
 #include "cases/case_writer.hpp"
 #include "fitting/bytes.hpp"
 #include "fitting/ranks.hpp"
+#include "plots/atomic_file.hpp"
 #include "plots/text.hpp"
 #include "version/version.hpp"
 
@@ -13,6 +14,7 @@ namespace delabole {
 
 KeptEvaluations::KeptEvaluations(const Options& options, const ResultFolder& folder)
     : path_(options.store.empty() ? folder.path() / "evaluations.sqlite" : options.store),
+      in_result_folder_(options.store.empty()),
       ranks_(options.ranks),
       quiet_(options.quiet) {
     if (ranks_ == nullptr) {
@@ -30,6 +32,9 @@ void KeptEvaluations::keep(ModelInterface& model, const CaseModel& of) {
         return;
     }
     if (!store_) {
+        if (in_result_folder_) {
+            refuse_link(path_);
+        }
         store_ = std::make_unique<EvaluationStore>(path_, fingerprint());
         if (ranks_ != nullptr && !ranks_->alone() && ranks_->leads() && !quiet_) {
             std::cerr << "delabole: " << ranks_->count() << " ranks; should one be lost, the same command goes on from "

@@ -32,6 +32,7 @@ class KeptEvaluations {
 
   private:
     std::filesystem::path path_;
+    bool in_result_folder_;  // and so not named by the user
     std::unique_ptr<EvaluationStore> store_;
     const Ranks* ranks_;
     bool quiet_;

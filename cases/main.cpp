@@ -3,6 +3,7 @@
 #include "cases/case_file.hpp"
 #include "cases/commands.hpp"
 #include "cases/interrupt.hpp"
+#include "cases/plain_output.hpp"
 #include "cases/spelling.hpp"
 #include "fitting/evaluation_store.hpp"
 #include "fitting/ranks.hpp"
@@ -53,7 +54,12 @@ void add_common(CLI::App& command, Options& options) {
 }
 
 void add_output(CLI::App& command, Options& options) {
-    command.add_option("--out", options.out, "Folder for the results; by default results/<name of the case>")
+    command
+        .add_option(
+            "--out", options.out,
+            "Folder for the results; by default results/<name of the case>. It holds one result, which takes the "
+            "place of what files.txt in it lists; other files stay. Symbolic links in it are not followed, and a "
+            "second delabole is refused while one is writing")
         ->type_name("DIR");
 }
 
@@ -300,6 +306,8 @@ int guarded(const std::function<ExitCode()>& command, const delabole::Ranks& ran
 
 int main(int argument_count, char** arguments) {
     occupy_standard_streams();
+    const delabole::PlainOutput plain_output(std::cout);
+    const delabole::PlainOutput plain_errors(std::cerr);
     try {
         const delabole::Ranks ranks;
         Program program(ranks);

@@ -1,5 +1,7 @@
 #include "cases/progress.hpp"
 
+#include "cases/plain_output.hpp"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -48,14 +50,15 @@ void Progress::report(double share, const std::string& what) {
     const double done = std::clamp(share, 0.0, 1.0);
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     const std::string left = done > 1e-6 && elapsed > 1 ? duration_in_words(elapsed * (1 - done) / done) + " left" : "";
+    const std::string doing = plain_text(what);
     const int percent = static_cast<int>(std::lround(100 * done));
     if (terminal_) {
         const auto filled = static_cast<std::size_t>(std::lround(done * bar_width));
         std::fprintf(stderr, "\r\033[K[%s%s] %3d %%  %s  %s", std::string(filled, '#').c_str(),
-                     std::string(bar_width - filled, ' ').c_str(), percent, left.c_str(), what.c_str());
+                     std::string(bar_width - filled, ' ').c_str(), percent, left.c_str(), doing.c_str());
         std::fflush(stderr);
     } else {
-        std::fprintf(stderr, "%d %%: %s%s%s\n", percent, what.c_str(), left.empty() ? "" : ", ", left.c_str());
+        std::fprintf(stderr, "%d %%: %s%s%s\n", percent, doing.c_str(), left.empty() ? "" : ", ", left.c_str());
     }
 }
 

@@ -89,6 +89,11 @@ void append_frames(const RelaxationRun& made, const ResultFolder& folder, Report
     report.blocks.emplace_back(Heading{"The blocks in motion"});
     report.blocks.emplace_back(animation_of(made, bodies));
     FrameFolder frames(folder.path() / "frames", "run");
+    std::vector<std::string> names = frames.file_names(made.frames.size());
+    for (std::string& name : names) {
+        name.insert(0, "frames/");
+    }
+    folder.enter(names);
     for (const MotionFrame& frame : made.frames) {
         frames.add(frame_of(frame, bodies));
     }

@@ -26,11 +26,24 @@ std::string shortest(double value) {
     return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
 
+bool is_number(std::string_view text) {
+    text.remove_prefix(text.starts_with('+') ? 1 : 0);
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc{} && end == text.data() + text.size();
+}
+
+bool may_be_formula(std::string_view text) {
+    return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos &&
+           !is_number(text);
+}
+
 std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) {
+    const bool formula = may_be_formula(text);
+    if (!formula && text.find_first_of(",\"\n\r") == std::string::npos) {
         return text;
     }
-    std::string result = "\"";
+    std::string result = formula ? "\"'" : "\"";
     for (const char letter : text) {
         result += letter == '"' ? "\"\"" : std::string(1, letter);
     }
@@ -142,20 +155,39 @@ Provenance provenance_block(const Json& provenance) {
 }
 
 std::filesystem::path result_path(const Options& options, const std::string& name) {
-    return options.out.empty() ? std::filesystem::path("results") / name : options.out;
+    if (!options.out.empty()) {
+        return options.out;
+    }
+    if (name.empty() || name == "." || name == "..") {
+        throw UsageError("\"" + name + "\" cannot be the name of a folder in results: name one with --out");
+    }
+    return std::filesystem::path("results") / name;
 }
 
 ResultFolder::ResultFolder(const Options& options, const std::string& name, OnInterrupt on_interrupt)
     : path_(result_path(options, name)), quiet_(options.quiet), threads_(options.threads), on_interrupt_(on_interrupt) {
-    create_output_folder(path_);
+    if (options.out.empty()) {
+        refuse_link(path_.parent_path());
+        refuse_link(path_);
+    }
+    for (const std::string_view written : {"result.json", "resolved.toml", "report.html", "figures", "frames"}) {
+        refuse_link(path_ / written);
+    }
     const std::filesystem::path result = path_ / "result.json";
-    std::error_code error;
-    if (std::filesystem::is_directory(result, error)) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(result, ignored)) {
         throw OutputError(result, "it is a folder");
     }
-    std::filesystem::remove(result, error);
-    if (error) {
-        throw OutputError(result, error.message());
+    if (leads(options)) {
+        claim_ = std::make_unique<FolderClaim>(path_);
+    } else {
+        create_output_folder(path_);
+    }
+}
+
+void ResultFolder::enter(const std::vector<std::string>& names) const {
+    if (claim_ != nullptr) {
+        claim_->enter(names);
     }
 }
 
@@ -166,6 +198,7 @@ void ResultFolder::report_progress(double share, const std::string& what) const 
 }
 
 void ResultFolder::write(const std::string& name, std::string_view text) const {
+    enter({name});
     write_file_atomically(path_ / name, text);
 }
 
@@ -173,6 +206,8 @@ FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name,
     if (on_interrupt_ == OnInterrupt::stop) {
         stop_if_interrupted();
     }
+    const std::string file = "figures/" + name;
+    enter({file + ".gp", file + ".svg", file + ".png"});
     const FigureFiles files = write_figure(figure, path_ / "figures", name);
     if (files.write_error) {
         throw *files.write_error;
@@ -184,6 +219,7 @@ FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name,
 }
 
 void ResultFolder::write_report(const Report& report) const {
+    enter({"report.html"});
     delabole::write_report(report, path_ / "report.html");
 }
 

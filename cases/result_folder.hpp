@@ -4,6 +4,7 @@
 #include "cases/analysis.hpp"
 #include "cases/case_file.hpp"
 #include "cases/commands.hpp"
+#include "cases/folder_claim.hpp"
 #include "plots/figure.hpp"
 #include "plots/report.hpp"
 
@@ -12,6 +13,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,7 +39,9 @@ Json json_number(double value);
 // Indented, with a line end. Bytes that are not UTF-8, as a file name may contain, are replaced.
 std::string json_text(const Json& json);
 
-// Comma-separated, with a header; texts are quoted where they need it, numbers in full precision.
+// Comma-separated, with a header; texts are quoted where they need it, numbers in full precision. A text that a
+// spreadsheet would take for a formula, because it begins with =, +, -, @, a tab or a line break and is no number,
+// begins with an apostrophe instead: a case from somebody else must not compute anything in its reader's spreadsheet.
 class CsvTable {
   public:
     explicit CsvTable(std::vector<std::string> columns);
@@ -56,14 +60,18 @@ Provenance provenance_block(const Json& provenance);
 // rest is soon repeated and ends by Interrupted.
 enum class OnInterrupt { finish, stop };
 
-// --out, or results/<name>.
+// --out, or results/<name>. UsageError for names that are folders of their own there, as "..": the case file "...toml".
 std::filesystem::path result_path(const Options& options, const std::string& name);
 
+// One result of one process: see FolderClaim.
 class ResultFolder {
   public:
-    // Creates the folder. OutputError where that is impossible. result.json is to be written last and so says that all
-    // the rest is there: an earlier one is removed first.
+    // Creates the folder and claims it; of several ranks only the leader does. OutputError where that is impossible, or
+    // where a symbolic link stands for something that is to be written; what --out names itself may be one.
+    // result.json is to be written last and so says that all the rest is there.
     ResultFolder(const Options& options, const std::string& name, OnInterrupt on_interrupt);
+
+    void when_interrupted(OnInterrupt on_interrupt) { on_interrupt_ = on_interrupt; }
 
     const std::filesystem::path& path() const { return path_; }
     // As the command was told; for long work.
@@ -76,9 +84,12 @@ class ResultFolder {
     // A figure that cannot be drawn is reported inside the report and by a warning on standard error.
     FigureInReport draw(const Figure& figure, const std::string& name, const std::string& caption) const;
     void write_report(const Report& report) const;
+    // Before something else writes files here, named from the folder: they go as all others when the next result comes.
+    void enter(const std::vector<std::string>& names) const;
 
   private:
     std::filesystem::path path_;
+    std::unique_ptr<FolderClaim> claim_;
     bool quiet_;
     int threads_;
     OnInterrupt on_interrupt_;

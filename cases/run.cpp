@@ -12,12 +12,14 @@
 #include "cases/result_folder.hpp"
 #include "cases/stepped_base_bound.hpp"
 #include "cases/units.hpp"
+#include "plots/atomic_file.hpp"
 #include "plots/text.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <system_error>
 
 namespace delabole {
@@ -77,7 +79,10 @@ void announce(const CaseFile& file, const Options& options) {
 ExitCode run_one(const CaseFile& file, const Options& options) {
     const Stopwatch watch;
     announce(file, options);
-    const std::filesystem::path checkpoint = result_path(options, stem_of(file)) / "relaxation.checkpoint";
+    // Claimed before the work, which may take hours and keeps its checkpoint there.
+    ResultFolder folder(options, stem_of(file), OnInterrupt::stop);
+    const std::filesystem::path checkpoint = folder.path() / "relaxation.checkpoint";
+    refuse_link(checkpoint);
     const Analysis analysis = [&] {
         Progress progress(options.quiet);
         AnalysisWork work;
@@ -96,8 +101,9 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     if (!analysis.failure.empty()) {
         throw CaseError({impossible(file, analysis.failure)});
     }
-    const ResultFolder folder(options, stem_of(file),
-                              analysis.unfinished.empty() ? OnInterrupt::stop : OnInterrupt::finish);
+    if (!analysis.unfinished.empty()) {
+        folder.when_interrupted(OnInterrupt::finish);
+    }
     const Json source = provenance(file, "run", options, watch.seconds());
 
     Json json;
@@ -156,6 +162,19 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     return ExitCode::not_converged;
 }
 
+// Two cases of one name, in different folders, would leave one result under it.
+void refuse_shared_folders(const std::vector<CaseFile>& files, const Options& options) {
+    std::map<std::filesystem::path, const CaseFile*> folders;
+    for (const CaseFile& file : files) {
+        const std::filesystem::path folder = result_path(options, stem_of(file));
+        const auto [other, is_new] = folders.emplace(folder, &file);
+        if (!is_new) {
+            throw UsageError(other->second->name + " and " + file.name + " would both be written into " +
+                             folder.string() + ": run them one by one, each with a folder of its own (--out)");
+        }
+    }
+}
+
 }  // namespace
 
 ExitCode run_command(const Paths& cases, const Options& options) {
@@ -167,6 +186,7 @@ ExitCode run_command(const Paths& cases, const Options& options) {
     for (const std::filesystem::path& path : cases) {
         files.push_back(read_case(path, settings_of(options)));
     }
+    refuse_shared_folders(files, options);
     std::size_t analysed = 0;
     ExitCode worst = ExitCode::ok;
     for (const CaseFile& file : files) {

@@ -22,21 +22,6 @@ std::string reason_of(int error) {
     return std::generic_category().message(error);
 }
 
-// Where a link leads to, whether something is there or not.
-fs::path target_of(const fs::path& path) {
-    constexpr int most_links = 40;
-    fs::path target = path;
-    std::error_code error;
-    for (int links = 0; fs::is_symlink(target, error); ++links) {
-        const fs::path next = fs::read_symlink(target, error);
-        if (error || links == most_links) {
-            throw OutputError(path, reason_of(error ? error.value() : ELOOP));
-        }
-        target = next.is_absolute() ? next : target.parent_path() / next;
-    }
-    return target;
-}
-
 // A part is locked as long as its writer lives, so that one without a lock is abandoned. File systems that cannot lock
 // refuse the remover's lock as well: there parts stay.
 bool lock(int descriptor) {
@@ -152,24 +137,45 @@ OutputError::OutputError(std::filesystem::path path, std::string reason)
       path_(std::move(path)),
       reason_(std::move(reason)) {}
 
-void write_file_atomically(const std::filesystem::path& path, std::string_view text) {
-    const fs::path target = target_of(path);
+void refuse_link(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (fs::is_symlink(path, ignored)) {
+        throw OutputError(path, "it is a symbolic link, and none is followed out of the result folder: remove it");
+    }
+}
+
+std::filesystem::path end_of_links(const std::filesystem::path& path) {
+    constexpr int most_links = 40;
+    fs::path target = path;
     std::error_code error;
-    const fs::file_status status = fs::status(target, error);
+    for (int links = 0; fs::is_symlink(target, error); ++links) {
+        const fs::path next = fs::read_symlink(target, error);
+        if (error || links == most_links) {
+            throw OutputError(path, reason_of(error ? error.value() : ELOOP));
+        }
+        target = next.is_absolute() ? next : target.parent_path() / next;
+    }
+    return target;
+}
+
+void write_file_atomically(const std::filesystem::path& path, std::string_view text) {
+    refuse_link(path);
+    std::error_code error;
+    const fs::file_status status = fs::symlink_status(path, error);
     if (fs::exists(status) && !fs::is_regular_file(status)) {
         throw OutputError(path, fs::is_directory(status) ? "it is a folder" : "it is not a regular file");
     }
-    TemporaryFile file(target);
+    // A link that takes the place of the file from here on is replaced by the final renaming, not followed.
+    TemporaryFile file(path);
     file.write(text);
     file.commit();
 }
 
 void remove_abandoned_parts(const fs::path& path) {
-    const fs::path target = target_of(path);
     std::error_code error;
-    for (fs::directory_iterator entry(target.has_parent_path() ? target.parent_path() : fs::path("."), error);
+    for (fs::directory_iterator entry(path.has_parent_path() ? path.parent_path() : fs::path("."), error);
          !error && entry != fs::directory_iterator(); entry.increment(error)) {
-        if (!is_part_of(target, entry->path().filename().string())) {
+        if (!is_part_of(path, entry->path().filename().string())) {
             continue;
         }
         const int descriptor = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
@@ -191,6 +197,11 @@ void create_output_folder(const std::filesystem::path& folder) {
     if (!fs::is_directory(folder, error)) {
         throw OutputError(folder, "it is not a folder");
     }
+}
+
+void create_output_subfolder(const std::filesystem::path& folder) {
+    refuse_link(folder);
+    create_output_folder(folder);
 }
 
 }  // namespace delabole

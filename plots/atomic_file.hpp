@@ -22,14 +22,25 @@ class OutputError : public std::runtime_error {
 };
 
 // Writes `text` to a hidden temporary file beside `path`, forces it to the disk and renames it to `path`: afterwards
-// either the whole new file is there or, after an OutputError, whatever was there before, without leftovers. A symbolic
-// link is followed. Only regular files are replaced: a folder, device or pipe named `path` is refused.
+// either the whole new file is there or, after an OutputError, whatever was there before, without leftovers. Only
+// regular files are replaced: a symbolic link, folder, device or pipe named `path` is refused.
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
+
+// OutputError where `path` is a symbolic link: a result folder may come from somebody else, and a link in it would lead
+// the results to any file of the user's.
+void refuse_link(const std::filesystem::path& path);
+
+// Where a link that the user has named leads to, whether something is there or not; `path` itself where it is no link.
+// OutputError for links that lead in a circle.
+std::filesystem::path end_of_links(const std::filesystem::path& path);
 
 // Removes what processes killed while they wrote `path` have left beside it; what another is writing just now stays.
 void remove_abandoned_parts(const std::filesystem::path& path);
 
-// Creates the folder and its parents where they are missing. OutputError if that is impossible.
+// Creates the folder and its parents where they are missing; links are followed. OutputError if that is impossible.
 void create_output_folder(const std::filesystem::path& folder);
+
+// The same for a folder within a result folder, which must not be a link.
+void create_output_subfolder(const std::filesystem::path& folder);
 
 }  // namespace delabole

@@ -162,7 +162,9 @@ FigureFiles write_script_and_draw(const std::string& script, const std::filesyst
     FigureFiles files{
         .script = folder / (name + ".gp"), .svg = folder / (name + ".svg"), .png = folder / (name + ".png")};
     try {
-        create_output_folder(folder);
+        create_output_subfolder(folder);
+        refuse_link(files.svg);
+        refuse_link(files.png);
         write_file_atomically(files.script, script);
         draw(files, folder);
     } catch (const OutputError& error) {

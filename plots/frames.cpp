@@ -220,7 +220,7 @@ std::string collection_pvd(const std::vector<CollectedFile>& files) {
 
 FrameFolder::FrameFolder(std::filesystem::path folder, std::string name)
     : folder_(std::move(folder)), name_(std::move(name)) {
-    create_output_folder(folder_);
+    create_output_subfolder(folder_);
     for (const std::string_view kind : {"blocks", "contacts"}) {
         // Collections first: a list never names what is not there.
         std::error_code error;
@@ -241,6 +241,17 @@ std::string FrameFolder::file_name(std::string_view kind, std::size_t index) con
     std::string text = name_;
     text.append("_").append(kind).append("_");
     return text + std::string(width - std::min(width, number.size()), '0') + number + ".vtp";
+}
+
+std::vector<std::string> FrameFolder::file_names(std::size_t frames) const {
+    std::vector<std::string> names;
+    for (const std::string_view kind : {"blocks", "contacts"}) {
+        names.push_back(collection_name(kind));
+        for (std::size_t index = 0; index < frames; ++index) {
+            names.push_back(file_name(kind, index));
+        }
+    }
+    return names;
 }
 
 void FrameFolder::write_collection(std::string_view kind) const {

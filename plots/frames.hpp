@@ -66,6 +66,9 @@ class FrameFolder {
 
     void add(const BlockFrame& frame);
 
+    // The names of all files of so many frames.
+    std::vector<std::string> file_names(std::size_t frames) const;
+
   private:
     std::string collection_name(std::string_view kind) const;
     std::string file_name(std::string_view kind, std::size_t index) const;

@@ -68,15 +68,15 @@ int point_type(Marker marker) {
     return 7;
 }
 
-// Single quotes, within which gnuplot expands neither back-quoted commands nor macros; a line break has to be joined
-// on.
+// Single quotes, within which gnuplot expands neither back-quoted commands nor macros. A line break has to be joined
+// on, and so has a single quote: doubled, as gnuplot documents it, it is a syntax error at the beginning of a text.
 std::string quote(std::string_view text) {
     std::string result = "'";
     for (const char letter : text) {
         if (letter == '\n') {
             result += "'.\"\\n\".'";
         } else if (letter == '\'') {
-            result += "''";
+            result += "'.\"'\".'";
         } else if (static_cast<unsigned char>(letter) >= 0x20 && letter != 0x7f) {
             result += letter;
         } else {

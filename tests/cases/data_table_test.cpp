@@ -117,6 +117,13 @@ TEST(DataTable, ComplainsAboutColumns) {
     EXPECT_EQ(complaint("# nothing but this\n"), "slopes.csv:1:1: holds no table: its first line names the columns");
 }
 
+// A case may name a file that is none of its sender's business.
+TEST(DataTable, ShowsNothingOfAFileThatIsNoTable) {
+    EXPECT_EQ(complaint("root:secret:1,2\nmore\n"),
+              "slopes.csv:1:1: names none of the columns of this table: name, slope_angle_deg, height_m, height_ratio, "
+              "verdict");
+}
+
 TEST(DataTable, ComplainsAboutQuotes) {
     EXPECT_EQ(complaint_of_row("\"a,60,12,12,yes\n"),
               "slopes.csv:2:1: quotes are opened here and not closed on this line");

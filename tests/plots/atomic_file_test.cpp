@@ -102,13 +102,41 @@ TEST(AtomicFile, RefusesWhatIsNotARegularFile) {
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }
 
-TEST(AtomicFile, FollowsASymbolicLink) {
+// An archive from somebody else may hold one that leads to a file of the user's.
+TEST(AtomicFile, RefusesASymbolicLink) {
     const ScratchFolder folder;
     write_file_atomically(folder.path() / "real", "old");
-    std::filesystem::create_symlink("real", folder.path() / "link");
-    write_file_atomically(folder.path() / "link", "new");
-    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link"));
-    EXPECT_EQ(content_of(folder.path() / "real"), "new");
+    for (const char* target : {"real", "missing"}) {
+        const auto link = folder.path() / "link";
+        std::filesystem::create_symlink(target, link);
+        EXPECT_EQ(message_of_writing(link, "new"),
+                  "cannot write " + link.string() +
+                      ": it is a symbolic link, and none is followed out of the result folder: remove it");
+        EXPECT_TRUE(std::filesystem::is_symlink(link));
+        std::filesystem::remove(link);
+    }
+    EXPECT_EQ(content_of(folder.path() / "real"), "old");
+    EXPECT_EQ(folder.names(), Names{"real"});
+}
+
+TEST(OutputFolder, RefusesASymbolicLinkWithinResults) {
+    const ScratchFolder folder;
+    std::filesystem::create_directory(folder.path() / "real");
+    std::filesystem::create_symlink("real", folder.path() / "figures");
+    EXPECT_THROW(create_output_subfolder(folder.path() / "figures"), OutputError);
+    create_output_folder(folder.path() / "figures");
+    create_output_subfolder(folder.path() / "frames");
+    EXPECT_EQ(folder.names(), (Names{"figures", "frames", "real"}));
+}
+
+TEST(EndOfLinks, IsWhereTheLastOneLeads) {
+    const ScratchFolder folder;
+    std::filesystem::create_symlink("b", folder.path() / "a");
+    std::filesystem::create_symlink("missing", folder.path() / "b");
+    EXPECT_EQ(end_of_links(folder.path() / "a"), folder.path() / "missing");
+    EXPECT_EQ(end_of_links(folder.path() / "no_link"), folder.path() / "no_link");
+    std::filesystem::create_symlink("loop", folder.path() / "loop");
+    EXPECT_THROW(end_of_links(folder.path() / "loop"), OutputError);
 }
 
 TEST(AtomicFile, RefusesAFolderThatIsNotWritable) {

@@ -53,7 +53,8 @@ TEST(GnuplotScript, IsReadableText) {
 // noenhanced: '_' and '^' stay letters. Single quotes: back quotes do not run commands.
 TEST(GnuplotScript, TakesTextsLiterally) {
     const std::string script = gnuplot_script(simple_figure(), "figure");
-    EXPECT_NE(script.find("set title 'it''s factor_of_safety, 50 % `date` @{x}^2'\n"), std::string::npos) << script;
+    EXPECT_NE(script.find("set title 'it'.\"'\".'s factor_of_safety, 50 % `date` @{x}^2'\n"), std::string::npos)
+        << script;
     EXPECT_NE(script.find("title 'c_1 & <2>'"), std::string::npos);
     std::size_t terminals = 0;
     for (std::size_t at = script.find("set terminal"); at != std::string::npos;
@@ -70,7 +71,7 @@ TEST(GnuplotScript, CannotBeBrokenOutOfByATextWithLineBreaks) {
     figure.labels = {{.at = {0, 0}, .text = "two\nlines\r'"}};
     const std::string script = gnuplot_script(figure, "figure");
     EXPECT_EQ(script.find("\nset output '/tmp"), std::string::npos) << script;
-    EXPECT_NE(script.find("set label 'two'.\"\\n\".'lines '''"), std::string::npos) << script;
+    EXPECT_NE(script.find("set label 'two'.\"\\n\".'lines '.\"'\".''"), std::string::npos) << script;
 }
 
 struct CommaForPoint : std::numpunct<char> {
@@ -107,6 +108,32 @@ TEST(WriteFigure, DrawsEveryKindOfFigureWithoutARemark) {
         EXPECT_GT(std::filesystem::file_size(files.svg), 5000U) << name;
         EXPECT_GT(std::filesystem::file_size(files.png), 5000U) << name;
     }
+}
+
+// gnuplot's own way to write a quote within quotes, '', fails at the beginning of a text: figures were missing.
+TEST(WriteFigure, DrawsTextsThatBeginOrEndWithQuotes) {
+    const ScratchFolder folder;
+    for (const std::string text : {"'", "''", "'quoted'", "\n'a''", "\"", "\\'"}) {
+        Figure figure{
+            .title = text,
+            .x = {.title = text, .unit = text, .ticks = {{1, text}}},
+            .y = {.title = text},
+            .series = {Line{.points = {{0, 0}, {2, 1}}, .legend = text}, Points{.points = {{1, 1}}, .legend = text}},
+            .labels = {{.at = {1, 0.5}, .text = text}}};
+        const FigureFiles files = write_figure(figure, folder.path(), "figure");
+        EXPECT_EQ(files.status, FigureStatus::ok) << text << ": " << files.message;
+    }
+}
+
+TEST(WriteFigure, ReplacesNoSymbolicLink) {
+    const ScratchFolder folder;
+    write_file_atomically(folder.path() / "real", "precious");
+    for (const char* name : {"figure.gp", "figure.svg", "figure.png"}) {
+        std::filesystem::create_symlink("real", folder.path() / name);
+        EXPECT_EQ(write_figure(simple_figure(), folder.path(), "figure").status, FigureStatus::cannot_write) << name;
+        std::filesystem::remove(folder.path() / name);
+    }
+    EXPECT_EQ(content_of(folder.path() / "real"), "precious");
 }
 
 TEST(WriteFigure, LeavesScriptAndPicturesAndNothingElse) {

@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# No program looks for shared libraries in the folder from which it is called: every element of every run path, of what is
+# built and of what is installed, is an absolute folder.
+set -euo pipefail
+export LC_ALL=C
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# What readelf -d says of a run path, e.g. "Library runpath: [/usr/lib/openmpi:]", on standard input; prints its elements
+# that are empty or relative. $ORIGIN is the folder of the program itself.
+unsafe_elements() {
+    sed -nE 's/.*\((RPATH|RUNPATH)\).*\[(.*)\]$/\2/p' | while IFS= read -r path; do
+        while IFS= read -r -d : element; do
+            [[ $element == /* || $element == '$ORIGIN' || $element == '$ORIGIN/'* ]] || printf '"%s"\n' "$element"
+        done <<<"$path:"
+    done
+}
+
+failed=0
+line=' 0x000000000000001d (RUNPATH)            Library runpath: '
+for path in '[/usr/lib/openmpi:]' '[:/usr/lib]' '[/a::/b]' '[]' '[.]' '[lib:/a]' '[$ORIGINAL]'; do
+    if [[ -z $(unsafe_elements <<<"$line$path") ]]; then
+        echo "not noticed: $path"
+        failed=1
+    fi
+done
+for path in '[/usr/lib/openmpi]' '[/a:/b]' '[$ORIGIN/../lib:/a]'; do
+    if [[ -n $(unsafe_elements <<<"$line$path") ]]; then
+        echo "refused without a reason: $path"
+        failed=1
+    fi
+done
+
+cmake --install "$DELABOLE_BUILD" --component program --prefix "$work/prefix" >"$work/install.log"
+programs=0
+while IFS= read -r -d '' program; do
+    readelf -d "$program" >"$work/dynamic" 2>/dev/null || continue  # not a program of the linker: a script, a list
+    programs=$((programs + 1))
+    unsafe=$(unsafe_elements <"$work/dynamic")
+    if [[ -n $unsafe ]]; then
+        echo "$program: its run path has the element" $unsafe
+        failed=1
+    fi
+done < <(find "$DELABOLE_BUILD" "$work/prefix" -name CMakeFiles -prune -o -type f -executable -print0)
+if [[ $programs -lt 2 ]]; then
+    echo "found no programs, built and installed"
+    failed=1
+fi
+echo "$programs programs"
+exit "$failed"
