@@ -146,7 +146,7 @@ std::filesystem::path result_path(const Options& options, const std::string& nam
 }
 
 ResultFolder::ResultFolder(const Options& options, const std::string& name, OnInterrupt on_interrupt)
-    : path_(result_path(options, name)), quiet_(options.quiet), threads_(options.threads), on_interrupt_(on_interrupt) {
+    : path_(result_path(options, name)), threads_(options.threads), on_interrupt_(on_interrupt) {
     create_output_folder(path_);
     const std::filesystem::path result = path_ / "result.json";
     std::error_code error;
@@ -173,11 +173,11 @@ FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name,
     if (on_interrupt_ == OnInterrupt::stop) {
         stop_if_interrupted();
     }
-    const FigureFiles files = write_figure(figure, path_ / "figures", name);
+    const FigureFiles files = write_figure(figure, path_ / "figures", name, gnuplot_runs_);
     if (files.write_error) {
         throw *files.write_error;
     }
-    if (files.status != FigureStatus::ok && !quiet_) {
+    if (files.status != FigureStatus::ok) {
         std::cerr << "warning: figure " << name << " was not drawn: " << files.message << '\n';
     }
     return {files, caption};
