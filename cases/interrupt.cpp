@@ -33,6 +33,10 @@ extern "C" void note_interrupt(int signal) {
 void catch_interrupts() {
     std::signal(SIGINT, note_interrupt);
     std::signal(SIGTERM, note_interrupt);
+    // A terminal that closes ends the work like Ctrl-C, unless nohup has asked to go on without it.
+    if (std::signal(SIGHUP, note_interrupt) == SIG_IGN) {
+        std::signal(SIGHUP, SIG_IGN);
+    }
 }
 
 const std::atomic<bool>& interrupt_flag() {

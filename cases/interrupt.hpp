@@ -6,8 +6,8 @@
 
 namespace delabole {
 
-// The first interrupt (or request to terminate) sets the flag; a second one, if it does not come with the first, ends
-// the program at once.
+// The first interrupt, request to terminate or loss of the terminal (SIGHUP) sets the flag; a second one, if it does
+// not come with the first, ends the program at once.
 void catch_interrupts();
 
 const std::atomic<bool>& interrupt_flag();

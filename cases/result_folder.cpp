@@ -165,7 +165,7 @@ std::filesystem::path result_path(const Options& options, const std::string& nam
 }
 
 ResultFolder::ResultFolder(const Options& options, const std::string& name, OnInterrupt on_interrupt)
-    : path_(result_path(options, name)), quiet_(options.quiet), threads_(options.threads), on_interrupt_(on_interrupt) {
+    : path_(result_path(options, name)), threads_(options.threads), on_interrupt_(on_interrupt) {
     if (options.out.empty()) {
         refuse_link(path_.parent_path());
         refuse_link(path_);
@@ -208,11 +208,11 @@ FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name,
     }
     const std::string file = "figures/" + name;
     enter({file + ".gp", file + ".svg", file + ".png"});
-    const FigureFiles files = write_figure(figure, path_ / "figures", name);
+    const FigureFiles files = write_figure(figure, path_ / "figures", name, gnuplot_runs_);
     if (files.write_error) {
         throw *files.write_error;
     }
-    if (files.status != FigureStatus::ok && !quiet_) {
+    if (files.status != FigureStatus::ok) {
         std::cerr << "warning: figure " << name << " was not drawn: " << files.message << '\n';
     }
     return {files, caption};

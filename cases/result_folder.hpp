@@ -81,7 +81,8 @@ class ResultFolder {
     void report_progress(double share, const std::string& what) const;
     void on_progress(std::function<void(double, const std::string&)> listener) { on_progress_ = std::move(listener); }
     void write(const std::string& name, std::string_view text) const;
-    // A figure that cannot be drawn is reported inside the report and by a warning on standard error.
+    // A figure that cannot be drawn is reported inside the report and by a warning on standard error, --quiet or not: a
+    // report without its figures is not what was asked for.
     FigureInReport draw(const Figure& figure, const std::string& name, const std::string& caption) const;
     void write_report(const Report& report) const;
     // Before something else writes files here, named from the folder: they go as all others when the next result comes.
@@ -90,10 +91,10 @@ class ResultFolder {
   private:
     std::filesystem::path path_;
     std::unique_ptr<FolderClaim> claim_;
-    bool quiet_;
     int threads_;
     OnInterrupt on_interrupt_;
     std::function<void(double, const std::string&)> on_progress_ = {};
+    mutable GnuplotRuns gnuplot_runs_ = {};
 };
 
 // Columns aligned for a terminal, the first to the left, the others to the right.

@@ -130,11 +130,34 @@ class BlockPicture {
     }
 
     // The scale of the forces follows from the picture without them, which they may then enlarge.
+    // A base may reach far beyond what stands on it: no more of it is shown than surroundings.
+    void include_fixed_blocks() {
+        constexpr double surroundings = 0.5;  // of the extent of the free blocks
+        const Frame free = frame_;
+        const double room = surroundings * std::max(free.x.size(), free.y.size());
+        for (const DrawnBlock& block : drawing_.blocks) {
+            if (block.mode != DrawnMode::fixed) {
+                continue;
+            }
+            Polyline shown = block.outline;
+            for (Point& point : shown) {
+                if (!free.x.empty()) {
+                    point = {std::clamp(point.x(), free.x.lowest - room, free.x.highest + room),
+                             std::clamp(point.y(), free.y.lowest - room, free.y.highest + room)};
+                }
+            }
+            frame_.include(shown);
+        }
+    }
+
     void measure() {
         for (const DrawnBlock& block : drawing_.blocks) {
-            frame_.include(block.outline);
-            frame_.include(block.displaced);
+            if (block.mode != DrawnMode::fixed) {
+                frame_.include(block.outline);
+                frame_.include(block.displaced);
+            }
         }
+        include_fixed_blocks();
         for (const Polyline* line : lines()) {
             frame_.include(*line);
         }

@@ -17,9 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A gnuplot run takes a fraction of a second; this only stops one that hangs.
-constexpr std::chrono::seconds time_limit{60};
-
 void check_name(const std::string& name) {
     const auto allowed = [](char letter) {
         return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
@@ -114,7 +111,7 @@ void check_room(const fs::path& scratch, const fs::path& picture) {
     fs::remove(probe, ignored);
 }
 
-void draw(FigureFiles& files, const fs::path& folder) {
+void draw(FigureFiles& files, const fs::path& folder, GnuplotRuns& runs) {
     const std::optional<fs::path> gnuplot = find_program("gnuplot");
     if (!gnuplot) {
         files.status = FigureStatus::gnuplot_missing;
@@ -122,10 +119,19 @@ void draw(FigureFiles& files, const fs::path& folder) {
                         " was written and can be drawn later";
         return;
     }
+    if (!runs.did_not_end_on.empty()) {
+        files.status = FigureStatus::gnuplot_failed;
+        files.message = "gnuplot was not run again after it had not ended on " + runs.did_not_end_on + "; the script " +
+                        files.script.filename().string() + " was written and can be drawn later";
+        return;
+    }
     const ScratchFolder scratch(folder);
     // -d: without the user's own start-up file, so that everyone gets the same figure.
     const ProcessResult run =
-        run_program(*gnuplot, {"-d", (".." / files.script.filename()).string()}, scratch.path(), time_limit);
+        run_program(*gnuplot, {"-d", (".." / files.script.filename()).string()}, scratch.path(), runs.time_limit);
+    if (run.timed_out) {
+        runs.did_not_end_on = files.script.filename().string();
+    }
     const fs::path new_svg = scratch.path() / files.svg.filename();
     const fs::path new_png = scratch.path() / files.png.filename();
     files.status = FigureStatus::gnuplot_failed;
@@ -157,7 +163,7 @@ void draw(FigureFiles& files, const fs::path& folder) {
 }  // namespace
 
 FigureFiles write_script_and_draw(const std::string& script, const std::filesystem::path& folder,
-                                  const std::string& name) {
+                                  const std::string& name, GnuplotRuns& runs) {
     check_name(name);
     FigureFiles files{
         .script = folder / (name + ".gp"), .svg = folder / (name + ".svg"), .png = folder / (name + ".png")};
@@ -166,7 +172,7 @@ FigureFiles write_script_and_draw(const std::string& script, const std::filesyst
         refuse_link(files.svg);
         refuse_link(files.png);
         write_file_atomically(files.script, script);
-        draw(files, folder);
+        draw(files, folder, runs);
     } catch (const OutputError& error) {
         files.status = FigureStatus::cannot_write;
         files.message = error.what();
@@ -182,8 +188,14 @@ FigureFiles write_script_and_draw(const std::string& script, const std::filesyst
 }
 
 FigureFiles write_figure(const Figure& figure, const std::filesystem::path& folder, const std::string& name) {
+    GnuplotRuns runs;
+    return write_figure(figure, folder, name, runs);
+}
+
+FigureFiles write_figure(const Figure& figure, const std::filesystem::path& folder, const std::string& name,
+                         GnuplotRuns& runs) {
     check_name(name);
-    return write_script_and_draw(gnuplot_script(figure, name), folder, name);
+    return write_script_and_draw(gnuplot_script(figure, name), folder, name, runs);
 }
 
 }  // namespace delabole

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -159,8 +160,18 @@ struct FigureFiles {
 // when they cannot be replaced. `name` consists of letters, digits, '_' and '-'; std::invalid_argument otherwise.
 FigureFiles write_figure(const Figure& figure, const std::filesystem::path& folder, const std::string& name);
 
+// What one command's runs of gnuplot have in common: where one did not end in time, the next figures get their scripts
+// only. A command with dozens of figures would wait for each of them.
+struct GnuplotRuns {
+    std::chrono::seconds time_limit{60};  // of one run, which takes a fraction of a second
+    std::string did_not_end_on = {};      // the script; empty: all have ended
+};
+
+FigureFiles write_figure(const Figure& figure, const std::filesystem::path& folder, const std::string& name,
+                         GnuplotRuns& runs);
+
 // The same for a script made elsewhere; it has to draw <name>.svg and <name>.png in its working folder.
 FigureFiles write_script_and_draw(const std::string& script, const std::filesystem::path& folder,
-                                  const std::string& name);
+                                  const std::string& name, GnuplotRuns& runs);
 
 }  // namespace delabole

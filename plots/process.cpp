@@ -141,7 +141,8 @@ ProcessResult run_program(const std::filesystem::path& program, const std::vecto
 
     const bool in_time = drain(ends[0], result.output, std::chrono::steady_clock::now() + time_limit);
     ::close(ends[0]);
-    if (!in_time) {
+    result.timed_out = !in_time;
+    if (result.timed_out) {
         ::kill(child, SIGKILL);
     }
     int state = 0;
@@ -150,7 +151,7 @@ ProcessResult run_program(const std::filesystem::path& program, const std::vecto
         waited = ::waitpid(child, &state, 0);
     } while (waited < 0 && errno == EINTR);
 
-    if (!in_time) {
+    if (result.timed_out) {
         result.problem = "no end within " + std::to_string(time_limit.count()) + " s";
     } else if (waited < 0) {
         result.problem = "its end could not be observed: " + reason_of(errno);

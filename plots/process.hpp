@@ -16,6 +16,7 @@ std::optional<std::filesystem::path> find_program(std::string_view name);
 
 struct ProcessResult {
     bool succeeded = false;  // ran, and ended by itself with exit code 0
+    bool timed_out = false;  // killed at the time limit
     std::string problem;     // why it did not succeed: "exit code 1", "stopped by signal 9"; empty otherwise
     std::string output;      // what it wrote to standard output and standard error, at most 64 KiB of it
 };

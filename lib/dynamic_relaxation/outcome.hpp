@@ -86,6 +86,7 @@ struct RelaxationResult {
     SceneFault fault = {};                  // where the scene is not valid
     double time = 0;                        // s of model time
     double tilt = 0;                        // rad, of gravity at the end
+    double tilt_of_base = 0;                // rad, against gravity: the same with a turned base's own
     std::optional<double> onset_time = {};  // s
     std::optional<FirstCrack> first_crack = {};
     std::size_t broken_bonds = 0;

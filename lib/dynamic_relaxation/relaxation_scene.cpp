@@ -210,25 +210,49 @@ RelaxationScene blocks_of(const RelaxationSlope& slope) {
     return scene;
 }
 
-// Of the free block for which weight over width is greatest.
-double greatest_weight_over_width(const RelaxationScene& scene) {
+// Extent of the outline along a direction.
+double extent_along(const PlanePoint<>& direction, const Polygon<>& outline) {
+    const auto [least, greatest] = std::minmax_element(
+        outline.begin(), outline.end(),
+        [&](const PlanePoint<>& one, const PlanePoint<>& other) { return direction.dot(one) < direction.dot(other); });
+    return direction.dot(*greatest - *least);
+}
+
+// The direction of the edge that is nearest to level. It turns with the block, as no axis of the drawing does.
+PlanePoint<> most_level_edge(const Polygon<>& outline, const PlanePoint<>& up) {
+    PlanePoint<> most_level(1, 0);
+    double least_rise = std::numeric_limits<double>::infinity();
+    for (std::size_t corner = 0; corner < outline.size(); ++corner) {
+        const PlanePoint<> edge = outline[(corner + 1) % outline.size()] - outline[corner];
+        const double rise = std::abs(up.dot(edge)) / edge.norm();
+        constexpr double alike = 1e-9;  // opposite edges
+        if (rise < least_rise - alike) {
+            least_rise = rise;
+            most_level = edge.normalized();
+        }
+    }
+    return most_level;
+}
+
+// N/m2; of the free block for which it is greatest. Blocks are measured along their base; those that joints cut out of
+// a slope may have none and are measured across gravity. Neither changes when a scene is drawn turned with its gravity.
+double greatest_weight_over_width(const RelaxationScene& scene, bool is_slope) {
+    const PlanePoint<> up(std::sin(scene.gravity.tilt), std::cos(scene.gravity.tilt));
+    const PlanePoint<> level(up.y(), -up.x());
     double greatest = 0;
     for (const RelaxationBlock& block : scene.block) {
         if (block.fixed || block.outline.empty()) {
             continue;
         }
-        const auto [left, right] =
-            std::minmax_element(block.outline.begin(), block.outline.end(),
-                                [](const PlanePoint<>& one, const PlanePoint<>& other) { return one.x() < other.x(); });
-        const double width = right->x() - left->x();
+        const double width = extent_along(is_slope ? level : most_level_edge(block.outline, up), block.outline);
         const double weight = block.density * area_properties(block.outline).area * scene.gravity.acceleration;
         greatest = std::max(greatest, width > 0 ? weight / width : 0);
     }
     return greatest;
 }
 
-void stiffen(RelaxationScene& scene, double ratio) {
-    const double stiffness = ratio * greatest_weight_over_width(scene);
+void stiffen(RelaxationScene& scene, bool is_slope, double ratio) {
+    const double stiffness = ratio * greatest_weight_over_width(scene, is_slope);
     for (JointMaterial& material : scene.material) {
         material.normal_stiffness = material.normal_stiffness > 0 ? material.normal_stiffness : stiffness;
         material.shear_stiffness = material.shear_stiffness > 0 ? material.shear_stiffness : material.normal_stiffness;
@@ -315,7 +339,7 @@ RelaxationScene relaxation_scene(const RelaxationStudy& study) {
     const Relaxation& model = study.model;
     RelaxationScene scene = std::visit([](const auto& blocks) { return blocks_of(blocks); }, model.scene);
     scene.gravity.acceleration = model.gravity.value_or(scene.gravity.acceleration);
-    stiffen(scene, stiffness_ratio_of(study));
+    stiffen(scene, std::holds_alternative<RelaxationSlope>(model.scene), stiffness_ratio_of(study));
     if (!scene.bond_material.empty() && all_joints_known(scene)) {
         scene.bond = find_bonds(scene);
     }

@@ -257,7 +257,7 @@ RelaxationAnswer answer_of(const RelaxationResult& result) {
         result.outcome,
         result.onset_time.value_or(infinite),
         result.time,
-        result.tilt,
+        result.tilt_of_base,
         crack ? crack->time : infinite,
         crack ? crack->tilt : infinite,
         crack ? static_cast<double>(std::min(crack->block, crack->other) + 1) : 0,

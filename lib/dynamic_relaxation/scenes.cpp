@@ -8,7 +8,9 @@ namespace {
 
 constexpr std::size_t of_interface = 0;
 constexpr std::size_t of_base = 1;
-constexpr double clear_widths = 3;
+constexpr double clear_widths = 3;  // of the base in front of columns
+// A row's plane goes on for as long as blocks may slide: some of them left one of three widths without a word.
+constexpr double plane_widths = 1000;
 
 Polygon<> rectangle(double left, double bottom, double right, double top) {
     return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
@@ -46,7 +48,7 @@ RelaxationScene row_scene(const StandingBlocks& blocks) {
         widest = std::max(widest, block.width);
     }
     scene.block.push_back(
-        fixed_block(rectangle(-clear_widths * widest, -widest, x + clear_widths * widest, 0), blocks.density));
+        fixed_block(rectangle(-plane_widths * widest, -widest, x + plane_widths * widest, 0), blocks.density));
     return scene;
 }
 

@@ -42,7 +42,8 @@ class Simulation {
 
     // s; what is to be done at a time up to this is done now: no later step ends nearer to it.
     double reached() const { return state_.time + state_.step / 2; }
-    double tilt() const;  // of gravity, now
+    double tilt() const;          // of gravity, now
+    double tilt_of_base() const;  // against gravity: that of gravity and that by which fixed blocks have been turned
     std::vector<BlockOutcome> block_outcomes() const;
     EnergyLedger ledger() const;
     double kinetic_energy() const;

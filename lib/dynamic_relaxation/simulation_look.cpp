@@ -16,7 +16,8 @@ constexpr std::uint64_t steps_between_looks = 50;
 }  // namespace
 
 void Simulation::look() {
-    if (state_.steps % steps_between_looks != 0 || outcome() != RelaxationOutcome::undecided) {
+    const bool last = out_of_time();
+    if ((state_.steps % steps_between_looks != 0 && !last) || outcome() != RelaxationOutcome::undecided) {
         return;
     }
     let_calm_blocks_rest();
@@ -26,7 +27,13 @@ void Simulation::look() {
     const bool growing = kinetic > state_.kinetic_then;
     state_.kinetic_then = kinetic;
     const double unbalanced = std::exchange(state_.unbalanced, 0.0);
-    state_.unbalanced_then = unbalanced;
+    // The last look may come a few steps after the one before it.
+    const double lately = std::max(unbalanced, std::exchange(state_.unbalanced_then, unbalanced));
+    const auto at_rest = [&](double ratio) {
+        return !growing && !carried_along() && ratio < settings_.equilibrium_ratio &&
+               // The last step was made under the last of the loads.
+               state_.time - state_.last_step > last_scheduled_time(scene_, settings_);
+    };
     const MotionExtremes farthest = farthest_motion(bodies_, state_);
     const auto decide = [&](RelaxationOutcome outcome) { state_.outcome = static_cast<std::uint64_t>(outcome); };
     if (!std::isfinite(kinetic)) {
@@ -42,17 +49,21 @@ void Simulation::look() {
     } else if (farthest.rotation > settings_.collapse_rotation ||
                farthest.displacement > settings_.collapse_displacement) {
         decide(RelaxationOutcome::collapse);
-    } else if (settings_.stop_at_equilibrium && !growing && !carried_along() &&
-               unbalanced < settings_.equilibrium_ratio &&
-               // The last step was made under the last of the loads.
-               state_.time - state_.last_step > last_scheduled_time(scene_, settings_)) {
+    } else if (settings_.stop_at_equilibrium ? at_rest(unbalanced) : last && at_rest(lately)) {
         decide(RelaxationOutcome::equilibrium);
+    } else if (last && state_.onset_time >= 0) {
+        // It has moved past the thresholds and has found no rest since.
+        decide(RelaxationOutcome::onset);
     }
 }
 
 // A block that a belt carries at an even speed is in balance too, but not at rest.
 bool Simulation::carried_along() {
     return scene_.belt && fastest() > settings_.equilibrium_ratio * scene_.belt->speed;
+}
+
+double Simulation::tilt_of_base() const {
+    return tilt() + (scene_.motion.empty() ? 0 : state_.motion[scene_.motion.front().block].angle);
 }
 
 void Simulation::look_for_crack() {
@@ -64,8 +75,7 @@ void Simulation::look_for_crack() {
         const double opening = locate(face, state_.motion[face.block], state_.motion[face.other]).widest(face.length);
         if (opening > widest && state_.removed[face.block] == 0 && state_.removed[face.other] == 0) {
             widest = opening;
-            const double turned = scene_.motion.empty() ? 0 : state_.motion[scene_.motion.front().block].angle;
-            state_.first_crack = FirstCrack{state_.time, tilt() + turned, face.block, face.other};
+            state_.first_crack = FirstCrack{state_.time, tilt_of_base(), face.block, face.other};
         }
     }
 }

@@ -65,6 +65,7 @@ RelaxationResult Simulation::result() const {
     result.outcome = outcome();
     result.time = state_.time;
     result.tilt = tilt();
+    result.tilt_of_base = tilt_of_base();
     if (state_.onset_time >= 0) {
         result.onset_time = state_.onset_time;
     }

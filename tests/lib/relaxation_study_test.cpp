@@ -112,6 +112,42 @@ TEST(RelaxationStudy, ABaseThatTurnsTakesItsBlockAlong) {
     EXPECT_EQ(outcome_of(study), RelaxationOutcome::collapse);
 }
 
+// It had ended three widths in front of the row, and blocks fell off it.
+TEST(RelaxationStudy, TheRowsPlaneGoesOnForAsLongAsABlockSlides) {
+    const double tilt = degrees(30);
+    const double friction = degrees(10);
+    RelaxationStudy study = one_block(tilt, friction, 2, 1);
+    study.settings = undamped(3);
+    const double expected = gravity * (std::sin(tilt) - std::tan(friction) * std::cos(tilt)) * 3 * 3 / 2;
+    ASSERT_GT(expected, 6 * 2.0);
+    const BlockOutcome block = run(study).result.block[0];
+    // The springs are stretched first, and the run ends at the step nearest to its duration.
+    EXPECT_NEAR(block.displacement, expected, 2e-3 * expected);
+    EXPECT_NEAR(block.rotation, 0, 1e-4);
+}
+
+// It followed the extent along x of the drawing.
+TEST(RelaxationStudy, DefaultStiffnessOfBlocksStaysWhenTheSceneIsDrawnTurned) {
+    const auto stiffness = [](double turn) {
+        RelaxationPolygons scene{};
+        scene.tilt = degrees(10) + turn;
+        scene.joint = {RelaxationJoint{degrees(30), {}, {}, {}, {}, {}, {}}};
+        // Gravity that dips to -x by more is that of a drawing turned clockwise.
+        const auto turned = [&](double x, double y) {
+            return RelaxationVertex{
+                x * std::cos(turn) + y * std::sin(turn), y * std::cos(turn) - x * std::sin(turn), {}};
+        };
+        scene.block = {RelaxationPolygon{2700, {}, {}, {turned(0, 0), turned(1, 0), turned(1, 3), turned(0, 3)}}};
+        RelaxationStudy study{};
+        study.model.scene = scene;
+        return relaxation_scene(study).material.at(0).normal_stiffness;
+    };
+    const double level = stiffness(0);
+    for (const double turn : {-60.0, 25.0, 70.0}) {
+        EXPECT_NEAR(stiffness(degrees(turn)), level, 1e-12 * level) << turn;
+    }
+}
+
 TEST(RelaxationStudy, WaterUnderTheBaseLiftsTheBlockOffAtItsOwnWeight) {
     RelaxationStudy study = one_block(0, degrees(30), 1, 1);
     const double weight_over_width = 2700 * gravity;

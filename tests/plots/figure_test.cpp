@@ -221,7 +221,9 @@ TEST(WriteFigure, SaysThatGnuplotIsMissingAndKeepsTheScript) {
 
 TEST(WriteFigure, ReportsWhatGnuplotSays) {
     const ScratchFolder folder;
-    const FigureFiles files = write_script_and_draw("set encoding utf8\nplot nonsense(x\n", folder.path(), "figure");
+    GnuplotRuns runs;
+    const FigureFiles files =
+        write_script_and_draw("set encoding utf8\nplot nonsense(x\n", folder.path(), "figure", runs);
     EXPECT_EQ(files.status, FigureStatus::gnuplot_failed);
     EXPECT_EQ(files.message, "gnuplot failed on figure.gp (exit code 1): \"../figure.gp\" line 2: ')' expected");
     EXPECT_EQ(folder.names(), Names{"figure.gp"});
@@ -231,11 +233,26 @@ TEST(WriteFigure, DoesNotTrustAnExitCodeOfZero) {
     const ScratchFolder folder;
     for (const char* script : {"", "set terminal svg\nset output 'figure.svg'\nset output\n",
                                "set terminal svg\nset output 'figure.svg'\nplot x\nset output 'figure.png'\n"}) {
-        const FigureFiles files = write_script_and_draw(script, folder.path(), "figure");
+        GnuplotRuns runs;
+        const FigureFiles files = write_script_and_draw(script, folder.path(), "figure", runs);
         EXPECT_EQ(files.status, FigureStatus::gnuplot_failed) << script;
         EXPECT_NE(files.message.find("empty or incomplete picture"), std::string::npos) << files.message;
         EXPECT_EQ(folder.names(), Names{"figure.gp"});
     }
+}
+
+// A gnuplot that hangs cost its time limit for each of up to 34 figures.
+TEST(WriteFigure, GivesUpAfterTheFirstGnuplotThatDoesNotEnd) {
+    const ScratchFolder folder;
+    GnuplotRuns runs{.time_limit = std::chrono::seconds(1)};
+    const FigureFiles first = write_script_and_draw("pause 30\n", folder.path(), "first", runs);
+    EXPECT_EQ(first.status, FigureStatus::gnuplot_failed);
+    EXPECT_NE(first.message.find("no end within 1 s"), std::string::npos) << first.message;
+    const FigureFiles second = write_figure(simple_figure(), folder.path(), "second", runs);
+    EXPECT_EQ(second.status, FigureStatus::gnuplot_failed);
+    EXPECT_NE(second.message.find("not run again after it had not ended on first.gp"), std::string::npos)
+        << second.message;
+    EXPECT_EQ(folder.names(), (Names{"first.gp", "second.gp"}));
 }
 
 TEST(WriteFigure, SaysWhereItCannotWrite) {

@@ -40,6 +40,7 @@ without() {
     run env PATH="$2" "$program" run good.toml --out results --quiet
     expect_status 0
     expect_silence out
+    expect_error "$3"
 }
 
 without "gnuplot is not installed" "$work/none" 'gnuplot is not installed'

@@ -47,7 +47,7 @@ wait_for_child() {
     waited=$(($(milliseconds) - from))
 }
 
-for signal in INT TERM; do
+for signal in INT TERM HUP; do
     title "SIG$signal, to the whole process group as from a terminal"
     start_long_fit "stopped_$signal"
     kill -s "$signal" -- "-$child"
@@ -66,6 +66,20 @@ for signal in INT TERM; do
     done
     expect_output "report in stopped_$signal/report.html"
 done
+
+title "under nohup it goes on when the terminal closes"
+(
+    trap '' HUP
+    exec setsid "$program" "${long_fit[@]}" --out without_terminal
+) >"$scratch/out" 2>"$scratch/err" </dev/null &
+child=$!
+wait_until test -d without_terminal
+kill -s HUP "$child"
+sleep 1
+expect "it runs on" kill -0 "$child"
+kill -s INT "$child"
+wait_for_child
+expect_status 4
 
 title "Ctrl-C while gnuplot draws, as the terminal sends it to all: the picture is finished, the run is not"
 mkdir slow
