@@ -1,6 +1,7 @@
 #include "cases/folder_claim.hpp"
 
 #include "plots/atomic_file.hpp"
+#include "plots/figure.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -10,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <map>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -146,11 +149,13 @@ void FolderClaim::remove_earlier() {
     }
     std::string_view rest = list;
     rest.remove_prefix(std::min(heading.size(), rest.size()));
+    std::map<fs::path, std::set<std::string>> listed;  // names by their subfolder
     // A name without its line end was not entered to its end, and its file not begun.
     for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
         const fs::path name(rest.substr(0, end));
         rest.remove_prefix(end + 1);
         const fs::path file = folder_ / name;
+        listed[name.parent_path()].insert(name.filename().string());
         const bool through_link = fs::is_symlink(file.parent_path(), error) && name.has_parent_path();
         if (may_be_own(name) && !through_link && fs::is_regular_file(fs::symlink_status(file, error)) &&
             !fs::remove(file, error)) {
@@ -158,8 +163,13 @@ void FolderClaim::remove_earlier() {
         }
     }
     for (const std::string_view subfolder : subfolders) {
+        if (!fs::is_symlink(folder_ / subfolder, error)) {
+            remove_abandoned_parts(folder_ / subfolder, listed[subfolder]);
+            remove_abandoned_drawings(folder_ / subfolder);
+        }
         ::rmdir((folder_ / subfolder).c_str());  // refused where something is in it
     }
+    remove_abandoned_parts(folder_, listed[""]);
     if (::ftruncate(descriptor_, 0) != 0 || ::lseek(descriptor_, 0, SEEK_SET) != 0) {
         throw OutputError(list_, reason_of(errno));
     }

@@ -35,17 +35,23 @@ std::string beginning_of_part(const fs::path& target) {
 
 constexpr std::string_view end_of_part = ".part";
 
-bool is_part_of(const fs::path& target, const std::string& name) {
-    const std::string beginning = beginning_of_part(target);
-    if (name.size() <= beginning.size() + end_of_part.size() || !name.starts_with(beginning) ||
-        !name.ends_with(end_of_part)) {
-        return false;
+// The name of the file that a part was to become; empty where the name is not a part's.
+std::string target_of_part(std::string_view name) {
+    if (!name.starts_with('.') || !name.ends_with(end_of_part)) {
+        return {};
     }
-    const std::string_view numbers =
-        std::string_view(name).substr(beginning.size(), name.size() - beginning.size() - end_of_part.size());
-    return std::ranges::count(numbers, '.') == 1 && numbers.front() != '.' && numbers.back() != '.' &&
-           std::ranges::all_of(numbers,
-                               [](unsigned char letter) { return std::isdigit(letter) != 0 || letter == '.'; });
+    name.remove_prefix(1);
+    name.remove_suffix(std::min(name.size(), end_of_part.size()));
+    for (int number = 0; number < 2; ++number) {
+        const std::size_t dot = name.rfind('.');
+        if (dot == std::string_view::npos || dot + 1 == name.size() ||
+            !std::ranges::all_of(name.substr(dot + 1),
+                                 [](unsigned char letter) { return std::isdigit(letter) != 0; })) {
+            return {};
+        }
+        name = name.substr(0, dot);
+    }
+    return std::string(name);
 }
 
 // Open file that is removed again unless it was committed to its final name.
@@ -172,10 +178,14 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view t
 }
 
 void remove_abandoned_parts(const fs::path& path) {
+    remove_abandoned_parts(path.has_parent_path() ? path.parent_path() : fs::path("."), {path.filename().string()});
+}
+
+void remove_abandoned_parts(const fs::path& folder, const std::set<std::string>& files) {
     std::error_code error;
-    for (fs::directory_iterator entry(path.has_parent_path() ? path.parent_path() : fs::path("."), error);
-         !error && entry != fs::directory_iterator(); entry.increment(error)) {
-        if (!is_part_of(path, entry->path().filename().string())) {
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        if (!files.contains(target_of_part(entry->path().filename().string()))) {
             continue;
         }
         const int descriptor = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -36,6 +37,8 @@ std::filesystem::path end_of_links(const std::filesystem::path& path);
 
 // Removes what processes killed while they wrote `path` have left beside it; what another is writing just now stays.
 void remove_abandoned_parts(const std::filesystem::path& path);
+// The same for several files of one folder, by their names.
+void remove_abandoned_parts(const std::filesystem::path& folder, const std::set<std::string>& files);
 
 // Creates the folder and its parents where they are missing; links are followed. OutputError if that is impossible.
 void create_output_folder(const std::filesystem::path& folder);

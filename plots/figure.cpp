@@ -27,11 +27,15 @@ void check_name(const std::string& name) {
     }
 }
 
+constexpr std::string_view beginning_of_scratch = ".drawing-";
+constexpr std::size_t letters_of_scratch = 6;  // as mkdtemp has them
+
 // Folder that disappears with everything in it.
 class ScratchFolder {
   public:
     explicit ScratchFolder(const fs::path& parent) {
-        std::string pattern = (parent / ".drawing-XXXXXX").string();
+        std::string pattern =
+            (parent / (std::string(beginning_of_scratch) + std::string(letters_of_scratch, 'X'))).string();
         if (!::mkdtemp(pattern.data())) {
             throw OutputError(parent, std::generic_category().message(errno));
         }
@@ -161,6 +165,22 @@ void draw(FigureFiles& files, const fs::path& folder, GnuplotRuns& runs) {
 }
 
 }  // namespace
+
+void remove_abandoned_drawings(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::vector<fs::path> abandoned;
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with(beginning_of_scratch) && name.size() == beginning_of_scratch.size() + letters_of_scratch &&
+            entry->is_directory(error) && !entry->is_symlink(error)) {
+            abandoned.push_back(entry->path());
+        }
+    }
+    for (const fs::path& scratch : abandoned) {
+        fs::remove_all(scratch, error);
+    }
+}
 
 FigureFiles write_script_and_draw(const std::string& script, const std::filesystem::path& folder,
                                   const std::string& name, GnuplotRuns& runs) {

@@ -160,6 +160,10 @@ struct FigureFiles {
 // when they cannot be replaced. `name` consists of letters, digits, '_' and '-'; std::invalid_argument otherwise.
 FigureFiles write_figure(const Figure& figure, const std::filesystem::path& folder, const std::string& name);
 
+// Removes what processes that were killed while gnuplot drew have left in a folder of figures. Nobody else may draw
+// there meanwhile.
+void remove_abandoned_drawings(const std::filesystem::path& folder);
+
 // What one command's runs of gnuplot have in common: where one did not end in time, the next figures get their scripts
 // only. A command with dozens of figures would wait for each of them.
 struct GnuplotRuns {

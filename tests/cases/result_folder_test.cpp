@@ -92,6 +92,24 @@ TEST_F(FolderClaimTest, NextResultTakesThePlaceOfTheEarlierAndOfNothingElse) {
     EXPECT_EQ(list.substr(list.find('\n') + 1), "history.csv\nreport.html\n");
 }
 
+// Only checkpoints' parts had been removed.
+TEST_F(FolderClaimTest, NextResultRemovesWhatAKillLeftHalfWritten) {
+    {
+        FolderClaim claim(path());
+        claim.enter({"results.csv", "figures/section.svg", "frames/run_1.vtp"});
+        for (const char* name :
+             {".results.csv.12.0.part", "figures/.section.svg.12.1.part", "frames/.run_1.vtp.12.2.part",
+              "figures/.drawing-aB3xYz/section.svg", "figures/.drawing-mine/section.svg", ".notes.csv.12.0.part",
+              "figures/.section.svg.part"}) {
+            write(name);
+        }
+    }
+    FolderClaim claim(path());
+    claim.enter({});
+    EXPECT_EQ(names(), (Names{".notes.csv.12.0.part", "figures", "figures/.drawing-mine",
+                              "figures/.drawing-mine/section.svg", "figures/.section.svg.part", "files.txt"}));
+}
+
 TEST_F(FolderClaimTest, IsOfOneProcessAtATime) {
     auto claim = std::make_unique<FolderClaim>(path());
     EXPECT_EQ(refusal(),
