@@ -19,6 +19,15 @@ const NamedOutput* Analysis::find(std::string_view name) const {
     return found == outputs.end() ? nullptr : &*found;
 }
 
+void mark_none(Analysis& analysis, std::string_view prefix) {
+    for (NamedOutput& output : analysis.outputs) {
+        if (output.name.starts_with(prefix)) {
+            output.value = "none";
+            output.detail = true;
+        }
+    }
+}
+
 void append_required_value(Analysis& analysis, const std::string& parameter, double target, const Required& required) {
     const std::string name = "required." + parameter;
     const std::string meaning = parameter + " at a factor of safety of " + number_in_words(target);

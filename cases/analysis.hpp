@@ -19,7 +19,9 @@
 
 namespace delabole {
 
-// A number in SI or a word, under the name by which [[expect]], JSON and CSV know it.
+// A number in SI or a word, under the name by which [[expect]], JSON and CSV know it. A quantity that has no value
+// keeps its name in every model: its value is then a word. "infinite" and "-infinite" are values; "none" says that
+// there is nothing to give a number of, a more telling word why none was found ("never_reached").
 struct NamedOutput {
     std::string name;
     std::string meaning;
@@ -38,6 +40,9 @@ struct Analysis {
 
     const NamedOutput* find(std::string_view name) const;
 };
+
+// "none" for every output whose name begins so; these are details then.
+void mark_none(Analysis& analysis, std::string_view prefix);
 
 // The value of a named input at which the factor of safety takes a given value, as "required.<input>".
 void append_required_value(Analysis& analysis, const std::string& parameter, double target, const Required& required);

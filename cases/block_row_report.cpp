@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <variant>
 
 namespace delabole {
 
@@ -79,11 +81,20 @@ Table mode_table(const std::vector<RowModeSummary>& modes) {
     return table;
 }
 
+// 90 deg stands for none.
+std::variant<double, std::string> tilt_or_none(double tilt) {
+    return tilt < degrees(90) ? std::variant<double, std::string>(tilt) : "none";
+}
+
+std::variant<double, std::string> tilt_in_csv(double tilt) {
+    return tilt < degrees(90) ? std::variant<double, std::string>(tilt / degrees(1)) : "none";
+}
+
 std::string modes_csv(const std::vector<RowModeSummary>& modes) {
     CsvTable csv({"roles", "admissibility", "critical_tilt_deg", "second_critical_tilt_deg"});
     for (const RowModeSummary& mode : modes) {
-        csv.add_row({mode.roles, std::string(word_of(mode.admissibility)), mode.critical_tilt / degrees(1),
-                     mode.second_critical_tilt / degrees(1)});
+        csv.add_row({mode.roles, std::string(word_of(mode.admissibility)), tilt_in_csv(mode.critical_tilt),
+                     tilt_in_csv(mode.second_critical_tilt)});
     }
     return csv.text();
 }
@@ -148,7 +159,8 @@ void append_modes(Analysis& analysis, const BlockRowResult& result) {
         analysis.outputs.push_back({name + "admissibility", "admissible, or why not", Dimension::ratio,
                                     std::string(word_of(mode.admissibility)), true});
         for_each_named_number(mode, [&](const std::string& key, const FieldInfo& info, double value) {
-            analysis.outputs.push_back({name + key, std::string(info.meaning), info.dimension, value, true});
+            analysis.outputs.push_back(
+                {name + key, std::string(info.meaning), info.dimension, tilt_or_none(value), true});
         });
     }
 }
@@ -182,18 +194,28 @@ Analysis analyse_case(const BlockRow<>& row) {
         if (output.name.starts_with("mode")) {
             output.value = mode_in_words(std::get<std::string>(output.value));
         } else if (const auto* tilt = std::get_if<double>(&output.value);
-                   output.name.starts_with("critical_tilt") && tilt != nullptr && !(*tilt < degrees(90))) {
-            output.value = "none";
+                   output.name.starts_with("critical_tilt") && tilt != nullptr) {
+            output.value = tilt_or_none(*tilt);
         }
     }
     append_modes(analysis, result);
-    for (std::size_t index = 0; index < std::min(result.block.size(), most_named_blocks); ++index) {
-        append_outputs(analysis, result.block[index], "block[" + std::to_string(index + 1) + "]", true);
+    for (std::size_t index = 0; index < std::min(row.block.size(), most_named_blocks); ++index) {
+        const RowBlockForces forces = result.block.empty() ? RowBlockForces{} : result.block[index];
+        append_outputs(analysis, forces, "block[" + std::to_string(index + 1) + "]", true);
+    }
+    if (result.block.empty()) {
+        mark_none(analysis, "block[");
     }
     if (result.answer.search == RowSearchKind::bounded) {
         analysis.warnings.emplace_back(
             "the row is too long for every mode to be examined: the answer is a mode that can happen, but where base "
             "friction varies or standing blocks need one another, one of a lesser tilt may exist");
+    }
+    if (result.answer.search == RowSearchKind::upper_bound) {
+        analysis.warnings.emplace_back(
+            "none of the modes examined satisfies statics and kinematics: unequal blocks may begin to move in ways "
+            "that are not among them. The critical tilt is a bound by linear programming from the unsafe side: beyond "
+            "it nothing keeps the row in equilibrium, below it a row that is not pressed together may fail");
     }
     return analysis;
 }
@@ -208,7 +230,12 @@ void append_case_figures(const BlockRow<>& row, const ResultFolder& folder, Repo
         "least tilt: nothing presses the blocks together. Blocks that are pressed together may stand up to the tilt "
         "given for contact, and no further."});
     report.blocks.emplace_back(Heading{"The row in its governing mode"});
-    if (row.block.size() <= most_drawn_blocks) {
+    if (result.answer.search == RowSearchKind::upper_bound) {
+        report.blocks.emplace_back(
+            Paragraph{"No mode is admissible, and so there are no forces to show. The tilt is the bound by linear "
+                      "programming: the greatest at which contact forces within Coulomb's cones keep every block in "
+                      "equilibrium."});
+    } else if (row.block.size() <= most_drawn_blocks) {
         report.blocks.emplace_back(folder.draw(
             block_figure(
                 row_drawing(row, result.answer.mode, result.answer.critical_tilt, result.block,
@@ -218,7 +245,9 @@ void append_case_figures(const BlockRow<>& row, const ResultFolder& folder, Repo
         report.blocks.emplace_back(Paragraph{"There are " + std::to_string(row.block.size()) +
                                              " blocks, too many to be told apart in a drawing."});
     }
-    report.blocks.emplace_back(block_table(result));
+    if (!result.block.empty()) {
+        report.blocks.emplace_back(block_table(result));
+    }
     report.blocks.emplace_back(Heading{"Every mode"});
     report.blocks.emplace_back(mode_table(result.mode));
     folder.write("modes.csv", modes_csv(result.mode));
@@ -228,7 +257,7 @@ void append_case_figures(const BlockRow<>& row, const ResultFolder& folder, Repo
 void append_mechanism_figures(const BlockRow<>& at_best, const MechanismFit& fit, const FitProblem&,
                               const ResultFolder& folder, Report& report) {
     const BlockRowResult result = analyse(at_best);
-    if (result.check != BlockRowCheck::valid || at_best.block.size() > most_drawn_blocks) {
+    if (result.check != BlockRowCheck::valid || result.block.empty() || at_best.block.size() > most_drawn_blocks) {
         return;
     }
     report.blocks.emplace_back(
@@ -243,7 +272,7 @@ std::vector<std::string> blamed_keys(const BlockRow<>&, std::string_view failure
     case BlockRowCheck::too_many_blocks:
         return {"block"};
     case BlockRowCheck::no_admissible_mode:
-        return {"interface.friction_angle"};
+        return {"block"};
     case BlockRowCheck::input_out_of_range:
     case BlockRowCheck::valid:
         break;
@@ -258,8 +287,13 @@ std::string explain_failure(const BlockRow<>& row, std::string_view failure, con
     case BlockRowCheck::too_many_blocks:
         return "at most 100 000 blocks: there are " + std::to_string(row.block.size());
     case BlockRowCheck::no_admissible_mode:
-        return "none of the modes examined satisfies statics and kinematics, so there is no answer: that happens to "
-               "some unequal blocks with high friction";
+        return "none of the modes examined satisfies statics and kinematics, and " +
+               (row.block.size() > most_bounded_row
+                    ? std::to_string(row.block.size()) +
+                          " blocks are too many for the bound by linear programming, at most " +
+                          std::to_string(most_bounded_row)
+                    : std::string("the linear programme that bounds the tilt has no answer")) +
+               ": there is no answer";
     case BlockRowCheck::input_out_of_range:
         return "a number is outside its allowed range";
     case BlockRowCheck::valid:

@@ -247,6 +247,11 @@ Analysis analyse_case(const KinematicsStudy& study) {
     }
     append_summary(analysis, result);
     append_outputs(analysis, result);
+    for (std::size_t index = 0; index < result.pair.size(); ++index) {
+        if (result.pair[index].wedge_sliding.at_mean == Feasibility::planes_parallel) {
+            mark_none(analysis, "pair[" + std::to_string(index + 1) + "].intersection");
+        }
+    }
     return analysis;
 }
 

@@ -131,6 +131,41 @@ std::string water_too_high(PlaneFailure<> problem, const std::string& key) {
                                : "exceeds the depth of the crack, " + height_in_words(dry.crack_depth, Side::below);
 }
 
+// The least value of a level for which the water stands as high as the pond.
+std::string water_too_low(PlaneFailure<> problem, const std::string& key) {
+    const bool above_daylight = std::holds_alternative<BasePeakMidHeightWater<>>(problem.water) ||
+                                std::holds_alternative<PeakAtToeWater<>>(problem.water);
+    const double pond = problem.pond->depth;
+    // What a level of lighter water lacks it must stand higher.
+    const double heavier = std::visit(
+        [&](const auto& water) {
+            if constexpr (requires { water.unit_weight; }) {
+                return problem.pond->unit_weight / water.unit_weight;
+            } else {
+                return 1.0;
+            }
+        },
+        problem.water);
+    // The geometry does not depend on the water.
+    problem.water = Dry{};
+    problem.pond.reset();
+    const PlaneFailureResult dry = analyse(problem);
+    if (dry.check != PlaneFailureCheck::valid) {
+        return {};
+    }
+    const double daylight = problem.failure_plane.daylight_height.value_or(0);
+    const double bottom = above_daylight ? daylight : dry.crack_base_height;
+    const double depth = (pond - bottom) * heavier;
+    const std::string least = key == "water.water_elevation" ? elevation_in_words(problem, bottom + depth, Side::above)
+                              : key == "water.water_depth"   ? height_in_words(depth, Side::above)
+                                                             : std::string();
+    const std::string pond_in_words = "pond.depth = " + readable_quantity(pond, Dimension::length);
+    return "the water states less pressure than the pond, " + pond_in_words +
+           ", gives where the plane daylights or at the bottom of the crack" +
+           (least.empty() ? ": raise it to the pond's level, or use kind = \"dry\", which fills up to that level"
+                          : ": must be at least " + least);
+}
+
 // What is wrong with the value of the key, with the limit it broke; empty where no number says more than
 // explain_failure.
 std::string broken_limit(const PlaneFailure<>& problem, std::string_view failure, const std::string& key) {
@@ -158,6 +193,9 @@ std::string broken_limit(const PlaneFailure<>& problem, std::string_view failure
     }
     if (failure == "water_above_crack") {
         return water_too_high(problem, key);
+    }
+    if (failure == "water_below_pond" && problem.pond) {
+        return water_too_low(problem, key);
     }
     return {};
 }
@@ -191,6 +229,9 @@ std::string_view in_words(PlaneFailureCheck check) {
         return "the water stands above the top of the tension crack (or of the base)";
     case PlaneFailureCheck::water_points_not_increasing:
         return "the points of the water form must increase along the line, two at least for a piezometric line";
+    case PlaneFailureCheck::water_below_pond:
+        return "the water states less pressure than the pond gives where the plane daylights or at the bottom of the "
+               "crack";
     case PlaneFailureCheck::pond_above_crest:
         return "pond.depth must not exceed slope.height";
     case PlaneFailureCheck::elevation_without_datum:
@@ -235,6 +276,9 @@ std::vector<std::string> blamed_keys(const PlaneFailureStudy<>&, std::string_vie
         return water_level;
     case PlaneFailureCheck::water_points_not_increasing:
         return {"water.point", "water.base", "water.crack"};
+    case PlaneFailureCheck::water_below_pond:
+        return {"water.water_depth", "water.filled_ratio", "water.water_elevation", "water.point", "water.base",
+                "water.crack",       "pond.depth"};
     case PlaneFailureCheck::pond_above_crest:
         return {"pond.depth"};
     case PlaneFailureCheck::elevation_without_datum:

@@ -24,13 +24,13 @@ void append_optimum_bolt(Analysis& analysis, const PlaneFailure<>& problem) {
         return;
     }
     const OptimumBolt optimum = optimum_bolt_plunge(problem);
-    if (!(optimum.factor_of_safety > 0)) {
-        return;
-    }
     analysis.outputs.push_back({"optimum_bolt_plunge", "plunge of bolt[1] that makes the factor of safety largest",
                                 Dimension::angle, optimum.plunge});
     analysis.outputs.push_back({"optimum_bolt_factor_of_safety", "factor of safety at that plunge", Dimension::ratio,
                                 optimum.factor_of_safety});
+    if (!(optimum.factor_of_safety > 0)) {
+        mark_none(analysis, "optimum_bolt");
+    }
 }
 
 void warn(Analysis& analysis, const PlaneFailureResult& result, bool critical_at_boundary) {

@@ -36,7 +36,8 @@ std::optional<RowAnswer> row_answer(const std::vector<double>& heights, double i
         row.block.push_back({height * inch, inch, UnitWeightOfBlock<>{13e3}, {}, {}});
     }
     const BlockRowResult result = analyse(row);
-    return result.check == BlockRowCheck::valid ? std::optional(result.answer) : std::nullopt;
+    const bool has_mode = result.check == BlockRowCheck::valid && result.answer.search != RowSearchKind::upper_bound;
+    return has_mode ? std::optional(result.answer) : std::nullopt;
 }
 
 // 1, 2, ... up and down again; the greatest height stands twice where the number of columns is even (3.3.2.2).

@@ -84,9 +84,15 @@ std::vector<std::string> findings(const StudySubject& subject, const Sensitivity
         const auto most = std::max_element(indices.begin(), indices.end(), [](const auto& one, const auto& other) {
             return one.total.value < other.total.value;
         });
-        sentences.push_back(subject.names[static_cast<std::size_t>(most - indices.begin())] +
-                            " matters most: it has a part in " + percent(std::min(most->total.value, 1.0)) +
-                            " of the variance.");
+        const SobolIndicesResult& found = *result.sobol_indices;
+        sentences.push_back(
+            subject.names[static_cast<std::size_t>(most - indices.begin())] + " matters most: it has a part in " +
+            percent(std::min(most->total.value, 1.0)) + " of the variance" +
+            (found.rows_without > 0
+                 ? ", but " + std::to_string(found.rows_without) + " of the " + std::to_string(found.rows) +
+                       " rows of samples have an evaluation without a value and were left out: the "
+                       "shares are those of the part of the space that has values."
+                 : "."));
     }
     std::vector<std::string> idle;
     for (const std::size_t index : result.without_effect) {

@@ -24,11 +24,18 @@ std::string why_not(const BoundResult& result, const std::string& what) {
     case LpStatus::infeasible:
         return "no friction, however large, admits forces that keep " + what + " in equilibrium";
     case LpStatus::invalid_assembly:
-        return result.check == AssemblyCheck::loads_beyond_weight
-                   ? "loads_beyond_weight: " + what +
-                         " are not bounded: cross joints cut only rectangular columns that carry nothing but their own "
-                         "weight"
-                   : what + " are not bounded: " + std::string(word_of(result.check));
+        switch (result.check) {
+        case AssemblyCheck::loads_beyond_weight:
+            return "loads_beyond_weight: " + what +
+                   " are not bounded: cross joints cut only rectangular columns that carry nothing but their own "
+                   "weight";
+        case AssemblyCheck::weights_too_different:
+            return "weights_too_different: " + what + " are not bounded: the heaviest of them weighs more than " +
+                   number_in_words(greatest_weight_ratio) +
+                   " times the lightest, beyond what linear programming resolves";
+        default:
+            return what + " are not bounded: " + std::string(word_of(result.check));
+        }
     case LpStatus::optimal:
         return {};
     case LpStatus::unbounded:
@@ -52,8 +59,20 @@ BoundState blocks_or_stop(const ColumnSlope<>& slope, const SteppedBase<>& probl
     return state;
 }
 
+void append_no_bound(Analysis& analysis, std::string_view prefix, const std::string& reason) {
+    append_outputs(analysis, BoundResult{}, std::string(prefix));
+    mark_none(analysis, std::string(prefix) + ".");
+    analysis.warnings.push_back(reason);
+}
+
 void append_result(Analysis& analysis, const BoundResult& result, std::string_view prefix, const std::string& what) {
     append_outputs(analysis, result, std::string(prefix));
+    // Infeasible is an answer: a factor of safety of 0.
+    if (result.status != LpStatus::optimal && result.status != LpStatus::infeasible) {
+        for (const std::string_view number : {".factor_of_safety", ".duality_gap", ".imbalance"}) {
+            mark_none(analysis, std::string(prefix) + std::string(number));
+        }
+    }
     if (const std::string reason = why_not(result, what); !reason.empty()) {
         analysis.warnings.push_back(reason);
     }
@@ -195,8 +214,9 @@ std::string announcement(const SteppedBaseStudy<>& study) {
 void append_bound(Analysis& analysis, const SteppedBase<>& problem, const LinearProgrammingBound& request) {
     const ColumnSlope<> slope = make_columns(problem.scene);
     if (!can_bound(slope)) {
-        analysis.warnings.push_back("too many columns for the linear programme, at most " +
-                                    number_in_words(most_bound_columns) + ": there is no bound");
+        append_no_bound(analysis, bound_prefix,
+                        "too many columns for the linear programme, at most " + number_in_words(most_bound_columns) +
+                            ": there is no bound");
     } else {
         append_result(analysis, columns_or_stop(slope, problem, request.upper_part).result, bound_prefix,
                       "the columns");
@@ -205,8 +225,9 @@ void append_bound(Analysis& analysis, const SteppedBase<>& problem, const Linear
         return;
     }
     if (!can_bound(slope, *request.cross_joints)) {
-        analysis.warnings.push_back("too many blocks for the linear programme, at most " +
-                                    number_in_words(most_bound_blocks) + ": the cut columns have no bound");
+        append_no_bound(analysis, bound_of_blocks_prefix,
+                        "too many blocks for the linear programme, at most " + number_in_words(most_bound_blocks) +
+                            ": the cut columns have no bound");
         return;
     }
     append_result(analysis, blocks_or_stop(slope, problem, *request.cross_joints).result, bound_of_blocks_prefix,

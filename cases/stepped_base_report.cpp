@@ -55,10 +55,9 @@ std::string_view what_lifts(const SlideHeadWedge<>& wedge) {
 }
 
 // A wedge that is not there has no numbers, nor has a friction angle that none is.
-void leave_out_what_is_not(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseResult& result) {
+void mark_what_is_not(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseResult& result) {
     if (!problem.scene.slide_head) {
-        std::erase_if(analysis.outputs,
-                      [](const NamedOutput& output) { return output.name.starts_with("slide_head"); });
+        mark_none(analysis, "slide_head");
     }
     for (NamedOutput& output : analysis.outputs) {
         if (output.name == "limiting_friction_angle" && result.friction_limit == LimitState::fails_at_any_strength) {
@@ -154,7 +153,7 @@ Analysis analyse_case(const SteppedBaseStudy<>& study) {
         return analysis;
     }
     append_outputs(analysis, result);
-    leave_out_what_is_not(analysis, resolved.problem, result);
+    mark_what_is_not(analysis, resolved.problem, result);
     if (!append_required(analysis, resolved.problem, study)) {
         analysis.failure = word_of(ColumnCheck::load_outside_columns);
         return analysis;

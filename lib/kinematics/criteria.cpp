@@ -19,13 +19,16 @@ Orientation face_of(const SlopeOrientation& slope) {
     return {slope.face_dip, slope.face_dip_direction};
 }
 
+Orientation upper_surface_of(const SlopeOrientation& slope) {
+    return slope.upper_surface.value_or(Orientation{0, 0});
+}
+
 // Whether a mass that moves along this direction leaves through the face and is cut off by the ground behind the crest.
 Feasibility way_out(const SlopeOrientation& slope, const Direction& movement) {
     if (!(movement.dot(upward_normal(face_of(slope))) > direction_rounding)) {
         return Feasibility::does_not_daylight;
     }
-    const Orientation upper = slope.upper_surface.value_or(Orientation{0, 0});
-    if (!(movement.dot(upward_normal(upper)) < -direction_rounding)) {
+    if (!(movement.dot(upward_normal(upper_surface_of(slope))) < -direction_rounding)) {
         return Feasibility::does_not_surface;
     }
     return Feasibility::feasible;
@@ -39,27 +42,26 @@ double angle_in_plan(double first_azimuth, double second_azimuth) {
     return std::abs(azimuth_difference(first_azimuth, second_azimuth));
 }
 
-// Strictly between in plan, on the short way round.
-bool between_in_plan(double azimuth, double from, double to) {
-    const double whole = azimuth_difference(from, to);
-    const double part = azimuth_difference(from, azimuth);
-    return part * whole > 0 && std::abs(part) < std::abs(whole) - direction_rounding &&
-           std::abs(part) > direction_rounding;
-}
-
+// Of a line that leaves through the face and is cut off behind the crest. Notation: header.
 SlidingContact contact_of(const SlopeOrientation& slope, const LineOrientation& line, const Orientation& first,
                           const Orientation& second) {
-    const double face = slope.face_dip_direction;
-    const bool on_first = between_in_plan(first.dip_direction, line.trend, face);
-    const bool on_second = between_in_plan(second.dip_direction, line.trend, face);
-    if (on_first && on_second) {
-        return angle_in_plan(first.dip_direction, face) < angle_in_plan(second.dip_direction, face)
-                   ? SlidingContact::first_plane
-                   : SlidingContact::second_plane;
+    const Direction along = direction_of(line);
+    const Direction face = upward_normal(face_of(slope));
+    const Direction upper = upward_normal(upper_surface_of(slope));
+    const Direction out_of_rock = (face / along.dot(face) - upper / along.dot(upper)).normalized();
+    const Direction n1 = upward_normal(first);
+    const Direction n2 = upward_normal(second);
+    const Direction axis = n1.cross(n2);
+    const double first_side = out_of_rock.cross(n2).dot(axis);
+    const double second_side = n1.cross(out_of_rock).dot(axis);
+    const auto carries = [&](double own_side, double movement_from_other, double other_side) {
+        return own_side > 0 && (other_side > 0 ? movement_from_other : -movement_from_other) > direction_rounding;
+    };
+    if (carries(first_side, dip_vector(first).dot(n2), second_side)) {
+        return SlidingContact::first_plane;
     }
-    return on_first    ? SlidingContact::first_plane
-           : on_second ? SlidingContact::second_plane
-                       : SlidingContact::both_planes;
+    return carries(second_side, dip_vector(second).dot(n1), first_side) ? SlidingContact::second_plane
+                                                                        : SlidingContact::both_planes;
 }
 
 // Weight 1 on both planes: across the line i it is carried by normal forces N1, N2 on the planes,
@@ -115,10 +117,6 @@ WedgeVerdict wedge_sliding(const SlopeOrientation& slope, const Orientation& fir
         return verdict(line->plunge, limiting_friction_on_both(*line, first, second));
     }
     const Orientation& carrier = contact == SlidingContact::first_plane ? first : second;
-    const Feasibility out = way_out(slope, dip_vector(carrier));
-    if (out != Feasibility::feasible) {
-        return {out, SlidingContact::none, 0, 0};
-    }
     return verdict(carrier.dip, carrier.dip);
 }
 

@@ -13,18 +13,22 @@
 // Wedge sliding (Markland 1972). The same along the line of intersection, without a lateral limit. plunge > friction
 // angle is on the safe side: two planes wedge the block in. The friction angle at which a dry cohesionless wedge really
 // is in limiting equilibrium is given beside it (`limiting_friction_angle`).
-//   Hocking (1976) asks which planes carry the wedge: where the dip direction of a plane lies, in plan, between the
-//   trend
-// of the intersection and the dip direction of the face, the wedge slides on that plane alone and leaves the other.
-// Derivation, for a level upper surface. A block bounded by both planes is finite only if no horizontal direction that
-// stays within the two half-spaces points into the rock. With the rock above both planes (dip directions a1, a2, the
-// horizontal directions from a1 - 90 deg to a2 + 90 deg) that means: the face dips between a1 and a2. Above plane 1 and
-// below plane 2: outside. Movement down plane 1 alone opens plane 2 if v1 . n2 > 0 (block above 2) or < 0 (below 2),
-// and
-//     v1 . n2 = cos d1 cos d2 (tan d2 cos(a1 - a2) - tan d1),
-// where tan d_i = tan(plunge) / cos(a_i - trend). Going through the orders of a1, a2, trend and face around the
-// compass, this opens a plane exactly where Hocking's test says so; with both dip directions between trend and face the
-// plane nearer to the face carries the block.
+//   Which block it is, and which planes carry it, follow from block theory (Goodman & Shi 1985). With i the line of
+// intersection, plunging, n1, n2 the upward normals of the planes, f, u those of face and upper surface, the line
+// leaves through the face and is cut off behind the crest where i . f > 0 and i . u < 0. The rock, x . f < 0 and x . u
+// < 0, seen along i then fills the half-plane m . x < 0 with
+//     m = f / (i . f) - u / (i . u),   m . i = 0,
+// and the block on given sides of both planes, a sector s1 n1 . x >= 0, s2 n2 . x >= 0, is finite where it stays out of
+// that half-plane: where m lies between s1 n1 and s2 n2. That is so for one choice of the sides,
+//     s1 = sign of (m x n2) . (n1 x n2),   s2 = sign of (n1 x m) . (n1 x n2):
+// one finite block for every line that leaves, above both planes or above one and below the other. It moves down plane
+// 1 alone where it lies above that plane and movement down it opens the other, s1 > 0 and s2 v1 . n2 > 0; likewise down
+// plane 2; otherwise along both. A finite block that moves away from its planes meets no rock: no further condition.
+//   For a level upper surface this is the test of Hocking (1976): where the dip direction of a plane lies, in plan,
+// between the trend of the intersection and the dip direction of the face, the wedge slides on that plane alone; with
+// both dip directions there, on that nearer to the face. A sloping surface can make another of the four blocks the
+// finite one.
+//   The rock is taken to be convex at the crest: an upper surface that rises steeper than the face is not meant.
 //
 // Flexural toppling (Goodman & Bray 1976). Near the face the principal stress is parallel to it; layers slip over one
 // another where that stress is inclined to their normal by more than the friction angle. In the section across the face

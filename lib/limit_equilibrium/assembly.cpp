@@ -2,6 +2,7 @@
 
 #include "parameters/fields.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace delabole {
@@ -46,6 +47,11 @@ AssemblyCheck check_assembly(const Assembly& assembly) {
         if (const AssemblyCheck check = check_body(body); check != AssemblyCheck::valid) {
             return check;
         }
+    }
+    const auto [lightest, heaviest] =
+        std::ranges::minmax_element(assembly.bodies, [](const Body& a, const Body& b) { return a.weight < b.weight; });
+    if (heaviest->weight > greatest_weight_ratio * lightest->weight) {
+        return AssemblyCheck::weights_too_different;
     }
     for (const Contact& contact : assembly.contacts) {
         if (const AssemblyCheck check = check_contact(contact, assembly.bodies.size()); check != AssemblyCheck::valid) {

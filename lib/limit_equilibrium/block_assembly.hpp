@@ -8,6 +8,7 @@
 #include "limit_equilibrium/assembly.hpp"
 #include "limit_equilibrium/column.hpp"
 #include "parameters/fields.hpp"
+#include "parameters/lengths.hpp"
 
 namespace delabole {
 
@@ -41,9 +42,9 @@ struct CrossJoints {
     double stagger;  // less than the spacing
     double friction_angle;
     static constexpr auto fields() {
-        return std::tuple{number("spacing", &CrossJoints::spacing, Dimension::length, more_than(0),
+        return std::tuple{number("spacing", &CrossJoints::spacing, Dimension::length, extent_range(),
                                  "distance between cross joints, along the columns from each base"),
-                          number("stagger", &CrossJoints::stagger, Dimension::length, at_least(0),
+                          number("stagger", &CrossJoints::stagger, Dimension::length, distance_range(),
                                  "height above its base of the first cross joint in every second column, less than "
                                  "the spacing; 0: as in the others"),
                           number("friction_angle", &CrossJoints::friction_angle, Dimension::angle,

@@ -1,10 +1,15 @@
 #include "limit_equilibrium/block_row.hpp"
 
+#include "limit_equilibrium/block_assembly.hpp"
 #include "limit_equilibrium/block_row_search.hpp"
+#include "limit_equilibrium/lp_bound.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace delabole {
 
@@ -59,6 +64,57 @@ RowState state_at(double inclination, const RowAnswer& answer) {
     return failure_in(answer.mode_in_contact.empty() ? answer.mode : answer.mode_in_contact);
 }
 
+LpBound bound_of(const std::vector<RowMember<double>>& members) {
+    std::vector<RectangularBlock> blocks;
+    blocks.reserve(members.size());
+    for (const RowMember<double>& member : members) {
+        blocks.push_back({member.width, member.height, member.weight});
+    }
+    Assembly assembly = assemble_row(blocks, {0, 0});
+    for (Contact& contact : assembly.contacts) {
+        const double tangent = contact.other ? members[std::min(contact.body, *contact.other)].interface_friction
+                                             : members[contact.body].base_friction;
+        contact.friction_angle = std::atan(tangent);
+    }
+    return largest_tilt(assembly);
+}
+
+// What the mechanism of the programme does.
+RowState failure_in(const std::vector<VirtualMotion>& mechanism) {
+    constexpr double still = 1e-9;  // of motions scaled to about 1
+    bool slides = false;
+    bool turns = false;
+    for (const VirtualMotion& motion : mechanism) {
+        const bool rotates = std::abs(motion.rotation) > still;
+        turns = turns || rotates;
+        slides = slides || (!rotates && motion.displacement.norm() > still);
+    }
+    return !turns ? RowState::slides : slides ? RowState::slides_and_topples : RowState::topples;
+}
+
+// Nothing where the programme has no answer.
+std::optional<RowAnswer> bounded_answer(const std::vector<RowMember<double>>& members, double inclination) {
+    if (members.size() > most_bounded_row) {
+        return std::nullopt;
+    }
+    const LpBound bound = bound_of(members);
+    if (bound.status != LpStatus::optimal && bound.status != LpStatus::unbounded) {
+        return std::nullopt;
+    }
+    RowAnswer answer;
+    answer.search = RowSearchKind::upper_bound;
+    answer.critical_tilt = bound.status == LpStatus::optimal ? std::atan(bound.value) : right_angle;
+    answer.critical_tilt_in_contact = answer.critical_tilt;
+    double alone = right_angle;
+    for (const RowMember<double>& member : members) {
+        alone = std::min(alone, std::atan(std::min(member.width / member.height, member.base_friction)));
+    }
+    answer.state = inclination < alone                  ? RowState::stands
+                   : inclination < answer.critical_tilt ? RowState::stands_if_pressed
+                                                        : failure_in(bound.mechanism);
+    return answer;
+}
+
 }  // namespace
 
 BlockRowResult analyse(const BlockRow<>& row) {
@@ -67,7 +123,8 @@ BlockRowResult analyse(const BlockRow<>& row) {
     if (result.check != BlockRowCheck::valid) {
         return result;
     }
-    RowSearchResult<double> found = RowSearch<double>(row_members(row)).search();
+    const std::vector<RowMember<double>> members = row_members(row);
+    RowSearchResult<double> found = RowSearch<double>(members).search();
     if (found.least) {
         const NamedRowMode<double>& least = found.modes[*found.least];
         RowAnswer& answer = result.answer;
@@ -85,6 +142,8 @@ BlockRowResult analyse(const BlockRow<>& row) {
         for (const MemberForces<double>& forces : least.mode.forces) {
             result.block.push_back(forces_of(forces));
         }
+    } else if (const std::optional<RowAnswer> bounded = bounded_answer(members, row.base.inclination)) {
+        result.answer = *bounded;
     } else {
         result.check = BlockRowCheck::no_admissible_mode;
     }

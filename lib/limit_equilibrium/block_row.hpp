@@ -2,6 +2,11 @@
 // governs. Equations and checks: block_row_mode.hpp; choice of the mode: block_row_search.hpp; the thesis's formulas
 // for equal blocks: closed_forms.hpp.
 //
+// Some rows of unequal blocks begin to move in ways that are not among the modes (block_row_search.hpp). Where no mode
+// is admissible the bound by linear programming (lp_bound.hpp) stands in for the tilts: beyond it no forces keep the
+// row in equilibrium. It is what the limit in contact is where there is one; a row that is not pressed together may
+// fail at less, though not before a block that stands alone would.
+//
 // Limits: rectangular blocks, dry, no cohesion, statics only; the answer is the tilt at which a motion can begin.
 #pragma once
 
@@ -20,7 +25,8 @@ enum class BlockRowCheck {
     valid,
     no_blocks,
     too_many_blocks,     // more than 100 000
-    no_admissible_mode,  // every mode examined violates statics or kinematics; the list says how
+    no_admissible_mode,  // every mode examined violates statics or kinematics, and there is no bound either: more
+                         // than most_bounded_row blocks, or the linear programme has no answer
     input_out_of_range,  // a number outside the range of its field, or not finite
 };
 
@@ -30,7 +36,8 @@ constexpr std::array<std::string_view, 5> enum_names(BlockRowCheck) {
 
 enum class RowState {
     stands,
-    stands_if_pressed,  // between both critical tilts: only if the blocks were pressed together
+    stands_if_pressed,  // between both critical tilts: only if the blocks were pressed together. Where the tilts are
+                        // bounds: from the tilt at which a block that stands alone would fail, up to the bound
     slides,
     topples,
     slides_and_topples,
@@ -40,10 +47,10 @@ constexpr std::array<std::string_view, 5> enum_names(RowState) {
     return {"stands", "stands_if_pressed", "slides", "topples", "slides_and_topples"};
 }
 
-enum class RowSearchKind { exact, bounded };
+enum class RowSearchKind { exact, bounded, upper_bound };
 
-constexpr std::array<std::string_view, 2> enum_names(RowSearchKind) {
-    return {"exact", "bounded"};
+constexpr std::array<std::string_view, 3> enum_names(RowSearchKind) {
+    return {"exact", "bounded", "upper_bound"};
 }
 
 struct RowAnswer {
@@ -57,10 +64,13 @@ struct RowAnswer {
         using A = RowAnswer;
         return std::tuple{
             section("state", &A::state, "at the given inclination"),
-            section("search", &A::search, "exact: every mode was examined; bounded: a long row's likely ones"),
+            section("search", &A::search,
+                    "exact: every mode was examined; bounded: a long row's likely ones; upper_bound: none of those is "
+                    "admissible, and both tilts are the one beyond which linear programming finds no equilibrium"),
             section("mode", &A::mode,
                     "least stable mode, one letter per block from the lowest up: S slides; F, P, B turns with its toe "
-                    "sliding forward, not at all, backward; = adheres to the block below; 0 stands; R is pushed back"),
+                    "sliding forward, not at all, backward; = adheres to the block below; 0 stands; R is pushed back; "
+                    "empty: none is admissible"),
             number("critical_tilt", &A::critical_tilt, Dimension::angle, any_number(),
                    "inclination at which that mode begins"),
             section("mode_in_contact", &A::mode_in_contact,
@@ -116,13 +126,16 @@ struct BlockRowResult {
     BlockRowCheck check = BlockRowCheck::input_out_of_range;
     RowAnswer answer{};                   // meaningful only where valid
     std::vector<RowModeSummary> mode{};   // also where no mode is admissible
-    std::vector<RowBlockForces> block{};  // in the governing mode
+    std::vector<RowBlockForces> block{};  // in the governing mode; empty without one
     static constexpr auto fields() {
         using R = BlockRowResult;
         return std::tuple{inlined(&R::answer, "what governs"), section("mode", &R::mode, "the modes examined"),
                           section("block", &R::block, "forces in the governing mode")};
     }
 };
+
+// The linear programme of so many blocks takes a second.
+inline constexpr std::size_t most_bounded_row = 500;
 
 // Exact up to 16 blocks, a bounded search of linear time beyond (block_row_search.hpp).
 BlockRowResult analyse(const BlockRow<>& row);

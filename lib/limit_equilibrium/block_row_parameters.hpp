@@ -5,6 +5,7 @@
 #pragma once
 
 #include "parameters/fields.hpp"
+#include "parameters/lengths.hpp"
 
 #include <optional>
 #include <string_view>
@@ -64,8 +65,8 @@ struct RowBlock {
     std::optional<T> interface_friction_angle;
     static constexpr auto fields() {
         return std::tuple{
-            number("height", &RowBlock::height, Dimension::length, more_than(0), "height, normal to the plane"),
-            number("width", &RowBlock::width, Dimension::length, more_than(0), "width, along the plane"),
+            number("height", &RowBlock::height, Dimension::length, extent_range(), "height, normal to the plane"),
+            number("width", &RowBlock::width, Dimension::length, extent_range(), "width, along the plane"),
             inlined(&RowBlock::mass, "weight or unit weight"),
             number("base_friction_angle", &RowBlock::base_friction_angle, Dimension::angle, within(0, degrees(89.9)),
                    "friction between this block and the plane; absent: that of the row"),

@@ -15,12 +15,13 @@
 // blocks, beyond it the whole row as one); whether an upper part stands is decided by the same search. Time O(N^5), 16
 // blocks take milliseconds.
 //
-// Not among them, and the reason why an answer may be missing: of unequal blocks, motions in which two groups turn by
-// different angles or one part both slides and turns; a tall block that tips over the top of a locked one (phi + psi
-// >= 90 deg) while its toe slides back. Measured on random rows with friction 10 to 44 deg and b/a 0.09 to 1: an answer
-// for every row of two blocks, 98 % of three, 94 % of four, 88 % of six; a limit in contact for 100, 94, 87 and 79 %.
-// Wherever there is one it is the bound by linear programming, to rounding, and free rows fail at or below that bound:
-// no exception in ten thousand rows of one to six blocks, nor in long ones.
+// Not among them, and the reason why none may be admissible (block_row.hpp says what stands in then): of unequal
+// blocks, motions in which two groups turn by different angles or one part both slides and turns; a tall block that
+// tips over the top of a locked one (phi + psi >= 90 deg) while its toe slides back. Measured on random rows with
+// friction 10 to 44 deg and b/a 0.09 to 1: a mode for every row of two blocks, 98 % of three, 94 % of four, 88 % of
+// six; a limit in contact for 100, 94, 87 and 79 %. Wherever there is one it is the bound by linear programming, to
+// rounding, and free rows fail at or below that bound: no exception in ten thousand rows of one to six blocks, nor in
+// long ones.
 //
 // Longer rows get a bounded search, linear in N: the lowest block alone and pressed, the sliding part of least
 // resistance, the whole row sliding, and the turning group found by bisection on the tilt, above it blocks each of

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "parameters/fields.hpp"
+#include "parameters/lengths.hpp"
 #include "plane_failure/parameters.hpp"
 #include "water/water.hpp"
 
@@ -24,12 +25,13 @@ constexpr auto joint_dip_field() {
 // Of columns of one spacing with their toe corners on one line.
 template <class Columns>
 constexpr auto regular_columns_fields() {
-    return std::tuple{joint_dip_field<Columns>(),
-                      number("spacing", &Columns::spacing, Dimension::length, more_than(0), "normal spacing of joints"),
-                      number("base_inclination", &Columns::base_inclination, Dimension::angle, between(0, degrees(90)),
-                             "inclination of the line through the toe corners of the bases"),
-                      number("base_end_height", &Columns::base_end_height, Dimension::length, more_than(0),
-                             "height above the toe at which that line ends; absent: it goes on to the ground")};
+    return std::tuple{
+        joint_dip_field<Columns>(),
+        number("spacing", &Columns::spacing, Dimension::length, extent_range(), "normal spacing of joints"),
+        number("base_inclination", &Columns::base_inclination, Dimension::angle, between(0, degrees(90)),
+               "inclination of the line through the toe corners of the bases"),
+        number("base_end_height", &Columns::base_end_height, Dimension::length, extent_range(),
+               "height above the toe at which that line ends; absent: it goes on to the ground")};
 }
 
 // Columns cut by the true ground: everything is a continuous function of slope height and spacing, but for loads that
@@ -63,9 +65,9 @@ struct ColumnBlock {
     std::optional<T> unit_weight;
     static constexpr auto fields() {
         return std::tuple{
-            number("height", &ColumnBlock::height, Dimension::length, at_least(0), "height above its base"),
-            number("width", &ColumnBlock::width, Dimension::length, more_than(0), "width of its base"),
-            number("step_above", &ColumnBlock::step_above, Dimension::length, at_least(0),
+            number("height", &ColumnBlock::height, Dimension::length, distance_range(), "height above its base"),
+            number("width", &ColumnBlock::width, Dimension::length, extent_range(), "width of its base"),
+            number("step_above", &ColumnBlock::step_above, Dimension::length, distance_range(),
                    "rise of the next base over this one, along the joint"),
             number("unit_weight", &ColumnBlock::unit_weight, Dimension::unit_weight, more_than(0),
                    "unit weight of this block; absent: that of the rock")};
@@ -142,7 +144,7 @@ struct PointLoad {
             number("force", &PointLoad::force, Dimension::force_per_length, at_least(0), "force"),
             number("plunge", &PointLoad::plunge, Dimension::angle, within(degrees(-90), degrees(270)),
                    "direction below the horizontal, measured from into-the-slope; 90 deg is vertical"),
-            number("height", &PointLoad::height, Dimension::length, at_least(0),
+            number("height", &PointLoad::height, Dimension::length, distance_range(),
                    "height of its point of application on the column's middle line, above the base")};
     }
 };
@@ -160,7 +162,7 @@ struct ColumnBolt {
             number("force", &ColumnBolt::force, Dimension::force_per_length, at_least(0), "tension"),
             number("plunge", &ColumnBolt::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
                    "direction below the horizontal, into the slope; negative: inclined upwards"),
-            number("height", &ColumnBolt::height, Dimension::length, at_least(0),
+            number("height", &ColumnBolt::height, Dimension::length, distance_range(),
                    "height of its head above the base, on the toe side of the column")};
     }
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "limit_equilibrium/make_columns.hpp"
+#include "parameters/lengths.hpp"
 #include "plane_failure/study.hpp"
 
 #include <array>
@@ -33,9 +34,9 @@ struct CriticalBaseSearch {
                    within(0, degrees(90)), "flattest base considered; absent: no steps"),
             number("upper_inclination", &CriticalBaseSearch::upper_inclination, Dimension::angle,
                    within(0, degrees(90)), "steepest base considered; absent: the face"),
-            number("lower_end_height", &CriticalBaseSearch::lower_end_height, Dimension::length, more_than(0),
+            number("lower_end_height", &CriticalBaseSearch::lower_end_height, Dimension::length, extent_range(),
                    "lowest end of the base considered, above the toe; absent: a hundredth of the slope height"),
-            number("upper_end_height", &CriticalBaseSearch::upper_end_height, Dimension::length, more_than(0),
+            number("upper_end_height", &CriticalBaseSearch::upper_end_height, Dimension::length, extent_range(),
                    "highest end of the base considered, above the toe; absent: where the base meets the ground, or "
                    "twice the slope height where it does not")};
     }

@@ -26,6 +26,7 @@
 // toppling failure of rock slopes. Rock Mech. Rock Eng. 30, 75-93.
 #pragma once
 
+#include "parameters/lengths.hpp"
 #include "parameters/model_interface.hpp"
 
 #include <array>
@@ -41,8 +42,8 @@ struct FlexuralColumn {
     double height;
     static constexpr auto fields() {
         using C = FlexuralColumn;
-        return std::tuple{number("width", &C::width, Dimension::length, more_than(0), "along the plane of the feet"),
-                          number("height", &C::height, Dimension::length, more_than(0), "normal to that plane")};
+        return std::tuple{number("width", &C::width, Dimension::length, extent_range(), "along the plane of the feet"),
+                          number("height", &C::height, Dimension::length, extent_range(), "normal to that plane")};
     }
 };
 

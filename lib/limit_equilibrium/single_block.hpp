@@ -27,6 +27,7 @@
 // along the faces). Accuracy: closed form, a few units in the last place of the largest force.
 #pragma once
 
+#include "parameters/lengths.hpp"
 #include "parameters/model_interface.hpp"
 #include "plane_failure/parameters.hpp"
 
@@ -43,8 +44,8 @@ struct BlockBody {
     T unit_weight;
     static constexpr auto fields() {
         return std::tuple{
-            number("height", &BlockBody::height, Dimension::length, more_than(0), "height, normal to the base"),
-            number("width", &BlockBody::width, Dimension::length, more_than(0), "width, along the base"),
+            number("height", &BlockBody::height, Dimension::length, extent_range(), "height, normal to the base"),
+            number("width", &BlockBody::width, Dimension::length, extent_range(), "width, along the base"),
             number("unit_weight", &BlockBody::unit_weight, Dimension::unit_weight, more_than(0),
                    "unit weight of the rock")};
     }
@@ -74,9 +75,9 @@ struct BlockWater {
     static constexpr auto fields() {
         return std::tuple{number("unit_weight", &BlockWater::unit_weight, Dimension::unit_weight, more_than(0),
                                  "unit weight of water"),
-                          number("depth_behind", &BlockWater::depth_behind, Dimension::length, at_least(0),
+                          number("depth_behind", &BlockWater::depth_behind, Dimension::length, distance_range(),
                                  "water on the upper face, measured along it from the base"),
-                          number("depth_in_front", &BlockWater::depth_in_front, Dimension::length, at_least(0),
+                          number("depth_in_front", &BlockWater::depth_in_front, Dimension::length, distance_range(),
                                  "water on the lower face, measured along it from the base; absent: none")};
     }
 };

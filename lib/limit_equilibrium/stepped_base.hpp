@@ -6,6 +6,7 @@
 
 #include "limit_equilibrium/column_recursion.hpp"
 #include "limit_equilibrium/make_columns.hpp"
+#include "parameters/lengths.hpp"
 #include "parameters/model_interface.hpp"
 
 #include <array>
@@ -104,7 +105,7 @@ struct RequiredCable {
             number("block", &RequiredCable::block, Dimension::ratio, at_least(1), "number of the column, 1 at the toe"),
             number("plunge", &RequiredCable::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
                    "direction below the horizontal, into the slope; negative: inclined upwards"),
-            number("height", &RequiredCable::height, Dimension::length, at_least(0),
+            number("height", &RequiredCable::height, Dimension::length, distance_range(),
                    "height of its head above the base of that column"),
             number("factor_of_safety", &RequiredCable::factor_of_safety, Dimension::ratio, more_than(0),
                    "factor of safety to reach")};

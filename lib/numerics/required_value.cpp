@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace delabole {
 
@@ -10,21 +11,29 @@ namespace {
 constexpr int linear_points = 257;
 constexpr int points_per_decade = 12;
 constexpr int decades = 12;  // above and below one SI unit
+// Bounds beyond this only exclude what nobody means (parameters/lengths.hpp): evenly spaced points would miss the rest.
+constexpr double no_bound = 1e5;
+
+double near_or_infinite(double bound) {
+    return std::abs(bound) < no_bound ? bound : std::copysign(std::numeric_limits<double>::infinity(), bound);
+}
 
 }  // namespace
 
 std::vector<double> search_points(const Interval& range, double present) {
     std::vector<double> values;
-    if (std::isfinite(range.lower) && std::isfinite(range.upper)) {
+    const double lower = near_or_infinite(range.lower);
+    const double upper = near_or_infinite(range.upper);
+    if (std::isfinite(lower) && std::isfinite(upper)) {
         for (int index = 0; index < linear_points; ++index) {
-            values.push_back(range.lower + (range.upper - range.lower) * index / (linear_points - 1));
+            values.push_back(lower + (upper - lower) * index / (linear_points - 1));
         }
     } else {
-        const double bound = std::isfinite(range.lower) ? range.lower : std::isfinite(range.upper) ? range.upper : 0;
+        const double bound = std::isfinite(lower) ? lower : std::isfinite(upper) ? upper : 0;
         // About the present value too where nothing is bounded: an elevation has answers only in a short interval far
         // from zero.
         std::vector<double> origins = {bound};
-        if (std::isinf(range.lower) && std::isinf(range.upper)) {
+        if (std::isinf(lower) && std::isinf(upper)) {
             origins.push_back(present);
         }
         for (const double origin : origins) {

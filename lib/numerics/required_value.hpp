@@ -31,7 +31,7 @@ struct Required {
 };
 
 // Where to look for the root: the range of a field, or geometrically over 24 decades of distance from its bound (where
-// it has none, from zero and from the present value).
+// it has none, from zero and from the present value). A bound of 1e5 or more counts as none.
 std::vector<double> search_points(const Interval& range, double present);
 
 // Searches the range of the input's field. `factor_of_safety(problem)` gives NaN where the problem has no answer (water

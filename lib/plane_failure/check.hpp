@@ -20,6 +20,7 @@ enum class PlaneFailureCheck {
     water_needs_crack,            // a water form that fills a crack, but there is no crack
     water_above_crack,            // level above the top of the crack (or, on the base alone, above its upper end)
     water_points_not_increasing,  // piezometric line or custom pressures out of order, or a single point
+    water_below_pond,             // less pressure than the pond's at the daylighting point or the bottom of the crack
     pond_above_crest,
     elevation_without_datum,    // an elevation is given but slope.toe_elevation is not
     friction_not_below_90_deg,  // friction_angle + roughness_angle
@@ -27,7 +28,7 @@ enum class PlaneFailureCheck {
     input_out_of_range,  // a number outside the range of its field, not finite, or so large that forces overflow
 };
 
-constexpr std::array<std::string_view, 18> enum_names(PlaneFailureCheck) {
+constexpr std::array<std::string_view, 19> enum_names(PlaneFailureCheck) {
     return {"valid",
             "plane_does_not_daylight",
             "plane_daylights_above_crest",
@@ -41,6 +42,7 @@ constexpr std::array<std::string_view, 18> enum_names(PlaneFailureCheck) {
             "water_needs_crack",
             "water_above_crack",
             "water_points_not_increasing",
+            "water_below_pond",
             "pond_above_crest",
             "elevation_without_datum",
             "friction_not_below_90_deg",

@@ -7,14 +7,45 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace delabole {
 
 namespace {
 
-constexpr int crack_scan_points = 12;
-constexpr int dip_scan_points = 12;
+constexpr int scan_points = 12;  // of every stretch without kink or jump
+// Relative distance at which both sides of a kink or jump are visited: far above the rounding of a crack placed by its
+// bottom, far below what the factor of safety shows.
+constexpr double beside_kink = 1e-12;
+
+// The stretches of a range between the kinks or jumps of the function on it, and the least minimum of them.
+ScalarMinimum minimise_between(std::vector<double> kinks, double lower, double upper,
+                               const std::function<ScalarMinimum(double, double)>& minimise) {
+    const double beside = beside_kink * std::max(std::abs(lower), std::abs(upper));
+    std::erase_if(kinks, [&](double kink) { return !(kink > lower + 4 * beside && kink < upper - 4 * beside); });
+    std::ranges::sort(kinks);
+    kinks.push_back(upper);
+    ScalarMinimum least{lower, std::numeric_limits<double>::infinity(), true};
+    double from = lower;
+    for (const double kink : kinks) {
+        const bool last = kink == upper;
+        const double to = last ? upper : kink - beside;
+        if (to > from) {
+            ScalarMinimum minimum = minimise(from, to);
+            const bool at_kink =
+                (minimum.position <= from + beside && from > lower) || (minimum.position >= to - beside && !last);
+            minimum.at_boundary = minimum.at_boundary && !at_kink;
+            if (minimum.value < least.value) {
+                least = minimum;
+            }
+            from = kink + beside;
+        }
+    }
+    return least;
+}
 
 // The problem being moved about, as plain and as dual numbers; the dual one is used for slopes.
 class Search {
@@ -36,14 +67,17 @@ class Search {
         // Scanned over the root of the height: the factor of safety varies fastest where the mass is small. A crack
         // through the daylighting point leaves no mass; one at the highest base has no depth.
         const double root = std::sqrt(highest);
-        ScalarMinimum minimum = minimise_scalar([&](double u) { return put_crack(u * u), value(); },
-                                                [&](double u) {
-                                                    put_crack(u * u);
-                                                    crack_position().base_below_crest =
-                                                        variable(crack_position().base_below_crest.value());
-                                                    return -slope();
-                                                },
-                                                root * 1e-3, root, crack_scan_points);
+        std::vector<double> kinks = crack_kinks();
+        std::ranges::transform(kinks, kinks.begin(), [](double height) { return std::sqrt(std::max(0.0, height)); });
+        const auto value_at = [&](double u) { return put_crack(u * u), value(); };
+        const auto slope_at = [&](double u) {
+            put_crack(u * u);
+            crack_position().base_below_crest = variable(crack_position().base_below_crest.value());
+            return -slope();
+        };
+        ScalarMinimum minimum = minimise_between(std::move(kinks), root * 1e-3, root, [&](double from, double to) {
+            return minimise_scalar(value_at, slope_at, from, to, scan_points);
+        });
         minimum.position *= minimum.position;
         put_crack(minimum.position);
         return minimum;
@@ -62,12 +96,13 @@ class Search {
         };
         // The slope of a minimum over the crack is the slope at the critical crack held in place (envelope theorem):
         // held by its top, for where the minimum is a kink the crack opens at a corner of the ground or at a load,
-        // which stay. At an end of the range nothing is known to stay, and a difference has to do.
+        // which stay. At an end of the range nothing is known to stay, at the pond's level the bottom of the
+        // crack does, and a difference has to do.
         const auto slope_over_crack = [&](double dip) {
             if (!std::isfinite(least_over_crack(dip))) {
                 return std::numeric_limits<double>::infinity();
             }
-            if (crack_at_boundary) {
+            if (crack_at_boundary || crack_ends_at_pond_level()) {
                 constexpr double step = 1e-6;
                 const double rise = least_over_crack(dip + step) - least_over_crack(dip - step);
                 return rise / (2 * step);
@@ -78,7 +113,9 @@ class Search {
             dual_.failure_plane.dip = variable(dip);
             return slope();
         };
-        ScalarMinimum minimum = minimise_scalar(least_over_crack, slope_over_crack, lower, upper, dip_scan_points);
+        ScalarMinimum minimum = minimise_between(plane_kinks(lower, upper), lower, upper, [&](double from, double to) {
+            return minimise_scalar(least_over_crack, slope_over_crack, from, to, scan_points);
+        });
         least_over_crack(minimum.position);
         minimum.at_boundary = minimum.at_boundary || crack_at_boundary;
         return minimum;
@@ -144,6 +181,98 @@ class Search {
                !problem_.slope.bench && problem_.slope.upper_surface_dip == 0 && problem_.surcharge.empty() &&
                problem_.line_load.empty() && problem_.bolt.empty() && !problem_.tension_cutoff &&
                std::visit(linear_with_cohesion, problem_.strength);
+    }
+
+    bool crack_ends_at_pond_level() const {
+        if (!with_crack_ || !problem_.pond) {
+            return false;
+        }
+        const auto* position = std::get_if<CrackBaseBelowCrest<>>(&problem_.tension_crack->position);
+        const double height = problem_.slope.height;
+        return position != nullptr &&
+               std::abs(height - position->base_below_crest - problem_.pond->depth) < 1e-9 * height;
+    }
+
+    // Distances behind the crest at which the factor of safety has a kink or a jump where the mass ends there: corners
+    // of the ground, line loads, and the ends of surcharges.
+    std::vector<double> kinks_of_mass_end() const {
+        std::vector<double> distances = {0};
+        if (problem_.slope.bench) {
+            distances.push_back(problem_.slope.bench->width);
+        }
+        for (const LineLoad<>& load : problem_.line_load) {
+            distances.push_back(load.distance_behind_crest);
+        }
+        for (const Surcharge<>& surcharge : problem_.surcharge) {
+            distances.push_back(surcharge.from_distance);
+            distances.push_back(surcharge.to_distance);
+        }
+        return distances;
+    }
+
+    // Heights, above the daylighting point, of the bottom of a crack at which the factor of safety has a kink or a
+    // jump: that of cracks which open at one, and where water pressure on the base has a corner.
+    std::vector<double> crack_kinks() const {
+        std::vector<double> heights;
+        PlaneFailure<> moved = problem_;
+        for (const double distance : kinks_of_mass_end()) {
+            moved.tension_crack->position = CrackAtDistance<>{distance};
+            Wedge<double> wedge;
+            if (make_wedge(moved, wedge) == PlaneFailureCheck::valid) {
+                heights.push_back(wedge.base_top_height());
+            }
+        }
+        const double daylight = problem_.failure_plane.daylight_height.value_or(0.0);
+        if (problem_.pond) {
+            heights.push_back(problem_.pond->depth - daylight);
+        }
+        if (const auto* line = std::get_if<PiezometricLineWater<>>(&problem_.water)) {
+            const double daylight_x = daylight / std::tan(problem_.slope.face_dip);
+            for (const PiezometricPoint<>& point : line->point) {
+                heights.push_back((point.x - daylight_x) * std::tan(problem_.failure_plane.dip));
+            }
+        }
+        return heights;
+    }
+
+    // Dips of the plane at which its mass ends at one of these distances, where the crack, if any, keeps its place. A
+    // searched crack passes them at every dip.
+    std::vector<double> plane_kinks(double lower, double upper) const {
+        std::vector<double> dips;
+        if (with_crack_) {
+            return dips;
+        }
+        PlaneFailure<> turned = problem_;
+        const auto mass_end = [&](double dip) {
+            turned.failure_plane.dip = dip;
+            Wedge<double> wedge;
+            return make_wedge(turned, wedge) == PlaneFailureCheck::valid ? wedge.crack_top_x - wedge.crest_x
+                                                                         : std::numeric_limits<double>::quiet_NaN();
+        };
+        constexpr int intervals = 48;
+        const std::vector<double> distances = kinks_of_mass_end();
+        double left = lower;
+        double left_end = mass_end(left);
+        for (int index = 1; index <= intervals; ++index) {
+            const double right = lower + (upper - lower) * index / intervals;
+            const double right_end = mass_end(right);
+            for (const double distance : distances) {
+                const bool beyond = left_end > distance;
+                if (std::isnan(left_end) || std::isnan(right_end) || beyond == (right_end > distance)) {
+                    continue;
+                }
+                double from = left;
+                double to = right;
+                for (int halving = 0; halving < 60; ++halving) {
+                    const double middle = from + (to - from) / 2;
+                    ((mass_end(middle) > distance) == beyond ? from : to) = middle;
+                }
+                dips.push_back(from);
+            }
+            left = right;
+            left_end = right_end;
+        }
+        return dips;
     }
 
     void hold_crack_top() {

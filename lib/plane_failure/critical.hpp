@@ -18,8 +18,10 @@ struct CriticalGeometry {
 // crest, where it does not), at the crack's given dip; plane dips from lower_dip to upper_dip, by default from 1 deg to
 // the face. Searching for the crack of a problem without one adds none: the problem is returned with the plane searched
 // only. Where a closed form gives the crack (critical.cpp says when: a dry slope level behind its crest) it is used;
-// elsewhere a scan of 12 points each, then the root of the exact slope: positions and factors of safety to rounding, if
-// the scan separates the minima.
+// elsewhere both sides of every position at which the factor of safety has a kink or a jump (corners of the ground,
+// line loads, ends of surcharges, the pond's level, points of a piezometric line), a scan of 12 points between any two
+// of them, then the root of the exact slope: positions and factors of safety to rounding, if the scan separates the
+// minima. Beside a jump the crack is placed 1e-12 of the range away from it.
 CriticalGeometry find_critical_geometry(const PlaneFailure<>& problem, const CriticalSearch<>& request);
 
 }  // namespace delabole

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "parameters/fields.hpp"
+#include "parameters/lengths.hpp"
 #include "strength/strength.hpp"
 #include "water/water.hpp"
 
@@ -22,7 +23,7 @@ struct Bench {
     T dip;
     static constexpr auto fields() {
         return std::tuple{
-            number("width", &Bench::width, Dimension::length, more_than(0), "horizontal width from the crest"),
+            number("width", &Bench::width, Dimension::length, extent_range(), "horizontal width from the crest"),
             number("dip", &Bench::dip, Dimension::angle, within(degrees(-60), degrees(89)),
                    "inclination, positive rising into the slope")};
     }
@@ -37,13 +38,13 @@ struct SlopeSection {
     std::optional<T> toe_elevation;
     static constexpr auto fields() {
         return std::tuple{
-            number("height", &SlopeSection::height, Dimension::length, more_than(0), "vertical height, toe to crest"),
+            number("height", &SlopeSection::height, Dimension::length, extent_range(), "vertical height, toe to crest"),
             number("face_dip", &SlopeSection::face_dip, Dimension::angle, left_open(0, degrees(90)), "dip of the face"),
             number("upper_surface_dip", &SlopeSection::upper_surface_dip, Dimension::angle,
                    within(degrees(-60), degrees(89)),
                    "inclination of the ground behind the crest (behind the bench, if there is one), positive rising"),
             section("bench", &SlopeSection::bench, "bench between crest and upper surface; absent: none"),
-            number("toe_elevation", &SlopeSection::toe_elevation, Dimension::length, any_number(),
+            number("toe_elevation", &SlopeSection::toe_elevation, Dimension::length, position_range(),
                    "elevation of the toe; needed only where elevations are given")};
     }
 };
@@ -55,7 +56,7 @@ struct FailurePlane {
     static constexpr auto fields() {
         return std::tuple{
             number("dip", &FailurePlane::dip, Dimension::angle, between(0, degrees(90)), "dip of the failure plane"),
-            number("daylight_height", &FailurePlane::daylight_height, Dimension::length, at_least(0),
+            number("daylight_height", &FailurePlane::daylight_height, Dimension::length, distance_range(),
                    "height above the toe at which the plane meets the face; absent: at the toe")};
     }
 };
@@ -65,7 +66,8 @@ struct CrackAtDistance {
     T distance_behind_crest;
     static constexpr auto fields() {
         return std::tuple{number("distance_behind_crest", &CrackAtDistance::distance_behind_crest, Dimension::length,
-                                 any_number(), "horizontal distance from crest to crack top; negative in the face")};
+                                 position_range(),
+                                 "horizontal distance from crest to crack top; negative in the face")};
     }
 };
 
@@ -73,7 +75,7 @@ template <class T = double>
 struct CrackOfDepth {
     T depth;
     static constexpr auto fields() {
-        return std::tuple{number("depth", &CrackOfDepth::depth, Dimension::length, at_least(0),
+        return std::tuple{number("depth", &CrackOfDepth::depth, Dimension::length, distance_range(),
                                  "vertical depth of a crack whose top lies behind the crest")};
     }
 };
@@ -84,7 +86,8 @@ struct CrackBaseBelowCrest {
     T base_below_crest;
     static constexpr auto fields() {
         return std::tuple{number("base_below_crest", &CrackBaseBelowCrest::base_below_crest, Dimension::length,
-                                 any_number(), "vertical distance from crest level down to the bottom of the crack")};
+                                 position_range(),
+                                 "vertical distance from crest level down to the bottom of the crack")};
     }
 };
 
@@ -92,7 +95,8 @@ template <class T = double>
 struct CrackBaseElevation {
     T base_elevation;
     static constexpr auto fields() {
-        return std::tuple{number("base_elevation", &CrackBaseElevation::base_elevation, Dimension::length, any_number(),
+        return std::tuple{number("base_elevation", &CrackBaseElevation::base_elevation, Dimension::length,
+                                 position_range(),
                                  "elevation of the bottom of the crack, in the datum of slope.toe_elevation")};
     }
 };
@@ -150,9 +154,9 @@ struct Surcharge {
     static constexpr auto fields() {
         return std::tuple{number("pressure", &Surcharge::pressure, Dimension::stress, any_number(),
                                  "vertical force per horizontal area, positive downwards"),
-                          number("from_distance", &Surcharge::from_distance, Dimension::length, at_least(0),
+                          number("from_distance", &Surcharge::from_distance, Dimension::length, distance_range(),
                                  "horizontal distance behind the crest where it begins"),
-                          number("to_distance", &Surcharge::to_distance, Dimension::length, at_least(0),
+                          number("to_distance", &Surcharge::to_distance, Dimension::length, distance_range(),
                                  "horizontal distance behind the crest where it ends")};
     }
 };
@@ -168,7 +172,7 @@ struct LineLoad {
                           number("plunge", &LineLoad::plunge, Dimension::angle, within(degrees(-90), degrees(270)),
                                  "direction below the horizontal, measured from into-the-slope; 90 deg is vertical"),
                           number("distance_behind_crest", &LineLoad::distance_behind_crest, Dimension::length,
-                                 at_least(0), "horizontal distance behind the crest")};
+                                 distance_range(), "horizontal distance behind the crest")};
     }
 };
 
@@ -189,7 +193,7 @@ struct Bolt {
             number("force", &Bolt::force, Dimension::force_per_length, at_least(0), "tension"),
             number("plunge", &Bolt::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
                    "direction below the horizontal, into the slope; negative: inclined upwards"),
-            number("head_height", &Bolt::head_height, Dimension::length, at_least(0),
+            number("head_height", &Bolt::head_height, Dimension::length, distance_range(),
                    "height of its head on the face above the toe (used by the moment check)"),
             section(
                 "action", &Bolt::action,

@@ -33,12 +33,16 @@ double interpolate(const std::vector<PressurePoint<>>& points, double position) 
 struct PressureVisitor {
     const PlaneFailure<>& problem;
     const Wedge<double>& wedge;
-    double pond_unit_weight;
-    double pond_height;
+    detail::PondAtMass<double> pond;
 
-    double full_crack_depth(const WaterLevel<>& level) const {
+    // Greatest depth of water in the crack.
+    double full_crack() const {
+        return problem.tension_crack ? std::max(wedge.crack_depth(), pond.depth_in_crack(wedge)) : 0;
+    }
+
+    double depth_in_crack(const WaterLevel<>& level) const {
         double depth = 0;
-        detail::water_depth(level, problem, wedge, wedge.base_top_height(), wedge.crack_depth(), depth);
+        detail::water_depth(level, problem, wedge, wedge.base_top_height(), full_crack(), depth);
         return depth;
     }
 
@@ -47,22 +51,21 @@ struct PressureVisitor {
     }
 
     Pressures operator()(const Dry&) const {
-        Pressures pressures;
-        pressures.base = hydrostatic(pond_unit_weight, pond_height, wedge.plane);
-        return pressures;
+        return {hydrostatic(pond.unit_weight, pond.height, wedge.plane),
+                hydrostatic(pond.unit_weight, pond.depth_in_crack(wedge), wedge.crack)};
     }
 
     Pressures operator()(const CrackAndBaseWater<>& water) const {
-        const double depth = full_crack_depth(water.level);
+        const double depth = depth_in_crack(water.level);
         const double at_top = water.unit_weight * depth;
-        const double at_daylight = pond_unit_weight * pond_height;
+        const double at_daylight = pond.pressure_at(0);
         const double length = wedge.base_length;
         return {[=](double s) { return at_daylight + (at_top - at_daylight) * s / length; },
                 hydrostatic(water.unit_weight, depth, wedge.crack)};
     }
 
     Pressures operator()(const CrackOnlyWater<>& water) const {
-        return {(*this)(Dry{}).base, hydrostatic(water.unit_weight, full_crack_depth(water.level), wedge.crack)};
+        return {(*this)(Dry{}).base, hydrostatic(water.unit_weight, depth_in_crack(water.level), wedge.crack)};
     }
 
     Pressures operator()(const BasePeakMidHeightWater<>& water) const {
@@ -70,7 +73,7 @@ struct PressureVisitor {
         detail::water_depth(water.level, problem, wedge, 0.0, wedge.base_top_height(), height);
         const double middle = height / (2 * wedge.plane.sine);
         const double peak = water.unit_weight * height / 2;
-        const double at_daylight = pond_unit_weight * pond_height;
+        const double at_daylight = pond.pressure_at(0);
         Pressures pressures;
         pressures.base = [=](double s) {
             if (s <= middle) {
@@ -83,7 +86,7 @@ struct PressureVisitor {
 
     Pressures operator()(const PeakAtToeWater<>& water) const {
         double height = 0;
-        const double full = wedge.base_top_height() + wedge.crack_depth();
+        const double full = wedge.base_top_height() + full_crack();
         detail::water_depth(water.level, problem, wedge, 0.0, full, height);
         return {hydrostatic(water.unit_weight, height, wedge.plane),
                 hydrostatic(water.unit_weight, height - wedge.base_top_height(), wedge.crack)};
@@ -130,10 +133,8 @@ WaterDiagram water_diagram(const PlaneFailure<>& problem) {
         return diagram;
     }
     const Wedge<double>& wedge = forces.wedge;
-    const double pond_height = problem.pond ? std::max(0.0, problem.pond->depth - wedge.daylight_height) : 0.0;
-    const double pond_unit_weight = problem.pond ? problem.pond->unit_weight : 0.0;
     const Pressures pressures =
-        std::visit(PressureVisitor{problem, wedge, pond_unit_weight, pond_height}, problem.water);
+        std::visit(PressureVisitor{problem, wedge, pond_at_mass(problem, wedge)}, problem.water);
     const Point daylight(wedge.daylight_height * wedge.face.cosine / wedge.face.sine, wedge.daylight_height);
     diagram.base = sample(pressures.base, daylight, wedge.plane, wedge.base_length);
     if (!problem.tension_crack) {

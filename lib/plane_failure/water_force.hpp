@@ -77,9 +77,15 @@ void add_hydrostatic_base(WaterForces<T>& forces, const Wedge<T>& wedge, const T
                  T(unit_weight * (height - wedge.base_top_height())));
 }
 
+// Depth is that above the bottom of the crack; more than the crack's where a pond covers its top.
 template <class T>
 void add_crack_water(WaterForces<T>& forces, const Wedge<T>& wedge, const T& unit_weight, const T& depth) {
-    add_pressure(forces.crack, T(0), T(unit_weight * depth), T(depth / wedge.crack.sine), T(0));
+    if (depth > wedge.crack_depth()) {
+        add_pressure(forces.crack, T(0), T(unit_weight * depth), wedge.crack_length,
+                     T(unit_weight * (depth - wedge.crack_depth())));
+    } else {
+        add_pressure(forces.crack, T(0), T(unit_weight * depth), T(depth / wedge.crack.sine), T(0));
+    }
 }
 
 template <class T>
@@ -151,59 +157,81 @@ bool increasing(const Points& points, Member member) {
     return true;
 }
 
-// One overload per water form. `pond_height` is that of the pond above the daylighting point, 0 without one.
+// A pond as the mass feels it. Heights are above the daylighting point; all is 0 without a pond.
+template <class T>
+struct PondAtMass {
+    T height;
+    T unit_weight;
+
+    T pressure_at(const T& level) const { return height >= level ? T(unit_weight * (height - level)) : T(0); }
+    // Of pond water in a crack, above its bottom. One that opens in the face lets in what stands above its top, from
+    // one behind the crest water would run off.
+    T depth_in_crack(const Wedge<T>& wedge) const {
+        const T above_bottom = height - wedge.base_top_height();
+        if (!(above_bottom > 0)) {
+            return T(0);
+        }
+        const bool runs_off = wedge.crack_location != CrackLocation::face && above_bottom > wedge.crack_depth();
+        return runs_off ? wedge.crack_depth() : above_bottom;
+    }
+    // The same level is often given twice, one of them after a few roundings.
+    bool exceeds(const T& pressure, const T& level) const {
+        return height > level && pressure_at(level) * (1 - 1e-12) > pressure;
+    }
+};
+
+// One overload per water form.
 template <class T>
 struct WaterVisitor {
     const PlaneFailure<T>& problem;
     const Wedge<T>& wedge;
-    const T& pond_height;
-    const T& pond_unit_weight;
+    const PondAtMass<T>& pond;
     WaterForces<T>& forces;
 
     PlaneFailureCheck operator()(const Dry&) const {
-        if (pond_height > 0) {
-            add_hydrostatic_base(forces, wedge, pond_unit_weight, pond_height);
+        add_pond_to_base();
+        if (problem.tension_crack && pond.height > wedge.base_top_height()) {
+            add_crack_water(forces, wedge, pond.unit_weight, pond.depth_in_crack(wedge));
         }
         return PlaneFailureCheck::valid;
     }
 
     PlaneFailureCheck operator()(const CrackAndBaseWater<T>& water) const {
-        T depth{};
-        const PlaneFailureCheck check = crack_depth(water.level, depth);
+        T depth = T(0);
+        const PlaneFailureCheck check = crack_depth(water.level, water.unit_weight, depth);
         add_crack_water(forces, wedge, water.unit_weight, depth);
-        add_pressure(forces.base, T(0), T(pond_unit_weight * pond_height), wedge.base_length,
-                     T(water.unit_weight * depth));
+        add_pressure(forces.base, T(0), pond.pressure_at(T(0)), wedge.base_length, T(water.unit_weight * depth));
         return check;
     }
 
     PlaneFailureCheck operator()(const CrackOnlyWater<T>& water) const {
-        T depth{};
-        const PlaneFailureCheck check = crack_depth(water.level, depth);
+        T depth = T(0);
+        const PlaneFailureCheck check = crack_depth(water.level, water.unit_weight, depth);
         add_crack_water(forces, wedge, water.unit_weight, depth);
-        (*this)(Dry{});
+        add_pond_to_base();
         return check;
     }
 
     PlaneFailureCheck operator()(const BasePeakMidHeightWater<T>& water) const {
-        T height{};
+        T height = T(0);
         const PlaneFailureCheck check = water_depth(water.level, problem, wedge, T(0), wedge.base_top_height(), height);
         const T middle = height / (2 * wedge.plane.sine);
         const T peak = water.unit_weight * height / 2;
-        add_pressure(forces.base, T(0), T(pond_unit_weight * pond_height), middle, peak);
+        add_pressure(forces.base, T(0), pond.pressure_at(T(0)), middle, peak);
         add_pressure(forces.base, middle, peak, T(2 * middle), T(0));
-        return check;
+        return checked(check, T(water.unit_weight * height), T(0));
     }
 
     PlaneFailureCheck operator()(const PeakAtToeWater<T>& water) const {
         const T base_top = wedge.base_top_height();
-        T height{};
+        T height = T(0);
         const PlaneFailureCheck check =
-            water_depth(water.level, problem, wedge, T(0), T(base_top + wedge.crack_depth()), height);
+            water_depth(water.level, problem, wedge, T(0), T(base_top + full_crack()), height);
         add_hydrostatic_base(forces, wedge, water.unit_weight, height);
         if (height > base_top) {
             add_crack_water(forces, wedge, water.unit_weight, T(height - base_top));
         }
-        return check;
+        return checked(check, T(water.unit_weight * height), T(0));
     }
 
     PlaneFailureCheck operator()(const PiezometricLineWater<T>& water) const {
@@ -212,11 +240,18 @@ struct WaterVisitor {
         }
         const T x = wedge.daylight_height * wedge.face.cosine / wedge.face.sine;
         add_piezometric(forces.base, water, x, wedge.daylight_height, wedge.plane, wedge.base_length);
+        const auto pressure_at = [&](const T& along, const T& level) {
+            return T(water.unit_weight *
+                     (piezometric_height(water.point, T(x + along)) - (wedge.daylight_height + level)));
+        };
+        PlaneFailureCheck check = checked(PlaneFailureCheck::valid, pressure_at(T(0), T(0)), T(0));
         if (problem.tension_crack) {
-            add_piezometric(forces.crack, water, T(x + wedge.base_top_x),
-                            T(wedge.daylight_height + wedge.base_top_height()), wedge.crack, wedge.crack_length);
+            const T base_top = wedge.base_top_height();
+            add_piezometric(forces.crack, water, T(x + wedge.base_top_x), T(wedge.daylight_height + base_top),
+                            wedge.crack, wedge.crack_length);
+            check = checked(check, pressure_at(wedge.base_top_x, base_top), base_top);
         }
-        return PlaneFailureCheck::valid;
+        return check;
     }
 
     PlaneFailureCheck operator()(const CustomWater<T>& water) const {
@@ -229,39 +264,68 @@ struct WaterVisitor {
         }
         add_custom(forces.base, water.base, wedge.base_length);
         add_custom(forces.crack, water.crack, wedge.crack_length);
-        return PlaneFailureCheck::valid;
+        const PlaneFailureCheck check = checked(PlaneFailureCheck::valid, pressure_at_start(water.base), T(0));
+        return problem.tension_crack ? checked(check, pressure_at_start(water.crack), wedge.base_top_height()) : check;
     }
 
   private:
-    PlaneFailureCheck crack_depth(const WaterLevel<T>& level, T& depth) const {
-        return problem.tension_crack
-                   ? water_depth(level, problem, wedge, wedge.base_top_height(), wedge.crack_depth(), depth)
-                   : PlaneFailureCheck::water_needs_crack;
+    void add_pond_to_base() const {
+        if (pond.height > 0) {
+            add_hydrostatic_base(forces, wedge, pond.unit_weight, pond.height);
+        }
+    }
+
+    // What is wrong already, or whether the pond gives more pressure at this height than the water form does.
+    PlaneFailureCheck checked(PlaneFailureCheck check, const T& pressure, const T& level) const {
+        return check == PlaneFailureCheck::valid && pond.exceeds(pressure, level) ? PlaneFailureCheck::water_below_pond
+                                                                                  : check;
+    }
+
+    static T pressure_at_start(const std::vector<PressurePoint<T>>& points) {
+        return points.empty() || points.front().position > 0 ? T(0) : points.front().pressure;
+    }
+
+    // Greatest depth of water in the crack.
+    T full_crack() const {
+        const T from_pond = pond.depth_in_crack(wedge);
+        return problem.tension_crack && from_pond > wedge.crack_depth() ? from_pond : wedge.crack_depth();
+    }
+
+    PlaneFailureCheck crack_depth(const WaterLevel<T>& level, const T& unit_weight, T& depth) const {
+        if (!problem.tension_crack) {
+            return PlaneFailureCheck::water_needs_crack;
+        }
+        const T base_top = wedge.base_top_height();
+        const PlaneFailureCheck check = water_depth(level, problem, wedge, base_top, full_crack(), depth);
+        return checked(check, T(unit_weight * depth), base_top);
     }
 };
 
 }  // namespace detail
 
 template <class T>
-PlaneFailureCheck water_forces(const PlaneFailure<T>& problem, const Wedge<T>& wedge, WaterForces<T>& forces) {
-    T pond_height = T(0);
-    T pond_unit_weight = T(0);
-    if (problem.pond) {
-        if (problem.pond->depth > problem.slope.height) {
-            return PlaneFailureCheck::pond_above_crest;
-        }
-        pond_unit_weight = problem.pond->unit_weight;
-        if (problem.pond->depth >= wedge.daylight_height) {
-            pond_height = problem.pond->depth - wedge.daylight_height;
-            // A crack in the face leaves the face above it standing: the pond there does not load the mass.
-            const T face_height = wedge.crack_location == CrackLocation::face
-                                      ? T(wedge.base_top_height() + wedge.crack_depth())
-                                      : wedge.crest_height;
-            detail::add_pressure(forces.face, T(0), T(pond_unit_weight * pond_height), T(face_height / wedge.face.sine),
-                                 T(pond_unit_weight * (pond_height - face_height)));
-        }
+detail::PondAtMass<T> pond_at_mass(const PlaneFailure<T>& problem, const Wedge<T>& wedge) {
+    if (!problem.pond || !(problem.pond->depth >= wedge.daylight_height)) {
+        return {T(0), T(0)};
     }
-    return std::visit(detail::WaterVisitor<T>{problem, wedge, pond_height, pond_unit_weight, forces}, problem.water);
+    return {T(problem.pond->depth - wedge.daylight_height), problem.pond->unit_weight};
+}
+
+template <class T>
+PlaneFailureCheck water_forces(const PlaneFailure<T>& problem, const Wedge<T>& wedge, WaterForces<T>& forces) {
+    if (problem.pond && problem.pond->depth > problem.slope.height) {
+        return PlaneFailureCheck::pond_above_crest;
+    }
+    const detail::PondAtMass<T> pond = pond_at_mass(problem, wedge);
+    if (pond.unit_weight > 0) {
+        // A crack in the face leaves the face above it standing: the pond there does not load the mass.
+        const T face_height = wedge.crack_location == CrackLocation::face
+                                  ? T(wedge.base_top_height() + wedge.crack_depth())
+                                  : wedge.crest_height;
+        detail::add_pressure(forces.face, T(0), T(pond.unit_weight * pond.height), T(face_height / wedge.face.sine),
+                             T(pond.unit_weight * (pond.height - face_height)));
+    }
+    return std::visit(detail::WaterVisitor<T>{problem, wedge, pond, forces}, problem.water);
 }
 
 }  // namespace delabole

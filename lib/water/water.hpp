@@ -5,6 +5,7 @@
 #pragma once
 
 #include "parameters/fields.hpp"
+#include "parameters/lengths.hpp"
 
 #include <string_view>
 #include <variant>
@@ -16,7 +17,7 @@ template <class T = double>
 struct WaterDepth {
     T water_depth;
     static constexpr auto fields() {
-        return std::tuple{number("water_depth", &WaterDepth::water_depth, Dimension::length, at_least(0),
+        return std::tuple{number("water_depth", &WaterDepth::water_depth, Dimension::length, distance_range(),
                                  "vertical depth of water above the lowest wetted point")};
     }
 };
@@ -34,7 +35,8 @@ template <class T = double>
 struct WaterElevation {
     T water_elevation;
     static constexpr auto fields() {
-        return std::tuple{number("water_elevation", &WaterElevation::water_elevation, Dimension::length, any_number(),
+        return std::tuple{number("water_elevation", &WaterElevation::water_elevation, Dimension::length,
+                                 position_range(),
                                  "elevation of the water surface in the datum of slope.toe_elevation; below the lowest "
                                  "wetted point the form gives no pressure")};
     }
@@ -110,9 +112,10 @@ struct PiezometricPoint {
     T x;
     T y;
     static constexpr auto fields() {
-        return std::tuple{number("x", &PiezometricPoint::x, Dimension::length, any_number(),
-                                 "horizontal distance from the toe, into the slope"),
-                          number("y", &PiezometricPoint::y, Dimension::length, any_number(), "height above the toe")};
+        return std::tuple{
+            number("x", &PiezometricPoint::x, Dimension::length, position_range(),
+                   "horizontal distance from the toe, into the slope"),
+            number("y", &PiezometricPoint::y, Dimension::length, position_range(), "height above the toe")};
     }
 };
 
@@ -158,16 +161,17 @@ template <class T = double>
 using Water = std::variant<Dry, CrackAndBaseWater<T>, CrackOnlyWater<T>, BasePeakMidHeightWater<T>, PeakAtToeWater<T>,
                            PiezometricLineWater<T>, CustomWater<T>>;
 
-// Standing water in front of the face. It always loads the face. On the base: with dry and crack_only water,
-// hydrostatic below its level; with crack_and_base and base_peak_mid_height, it replaces the zero at the daylighting
-// point. Forms that give their own level there (peak_at_toe, piezometric_line, custom) are taken as they are: theirs
-// should not be below it.
+// Standing water in front of the face. It always loads the face, and it enters the base where the plane daylights, and
+// through the base the crack: nowhere there does water stand lower than the pond. Dry water states no level: base and
+// crack are filled to that of the pond. With crack_only water the base is; with crack_and_base and base_peak_mid_height
+// the pond replaces the zero at the daylighting point. What a form states itself must be at least the pressure of the
+// pond, at the daylighting point and at the bottom of the crack; it is refused otherwise.
 template <class T = double>
 struct Pond {
     T depth;
     T unit_weight;
     static constexpr auto fields() {
-        return std::tuple{number("depth", &Pond::depth, Dimension::length, at_least(0),
+        return std::tuple{number("depth", &Pond::depth, Dimension::length, distance_range(),
                                  "depth of standing water above the toe, not above the crest"),
                           water_unit_weight_field(&Pond::unit_weight)};
     }

@@ -57,7 +57,7 @@ TEST(BlockCases, SingleBlockRefusesValuesOutOfRange) {
     EXPECT_EQ(complaint(changed(block_text, "\"25 deg\"", "\"90 deg\"")),
               "slope.toml:8:15: base.inclination = \"90 deg\": must be at least 0 and less than 90 deg");
     EXPECT_EQ(complaint(changed(block_text, "height = \"3 m\"", "height = \"0 m\"")),
-              "slope.toml:4:10: block.height = \"0 m\": must be more than 0 m");
+              "slope.toml:4:10: block.height = \"0 m\": must be more than 0 and at most 1000000 m");
 }
 
 TEST(BlockCases, RowRefusesWhatCannotBe) {

@@ -65,9 +65,9 @@ with = { "water.water_depth" = "5 m" }
 
 TEST(Reader, ValuesAreToldWithPlaceKeyAndRange) {
     EXPECT_EQ(complaint_after("\"225 ft\"", "\"-3 m\""),
-              "slope.toml:6:10: slope.height = \"-3 m\": must be more than 0 m");
+              "slope.toml:6:10: slope.height = \"-3 m\": must be more than 0 and at most 1000000 m");
     EXPECT_EQ(complaint_after("\"225 ft\"", "\"0 m\""),
-              "slope.toml:6:10: slope.height = \"0 m\": must be more than 0 m");
+              "slope.toml:6:10: slope.height = \"0 m\": must be more than 0 and at most 1000000 m");
     EXPECT_EQ(complaint_after("\"225 ft\"", "225"),
               "slope.toml:6:10: slope.height = 225: has no unit: a length is expected, e.g. \"10 m\"");
     EXPECT_EQ(complaint_after("\"225 ft\"", "\"225\""),
@@ -86,11 +86,13 @@ TEST(Reader, ValuesAreToldWithPlaceKeyAndRange) {
 }
 
 TEST(Reader, MissingAndUnknownKeys) {
-    EXPECT_EQ(complaint_after("height = \"225 ft\"\n", ""),
-              "slope.toml:5:1: slope.height: is required: vertical height, toe to crest (more than 0 m)");
-    EXPECT_EQ(complaint_after("height", "hieght"),
-              "slope.toml:5:1: slope.height: is required: vertical height, toe to crest (more than 0 m)\n"
-              "slope.toml:6:1: slope.hieght: is not a key of slope (did you mean height?)");
+    EXPECT_EQ(
+        complaint_after("height = \"225 ft\"\n", ""),
+        "slope.toml:5:1: slope.height: is required: vertical height, toe to crest (more than 0 and at most 1000000 m)");
+    EXPECT_EQ(
+        complaint_after("height", "hieght"),
+        "slope.toml:5:1: slope.height: is required: vertical height, toe to crest (more than 0 and at most 1000000 m)\n"
+        "slope.toml:6:1: slope.hieght: is not a key of slope (did you mean height?)");
     EXPECT_EQ(complaint_after("[tension_crack]", "[tensioncrack]"),
               "slope.toml:13:2: tensioncrack: is not a key of a case of this model (did you mean tension_crack?)");
     EXPECT_EQ(complaint_after("friction_angle", "roughness_angle = \"5 deg\"\nfriction_angle"),
@@ -183,7 +185,7 @@ TEST(Reader, Settings) {
     EXPECT_EQ(std::get<FilledRatio<>>(std::get<CrackAndBaseWater<>>(plane_failure(filled).water).level).filled_ratio,
               0.5);
     EXPECT_EQ(complaint(example_text, {{"slope.height", "-3 m"}}),
-              "--set: slope.height = \"-3 m\": must be more than 0 m");
+              "--set: slope.height = \"-3 m\": must be more than 0 and at most 1000000 m");
     EXPECT_EQ(complaint(example_text, {{"slope.hight", "3 m"}}),
               "--set: slope.hight: is not a key of slope (did you mean height?)");
     EXPECT_EQ(complaint(example_text, {{"bolt[1].force", "3 kN/m"}}),

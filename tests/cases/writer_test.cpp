@@ -212,7 +212,8 @@ TEST(Template, NamesEveryKind) {
     for (const std::string_view word :
          {"coulomb", "stepped_surface", "patton_bilinear", "barton_bandis", "power_curve", "dry", "crack_and_base",
           "crack_only", "base_peak_mid_height", "peak_at_toe", "piezometric_line", "custom", "distance_behind_crest",
-          "base_elevation", "toe_elevation", "water_elevation", "more than 0 m", "at least 0 kPa"}) {
+          "base_elevation", "toe_elevation", "water_elevation", "more than 0 and at most 1000000 m",
+          "at least 0 kPa"}) {
         EXPECT_NE(text.find(word), std::string::npos) << word;
     }
 }
@@ -222,7 +223,7 @@ TEST(Show, NamesValuesRangesAndSources) {
         described_inputs(parse_case(std::string(example_text) + "[sources]\n\"slope.height\" = \"map\"\n", "case"));
     EXPECT_NE(text.find("slope.height"), std::string::npos);
     EXPECT_NE(text.find("68.58 m"), std::string::npos);
-    EXPECT_NE(text.find("more than 0 m"), std::string::npos);
+    EXPECT_NE(text.find("more than 0 and at most 1000000 m"), std::string::npos);
     EXPECT_NE(text.find("map\n"), std::string::npos);
 }
 

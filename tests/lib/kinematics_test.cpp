@@ -1,7 +1,6 @@
 #include "kinematics/kinematics.hpp"
 
 #include <gtest/gtest.h>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -156,73 +155,6 @@ TEST(WedgeSliding, OnOnePlaneItIsPlanarSliding) {
     EXPECT_EQ(verdict.contact, SlidingContact::first_plane);
     EXPECT_EQ(verdict.critical_friction_angle, degrees(45));
     EXPECT_EQ(verdict.limiting_friction_angle, degrees(45));
-}
-
-// Block theory (Goodman & Shi 1985), by brute force: of the four blocks between two planes, the finite one behind face
-// and level ground, and how it moves under its weight.
-struct Block {
-    bool finite;
-    SlidingContact contact;
-};
-
-Block block_of(const SlopeOrientation& slope, const Orientation& first, const Orientation& second, double first_side,
-               double second_side) {
-    const Direction sides[] = {first_side * upward_normal(first), second_side * upward_normal(second)};
-    const Direction constraints[] = {sides[0], sides[1], -upward_normal({slope.face_dip, slope.face_dip_direction}),
-                                     Direction(0, 0, -1)};
-    // A cone of half-spaces without a line in it is more than its apex if one of its edges is: edges are crosses.
-    bool finite = true;
-    for (int i = 0; i < 4; ++i) {
-        for (int j = 0; j < i; ++j) {
-            for (const double sign : {1.0, -1.0}) {
-                const Direction edge = sign * constraints[i].cross(constraints[j]);
-                bool within_all = true;
-                for (const Direction& constraint : constraints) {
-                    within_all = within_all && edge.dot(constraint) >= -1e-12;
-                }
-                finite = finite && !within_all;
-            }
-        }
-    }
-    const Direction weight(0, 0, -1);
-    if (weight.dot(sides[0]) < 0 && dip_vector(first).dot(sides[1]) > 0) {
-        return {finite, SlidingContact::first_plane};
-    }
-    if (weight.dot(sides[1]) < 0 && dip_vector(second).dot(sides[0]) > 0) {
-        return {finite, SlidingContact::second_plane};
-    }
-    return {finite, SlidingContact::both_planes};
-}
-
-TEST(WedgeSliding, HockingsTestIsBlockTheory) {
-    std::mt19937_64 random(12);
-    std::uniform_real_distribution<double> share(0, 1);
-    int compared = 0;
-    int on_one_plane = 0;
-    for (int trial = 0; trial < 20000; ++trial) {
-        const SlopeOrientation slope{degrees(20 + 69 * share(random)), degrees(360) * share(random), {}};
-        const Orientation first{degrees(1 + 88 * share(random)), degrees(360) * share(random)};
-        const Orientation second{degrees(1 + 88 * share(random)), degrees(360) * share(random)};
-        const WedgeVerdict verdict = wedge_sliding(slope, first, second, 0);
-        int finite_blocks = 0;
-        for (const double first_side : {1.0, -1.0}) {
-            for (const double second_side : {1.0, -1.0}) {
-                const Block block = block_of(slope, first, second, first_side, second_side);
-                if (!block.finite) {
-                    continue;
-                }
-                ++finite_blocks;
-                EXPECT_EQ(verdict.feasibility, Feasibility::feasible) << trial;
-                EXPECT_EQ(verdict.contact, block.contact) << trial;
-            }
-        }
-        // Where the line daylights there is one finite block, elsewhere none.
-        EXPECT_EQ(finite_blocks, verdict.feasibility == Feasibility::feasible ? 1 : 0) << trial;
-        compared += finite_blocks;
-        on_one_plane += verdict.contact == SlidingContact::both_planes ? 0 : finite_blocks;
-    }
-    EXPECT_GT(compared, 1000);
-    EXPECT_GT(on_one_plane, 200);
 }
 
 // Old Delabole, west face; angles in degrees. The face's dip direction is that of joint set A.

@@ -309,6 +309,21 @@ TEST(LpBound, PrintsNothing) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+// A block a thousand and more times heavier than the one that it stands beside, each on its own: the lower one slides.
+// The answer is right up to the ratio that is allowed, and refused beyond.
+TEST(LpBound, WeightsOfAnyRatioAreBoundedOrRefused) {
+    for (const double ratio : {1.0, 1e3, 1e6, 1e7}) {
+        const double factor = std::sqrt(ratio);
+        const BlockFriction friction{degrees(20), 0};
+        const LpBound bound = largest_tilt(assemble_row({{1, 2, 1e4}, {factor, 2 * factor, ratio * 1e4}}, friction));
+        ASSERT_EQ(bound.status, LpStatus::optimal) << ratio;
+        EXPECT_NEAR(bound.value, std::tan(degrees(20)), 1e-9) << ratio;
+    }
+    const LpBound refused = largest_tilt(assemble_row({{1, 2, 1e4}, {1e4, 2e4, 1.1e11}}, {degrees(20), 0}));
+    EXPECT_EQ(refused.status, LpStatus::invalid_assembly);
+    EXPECT_EQ(refused.check, AssemblyCheck::weights_too_different);
+}
+
 TEST(LpBound, RefusesByName) {
     const BlockFriction friction{degrees(30), degrees(30)};
     const auto check = [](const Assembly& assembly) {

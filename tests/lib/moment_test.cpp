@@ -70,17 +70,17 @@ TEST(Moments, WaterByHand) {
     EXPECT_NEAR(wet.restoring_moment / dry.restoring_moment, 1, rounding);
 }
 
-// A pond pushes the face back: its triangle acts at a third of the wetted length.
+// A pond pushes the face back and lifts the base: both triangles act at a third of their wetted lengths.
 TEST(Moments, PondByHand) {
     PlaneFailure<> problem = textbook_slope();
     const PlaneFailureResult dry = analyse(problem);
-    problem.water = CustomWater<>{};
-    problem.pond = Pond<>{6, 9.81e3};
+    problem.pond = Pond<>{6, 9.81e3};  // below the bottom of the crack, 7.65 m
     const PlaneFailureResult ponded = analyse(problem);
     const double wetted = 6 / std::sin(degrees(60));
     const double force = 9.81e3 * 6 * wetted / 2;
     EXPECT_NEAR((ponded.restoring_moment - dry.restoring_moment) / (force * wetted / 3), 1, 100 * rounding);
-    EXPECT_EQ(ponded.overturning_moment, 0);
+    const double lifted = 6 / std::sin(degrees(35));
+    EXPECT_NEAR(ponded.overturning_moment / (9.81e3 * 6 * lifted / 2 * lifted / 3), 1, 10 * rounding);
 }
 
 TEST(Moments, LoadsByHand) {

@@ -267,5 +267,66 @@ TEST(Limit, SubmergedMassBelowACrackInTheFace) {
     EXPECT_NEAR(factor(wet), factor(buoyant), 10 * rounding);
 }
 
+// Dry water under a pond states no level: crack and base are filled to the pond's. A level given apart is the same as
+// the pond's own, less is impossible: the crack drains into the pond or fills from it.
+TEST(Pond, FillsASubmergedCrack) {
+    for (const double distance : {4.0, -3.0, -5.0}) {  // behind the crest, in the face, in the face under water
+        for (const double depth : {3.0, 8.0, 9.5, 12.0}) {
+            PlaneFailure<> dry = textbook_slope();
+            dry.tension_crack = TensionCrack<>{degrees(90), CrackAtDistance<>{distance}};
+            dry.pond = Pond<>{depth, 9.81e3};
+            PlaneFailure<> level = dry;
+            level.water = PiezometricLineWater<>{9.81e3, {{-100, depth}, {100, depth}}};
+            const PlaneFailureResult filled = analyse(dry);
+            const PlaneFailureResult given = analyse(level);
+            ASSERT_EQ(filled.check, PlaneFailureCheck::valid);
+            ASSERT_EQ(given.check, PlaneFailureCheck::valid);
+            EXPECT_NEAR(filled.crack_water_force, given.crack_water_force, 10 * rounding * filled.weight);
+            EXPECT_NEAR(filled.base_water_force, given.base_water_force, 10 * rounding * filled.weight);
+            EXPECT_NEAR(filled.factor_of_safety / given.factor_of_safety, 1, 100 * rounding);
+            EXPECT_EQ(filled.crack_water_force > 0, depth > filled.crack_base_height);
+        }
+    }
+}
+
+// All round under water dry water gives the buoyant slope: 1.828 where an empty crack gave 2.315.
+TEST(Pond, DrySlopeUnderWaterIsBuoyant) {
+    PlaneFailure<> wet = textbook_slope();
+    wet.pond = Pond<>{12, 9.81e3};
+    PlaneFailure<> buoyant = textbook_slope();
+    buoyant.rock.unit_weight -= 9.81e3;
+    EXPECT_NEAR(factor(wet) / factor(buoyant), 1, 10 * rounding);
+}
+
+TEST(Pond, LessPressureThanItsOwnIsRefused) {
+    const auto check_of = [](double pond_depth, const Water<>& water) {
+        PlaneFailure<> problem = textbook_slope();
+        problem.slope.toe_elevation = 100;
+        problem.pond = Pond<>{pond_depth, 9.81e3};
+        problem.water = water;
+        return analyse(problem).check;
+    };
+    using Check = PlaneFailureCheck;
+    // The crack reaches from 7.65 to 12 m above the toe.
+    EXPECT_EQ(check_of(12, PeakAtToeWater<>{9.81e3, WaterDepth<>{0}}), Check::water_below_pond);  // gave 4.51
+    EXPECT_EQ(check_of(12, PeakAtToeWater<>{9.81e3, FilledRatio<>{0.99}}), Check::water_below_pond);
+    EXPECT_EQ(check_of(12, PeakAtToeWater<>{9.81e3, WaterElevation<>{111}}), Check::water_below_pond);
+    EXPECT_EQ(check_of(12, PeakAtToeWater<>{9.81e3, FilledRatio<>{1}}), Check::valid);
+    EXPECT_EQ(check_of(10, CrackAndBaseWater<>{9.81e3, WaterDepth<>{2}}), Check::water_below_pond);
+    EXPECT_EQ(check_of(10, CrackAndBaseWater<>{9.81e3, WaterElevation<>{110}}), Check::valid);
+    EXPECT_EQ(check_of(7, CrackAndBaseWater<>{9.81e3, WaterDepth<>{0}}), Check::valid);
+    EXPECT_EQ(check_of(10, CrackOnlyWater<>{9.81e3, FilledRatio<>{0.5}}), Check::water_below_pond);
+    EXPECT_EQ(check_of(10, CrackOnlyWater<>{9.81e3, FilledRatio<>{0.6}}), Check::valid);
+    EXPECT_EQ(check_of(7, BasePeakMidHeightWater<>{9.81e3, WaterDepth<>{6.9}}), Check::water_below_pond);
+    EXPECT_EQ(check_of(7, BasePeakMidHeightWater<>{9.81e3, WaterDepth<>{7}}), Check::valid);
+    EXPECT_EQ(check_of(10, PiezometricLineWater<>{9.81e3, {{0, 9}, {20, 11}}}), Check::water_below_pond);
+    EXPECT_EQ(check_of(10, PiezometricLineWater<>{9.81e3, {{0, 10}, {20, 9}}}), Check::water_below_pond);
+    EXPECT_EQ(check_of(10, PiezometricLineWater<>{9.81e3, {{0, 10}, {20, 11}}}), Check::valid);
+    EXPECT_EQ(check_of(2, CustomWater<>{{}, {{0, 19e3}, {1, 0}}}), Check::water_below_pond);
+    EXPECT_EQ(check_of(2, CustomWater<>{{}, {{0, 20e3}, {1, 0}}}), Check::valid);
+    EXPECT_EQ(check_of(10, CustomWater<>{{{0, 20e3}, {1, 0}}, {{0, 99e3}, {1, 30e3}}}), Check::water_below_pond);
+    EXPECT_EQ(check_of(10, CustomWater<>{{{0, 30e3}, {1, 0}}, {{0, 99e3}, {1, 30e3}}}), Check::valid);
+}
+
 }  // namespace
 }  // namespace delabole

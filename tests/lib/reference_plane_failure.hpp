@@ -315,16 +315,23 @@ class Analysis {
         const std::vector<PressureNode> pond_on_base = {{0, pond_weight * pond_height},
                                                         {base, pond_weight * (pond_height - base_rise)}};
         const auto fill_crack = [&](const Real& weight, const Real& depth) {
-            on_crack = {{0, weight * depth}, {depth / crack_.y, 0}};
+            on_crack = {{0, weight * depth}, {crack, weight * (depth - crack_rise)}};
         };
+        // The pond stands over the top of a crack in the face; from one behind the crest it would run off.
+        const Real pond_in_crack = std::max(Real(0), Real(pond_height - base_rise));
+        const bool covered = problem_.tension_crack && crack_top_.x < crest_.x && pond_in_crack > crack_rise;
+        const Real full_crack = covered ? pond_in_crack : crack_rise;
         if (std::holds_alternative<Dry>(problem_.water)) {
             on_base = pond_on_base;
+            if (problem_.tension_crack) {
+                fill_crack(pond_weight, std::min(pond_in_crack, full_crack));
+            }
         } else if (const auto* both = std::get_if<CrackAndBaseWater<Real>>(&problem_.water)) {
-            const Real depth = depth_of(both->level, base_top_.y, crack_rise);
+            const Real depth = depth_of(both->level, base_top_.y, full_crack);
             fill_crack(both->unit_weight, depth);
             on_base = {{0, pond_weight * pond_height}, {base, both->unit_weight * depth}};
         } else if (const auto* only = std::get_if<CrackOnlyWater<Real>>(&problem_.water)) {
-            fill_crack(only->unit_weight, depth_of(only->level, base_top_.y, crack_rise));
+            fill_crack(only->unit_weight, depth_of(only->level, base_top_.y, full_crack));
             on_base = pond_on_base;
         } else if (const auto* middle = std::get_if<BasePeakMidHeightWater<Real>>(&problem_.water)) {
             const Real height = depth_of(middle->level, daylight_.y, base_rise);
@@ -332,7 +339,7 @@ class Analysis {
                        {height / 2 / plane.y, middle->unit_weight * height / 2},
                        {height / plane.y, 0}};
         } else if (const auto* toe = std::get_if<PeakAtToeWater<Real>>(&problem_.water)) {
-            const Real height = depth_of(toe->level, daylight_.y, base_rise + crack_rise);
+            const Real height = depth_of(toe->level, daylight_.y, base_rise + full_crack);
             on_base = {{0, toe->unit_weight * height}, {base, toe->unit_weight * (height - base_rise)}};
             on_crack = {{0, toe->unit_weight * (height - base_rise)},
                         {crack, toe->unit_weight * (height - base_rise - crack_rise)}};

@@ -158,6 +158,16 @@ TEST(SingleBlock, InvariantsOverTheExtremes) {
         const SingleBlockResult scaled = analyse(larger);
         EXPECT_EQ(scaled.onset_mode, result.onset_mode);
         EXPECT_EQ(scaled.angular_acceleration, result.angular_acceleration);  // powers of two are exact
+        SingleBlock<> heavier = problem;
+        heavier.block.unit_weight *= 4;
+        heavier.base.cohesion *= 4;
+        if (heavier.water) {
+            heavier.water->unit_weight *= 4;
+        }
+        const SingleBlockResult weighed = analyse(heavier);
+        EXPECT_EQ(weighed.onset_mode, result.onset_mode);
+        EXPECT_EQ(weighed.static_mode, result.static_mode);
+        EXPECT_EQ(weighed.angular_acceleration, result.angular_acceleration);
     }
 }
 

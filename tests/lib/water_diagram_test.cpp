@@ -39,8 +39,8 @@ TEST(WaterDiagram, IntegratesToTheForcesOfTheBalance) {
         CrackOnlyWater<>{9810, WaterDepth<>{5}},
         BasePeakMidHeightWater<>{9810, FilledRatio<>{0.9}},
         PeakAtToeWater<>{9810, WaterElevation<>{120}},
-        PiezometricLineWater<>{9810, {{0, 2}, {10, 14}, {40, 26}}},
-        CustomWater<>{{{0, 60e3}, {0.8, 0}}, {{0, 0}, {0.5, 40e3}, {1, 60e3}}},
+        PiezometricLineWater<>{9810, {{0, 5}, {10, 14}, {40, 26}}},
+        CustomWater<>{{{0, 60e3}, {0.8, 0}}, {{0, 40e3}, {0.5, 30e3}, {1, 60e3}}},
     };
     for (const bool pond : {false, true}) {
         for (const Water<>& form : forms) {

@@ -48,8 +48,9 @@ expect_status 0
 bad "wrong unit" '/^height/s/12 m/12 kPa/' 'case.toml:6:10: slope.height = "12 kPa": '
 bad "unit that does not exist" '/^height/s/12 m/12 furlonk/' 'case.toml:6:10: slope.height = "12 furlonk": '
 bad "missing unit" '/^height/s/"12 m"/12/' 'case.toml:6:10: slope.height = 12: '
-bad "negative height" '/^height/s/12/-3/' 'case.toml:6:10: slope.height = "-3 m": must be more than 0 m'
+bad "negative height" '/^height/s/12/-3/' 'case.toml:6:10: slope.height = "-3 m": must be more than 0 and at most 1000000 m'
 bad "height that is not a number" '/^height/s/"12 m"/nan/' 'case.toml:6:10: slope.height = nan: must be a finite number'
+bad "height of 4.3 million km" '/^height/s/12/4.3e9/' 'case.toml:6:10: slope.height = "4.3e9 m": must be more than 0 and at most 1000000 m'
 bad "missing key" '/^face_dip/d' 'case.toml:5:1: slope.face_dip: is required'
 bad "mistyped model" 's/plane_failure/plane_failrue/' 'case.toml:2:9: model = "plane_failrue": '
 bad "not TOML" '/^height/s/=/:/' 'case.toml:6:'
@@ -128,6 +129,11 @@ bad_of good_blocks.toml "cable in half a block" '/^block = 2/s/2/2.5/' \
     'case.toml:38:9: bolt[1].block = 2.5: must be a whole number'
 bad_of good_blocks.toml "cable above the top of its block" '/^height = "1.5 m"/s/1.5/3.5/' \
     'case.toml:41:10: bolt[1].height = "3.5 m": lies above the top of column 2, which is 3 m high'
+bad "crack under a pond, with less water than the pond gives it" '$a [pond]\ndepth = "11 m"\nunit_weight = "9.81 kN/m3"' \
+    'case.toml:29:15: water.water_depth = "3 m": the water states less pressure than the pond, pond.depth = 11 m, gives where the plane daylights or at the bottom of the crack: must be at least 3.34799 m'
+bad "level at the toe under a pond" 's/^kind = "crack_and_base"/kind = "peak_at_toe"/;/^water_depth/s/3/0/;$a [pond]\ndepth = "12 m"\nunit_weight = "9.81 kN/m3"' \
+    'case.toml:29:15: water.water_depth = "0 m": the water states less pressure than the pond, pond.depth = 12 m, gives where the plane daylights or at the bottom of the crack: must be at least 12 m'
+
 title "kinematics: ranges reversed, azimuths and frictions that are none, no joint set, an unknown key"
 delabole init kinematics --out sets.toml
 expect_status 0

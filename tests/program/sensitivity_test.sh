@@ -53,6 +53,9 @@ done
 # A crack of 4.348 m cannot hold 5 m of water: an eighth of the samples has no answer.
 expect "samples without an answer are counted by cause" contains one/result.json '"water_above_crack"'
 expect "and named in the report" contains one/report.html 'without a value'
+finding='of the 256 rows of samples have an evaluation without a value and were left out'
+expect "a finding from the rest of the rows says so" contains one/result.json "$finding"
+expect_output "$finding"
 
 title "two threads, another seed"
 delabole sensitivity study.toml --out two --threads 2 --quiet

@@ -1,0 +1,26 @@
+// How long lengths may be: up to 1000 km, far beyond any slope.
+//
+// Closed forms hold at any scale, but linear programming loses small blocks beside huge ones (greatest_weight_ratio in
+// assembly.hpp), numbers of columns and areas lose their meaning, and a length out of all scale is a slip of the unit.
+#pragma once
+
+#include "parameters/fields.hpp"
+
+namespace delabole {
+
+inline constexpr double longest_length = 1e6;  // m
+
+// Of something that has an extent.
+constexpr Interval extent_range() {
+    return left_open(0, longest_length);
+}
+// Of something that may be nothing.
+constexpr Interval distance_range() {
+    return within(0, longest_length);
+}
+// Coordinates, elevations and distances to either side.
+constexpr Interval position_range() {
+    return within(-longest_length, longest_length);
+}
+
+}  // namespace delabole
