@@ -1,12 +1,9 @@
 // delabole check, show and init
-#include "cases/analysis.hpp"
 #include "cases/case_error.hpp"
 #include "cases/case_writer.hpp"
 #include "cases/commands.hpp"
-#include "cases/fit_problem_of_case.hpp"
 #include "cases/impossible_case.hpp"
 #include "cases/result_folder.hpp"
-#include "cases/sensitivity_problem_of_case.hpp"
 #include "cases/spelling.hpp"
 #include "plots/atomic_file.hpp"
 
@@ -14,24 +11,6 @@
 #include <iostream>
 
 namespace delabole {
-
-namespace {
-
-// A case can be well formed and yet describe a slope that cannot be: the model has the last word.
-void check_model(const CaseFile& file) {
-    const std::string failure = failure_of(file.model);
-    if (!failure.empty()) {
-        throw CaseError({impossible(file, failure)});
-    }
-    if (file.fit) {
-        fit_problem_of(file, 1, std::nullopt);
-    }
-    if (file.sensitivity) {
-        sensitivity_problem_of(file, 1, std::nullopt);
-    }
-}
-
-}  // namespace
 
 ExitCode check_command(const Paths& cases, const Options& options) {
     Json json = Json::array();
@@ -41,7 +20,7 @@ ExitCode check_command(const Paths& cases, const Options& options) {
         entry["case"] = path.string();
         try {
             const CaseFile file = read_case(path, settings_of(options));
-            check_model(file);
+            refuse_impossible(file);
             entry["status"] = "ok";
             if (!options.json && !options.quiet) {
                 std::cout << path.string() << ": ok\n";

@@ -13,6 +13,8 @@ namespace delabole {
 
 namespace {
 
+constexpr std::size_t largest_checkpoint = std::size_t{64} << 30U;
+
 std::string_view fault_of(CheckpointCheck check) {
     switch (check) {
     case CheckpointCheck::ok:
@@ -50,7 +52,15 @@ KeptProgress read_checkpoint(const std::filesystem::path& path, const Relaxation
     if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
         return {};
     }
-    FileContent content = read_ordinary_file(path, "a checkpoint");
+    // A file that is none may be of any size, and a damaged one larger than the memory.
+    FileContent content = read_beginning(path, "a checkpoint", checkpoint_header_size);
+    if (content.fault.empty()) {
+        const CheckpointCheck beginning = check_beginning(content.bytes, content.size);
+        if (beginning != CheckpointCheck::ok) {
+            return {{}, false, std::string(fault_of(beginning))};
+        }
+        content = read_ordinary_file(path, "a checkpoint", largest_checkpoint);
+    }
     if (!content.fault.empty()) {
         return {{}, false, std::move(content.fault)};
     }

@@ -1,6 +1,10 @@
 #include "cases/impossible_case.hpp"
 
+#include "cases/analysis.hpp"
+#include "cases/case_error.hpp"
+#include "cases/fit_problem_of_case.hpp"
 #include "cases/model_reports.hpp"
+#include "cases/sensitivity_problem_of_case.hpp"
 
 #include <algorithm>
 #include <string>
@@ -19,6 +23,19 @@ Problem impossible(const CaseFile& file, std::string_view failure) {
                        : problem_at(file, *blamed, explain_failure(parameters, failure, *blamed));
         },
         file.model);
+}
+
+void refuse_impossible(const CaseFile& file) {
+    const std::string failure = failure_of(file.model);
+    if (!failure.empty()) {
+        throw CaseError({impossible(file, failure)});
+    }
+    if (file.fit) {
+        fit_problem_of(file, 1, std::nullopt);
+    }
+    if (file.sensitivity) {
+        sensitivity_problem_of(file, 1, std::nullopt);
+    }
 }
 
 }  // namespace delabole

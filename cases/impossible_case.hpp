@@ -12,4 +12,8 @@ namespace delabole {
 // are not blamed.
 Problem impossible(const CaseFile& file, std::string_view failure);
 
+// All that can be said against a case before it is run, which is what `delabole check` says: the model has the last
+// word, then [fit] and [sensitivity]. Throws CaseError where there is something.
+void refuse_impossible(const CaseFile& file);
+
 }  // namespace delabole

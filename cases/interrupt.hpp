@@ -7,10 +7,15 @@
 namespace delabole {
 
 // The first interrupt, request to terminate or loss of the terminal (SIGHUP) sets the flag; a second one, if it does
-// not come with the first, ends the program at once.
+// not come with the first, ends the program at once. So does the first, with a message and exit code 4, where nobody
+// has answered it after another 1.8 s of processor time, all threads together: work that has nothing to finish need not
+// look at the flag.
 void catch_interrupts();
 
+// Who asks for the flag once it is set answers: what follows ends in order, however long that takes. Work that was
+// handed the reference before has to return; its caller answers.
 const std::atomic<bool>& interrupt_flag();
+void answer_interrupt();
 
 // Ends work that has no use for what it has so far.
 class Interrupted : public std::exception {

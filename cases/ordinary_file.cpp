@@ -1,13 +1,18 @@
 #include "cases/ordinary_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <fstream>
+#include <limits>
+#include <new>
 #include <system_error>
 
 namespace delabole {
 
-FileContent read_ordinary_file(const std::filesystem::path& path, std::string_view what, std::size_t largest) {
+namespace {
+
+FileContent read_up_to(const std::filesystem::path& path, std::string_view what, std::uintmax_t largest,
+                       std::uintmax_t most) {
     const auto unreadable = [](const std::error_code& error) {
         return FileContent{{}, "cannot be read: " + error.message()};
     };
@@ -36,13 +41,30 @@ FileContent read_ordinary_file(const std::filesystem::path& path, std::string_vi
     if (!stream) {
         return unreadable({errno, std::generic_category()});
     }
-    FileContent content{.bytes = std::string(size, '\0')};
-    stream.read(content.bytes.data(), static_cast<std::streamsize>(size));
+    FileContent content{.size = size};
+    const auto wanted = static_cast<std::size_t>(std::min(size, most));
+    try {
+        content.bytes.resize(wanted);
+    } catch (const std::bad_alloc&) {
+        content.fault = "does not fit into the memory";
+        return content;
+    }
+    stream.read(content.bytes.data(), static_cast<std::streamsize>(wanted));
     content.bytes.resize(static_cast<std::size_t>(stream.gcount()));
     if (stream.bad()) {
         content.fault = "cannot be read to its end";
     }
     return content;
+}
+
+}  // namespace
+
+FileContent read_ordinary_file(const std::filesystem::path& path, std::string_view what, std::size_t largest) {
+    return read_up_to(path, what, largest, largest);
+}
+
+FileContent read_beginning(const std::filesystem::path& path, std::string_view what, std::size_t most) {
+    return read_up_to(path, what, std::numeric_limits<std::uintmax_t>::max(), most);
 }
 
 }  // namespace delabole

@@ -7,7 +7,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -18,8 +20,9 @@ namespace {
 constexpr std::size_t largest_bytes = std::size_t{64} << 20U;
 constexpr std::size_t most_corners = 20000;
 
+constexpr std::string_view blank = " \t\r\n";
+
 std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blank = " \t\r\n";
     const std::size_t first = text.find_first_not_of(blank);
     if (first == std::string_view::npos) {
         return {};
@@ -91,14 +94,15 @@ std::optional<double> metres_of_unit(int number) {
 
 class DxfReader {
   public:
-    explicit DxfReader(std::string_view text) : text_(text) {}
+    // Blanks after the last line are cut off once: looked through at every line, they would cost lines times blanks.
+    explicit DxfReader(std::string_view text) : text_(text.substr(0, text.find_last_not_of(blank) + 1)) {}
 
     OutlineFile read();
 
   private:
     // False at the end of the file, or where it is no DXF.
     bool next() {
-        if (trimmed(text_).empty()) {
+        if (text_.empty()) {
             return false;
         }
         ++line_;
@@ -231,32 +235,88 @@ double size_of(const std::vector<Chain>& chains) {
     return size;
 }
 
+// The ends of open chains by place: a chain that goes on from a point is found without looking at all others.
+class OpenEnds {
+  public:
+    OpenEnds(const std::vector<Chain>& chains, double near) : chains_(chains), near_(near) {
+        for (std::size_t index = 0; index < chains.size(); ++index) {
+            if (!chains[index].closed) {
+                cells_[cell_of(chains[index].point.front())].insert(index);
+                cells_[cell_of(chains[index].point.back())].insert(index);
+            }
+        }
+    }
+
+    bool meet(const SectionPoint& one, const SectionPoint& other) const {
+        return std::hypot(one.x - other.x, one.y - other.y) <= near_;
+    }
+
+    // The first of the chains that are still there.
+    std::optional<std::size_t> chain_at(const SectionPoint& point) const {
+        std::optional<std::size_t> first;
+        const Cell around = cell_of(point);
+        for (const double column : {-1, 0, 1}) {
+            for (const double row : {-1, 0, 1}) {
+                const auto cell = cells_.find({around.first + column, around.second + row});
+                if (cell == cells_.end()) {
+                    continue;
+                }
+                const auto found = std::ranges::find_if(cell->second, [&](std::size_t index) {
+                    return meet(point, chains_[index].point.front()) || meet(point, chains_[index].point.back());
+                });
+                if (found != cell->second.end() && (!first || *found < *first)) {
+                    first = *found;
+                }
+            }
+        }
+        return first;
+    }
+
+    void remove(std::size_t index) {
+        cells_[cell_of(chains_[index].point.front())].erase(index);
+        cells_[cell_of(chains_[index].point.back())].erase(index);
+    }
+
+  private:
+    using Cell = std::pair<double, double>;
+
+    // Points that meet lie in one cell or in two that touch. Where all points are one, there is one cell.
+    Cell cell_of(const SectionPoint& point) const {
+        const double width = 2 * near_;
+        const auto count = [&](double coordinate) { return width > 0 ? std::floor(coordinate / width) : 0; };
+        return {count(point.x), count(point.y)};
+    }
+
+    const std::vector<Chain>& chains_;
+    double near_;
+    std::map<Cell, std::set<std::size_t>> cells_ = {};
+};
+
 // Joins open chains at their ends; what cannot be joined stays apart.
 std::vector<Chain> joined(std::vector<Chain> chains) {
-    const double near = same_point * size_of(chains);
-    const auto meet = [&](const SectionPoint& one, const SectionPoint& other) {
-        return std::hypot(one.x - other.x, one.y - other.y) <= near;
-    };
+    OpenEnds ends(chains, same_point * size_of(chains));
+    std::vector<bool> used(chains.size(), false);
     std::vector<Chain> result;
-    while (!chains.empty()) {
-        Chain chain = std::move(chains.front());
-        chains.erase(chains.begin());
-        for (std::size_t index = 0; index < chains.size() && !chain.closed;) {
-            Chain& other = chains[index];
-            const bool at_end = meet(chain.point.back(), other.point.front());
-            const bool reversed = meet(chain.point.back(), other.point.back());
-            if (other.closed || !(at_end || reversed)) {
-                ++index;
-                continue;
-            }
-            if (!at_end) {
+    for (std::size_t index = 0; index < chains.size(); ++index) {
+        if (used[index]) {
+            continue;
+        }
+        if (chains[index].closed) {
+            result.push_back(std::move(chains[index]));
+            continue;
+        }
+        ends.remove(index);
+        Chain chain = std::move(chains[index]);
+        while (const std::optional<std::size_t> next = ends.chain_at(chain.point.back())) {
+            ends.remove(*next);
+            used[*next] = true;
+            Chain& other = chains[*next];
+            if (!ends.meet(chain.point.back(), other.point.front())) {
                 std::reverse(other.point.begin(), other.point.end());
             }
             chain.point.insert(chain.point.end(), other.point.begin() + 1, other.point.end());
-            chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(index));
-            index = 0;
         }
-        if (!chain.closed && chain.point.size() > 3 && meet(chain.point.front(), chain.point.back())) {
+        if (chain.point.size() > 3 && ends.meet(chain.point.front(), chain.point.back())) {
             chain.point.pop_back();
             chain.closed = true;
         }
@@ -332,6 +392,11 @@ OutlineFile checked(OutlineFile file) {
     }
     if (file.problem.empty() && file.outline.size() > most_corners) {
         file.problem = "has more than " + std::to_string(most_corners) + " corners";
+    }
+    // A coordinate in kilometres may be none in metres.
+    const auto finite = [](const SectionPoint& corner) { return std::isfinite(corner.x) && std::isfinite(corner.y); };
+    if (file.problem.empty() && !std::ranges::all_of(file.outline, finite)) {
+        file.problem = "has a corner beyond all numbers";
     }
     if (!file.problem.empty()) {
         file.outline.clear();

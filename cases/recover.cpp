@@ -102,6 +102,7 @@ ExitCode recover_command(const std::filesystem::path& path, const Options& optio
     }
     problem.settings.ranks = options.ranks;
     const std::vector<MechanismRecovery> recoveries = recover_all(problem, options);
+    answer_interrupt();
     kept.count_all();
     if (!leads(options)) {
         return ExitCode::ok;

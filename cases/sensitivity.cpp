@@ -52,6 +52,7 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
     kept.keep(problem.model, file.model);
     problem.ranks = options.ranks;
     const SensitivityResult result = study_with_progress(problem, options);
+    answer_interrupt();
     kept.count_all();
     if (!leads(options)) {
         return ExitCode::ok;

@@ -93,6 +93,7 @@ ExitCode trade_command(const std::filesystem::path& path, const Options& options
                            bracket_width(*study.critical) / 2};
     const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
     const TradeResult result = trade_with_progress(problem, options);
+    answer_interrupt();
 
     Report report{file.title.empty() ? file.name : file.title, file.description, {}};
     const std::string reserved = reservation(result, problem.settings.size());

@@ -33,6 +33,13 @@ constexpr std::array<std::string_view, 5> enum_names(CheckpointCheck) {
 // `hash` tells what the body depends on: it must be the same at opening.
 std::string seal_checkpoint(std::uint64_t hash, std::string_view body);
 
+// What stands before the body: mark, version, hash, length.
+inline constexpr std::size_t checkpoint_header_size = 32;
+
+// Of the first bytes of a file, as many as the header has, and the file's size: whether the rest is worth reading.
+// Never other_scene.
+CheckpointCheck check_beginning(std::string_view beginning, std::uint64_t size);
+
 struct OpenedCheckpoint {
     CheckpointCheck check = CheckpointCheck::not_a_checkpoint;
     std::string_view body = {};  // of the sealed bytes; empty unless ok

@@ -210,6 +210,11 @@ RelaxationScene blocks_of(const RelaxationSlope& slope) {
     return scene;
 }
 
+// Blocks and joints without what loads them.
+RelaxationScene drawn_scene(const RelaxationStudy& study) {
+    return std::visit([](const auto& blocks) { return blocks_of(blocks); }, study.model.scene);
+}
+
 // Extent of the outline along a direction.
 double extent_along(const PlanePoint<>& direction, const Polygon<>& outline) {
     const auto [least, greatest] = std::minmax_element(
@@ -319,7 +324,7 @@ void apply_crack_opening(const RelaxationStudy& study, RelaxationSettings& setti
     }
     if (share) {
         double shortest = std::numeric_limits<double>::infinity();
-        for (const RelaxationBlock& block : relaxation_scene(study).block) {
+        for (const RelaxationBlock& block : drawn_scene(study).block) {
             for (std::size_t vertex = 0; vertex < block.outline.size(); ++vertex) {
                 const PlanePoint<> edge = block.outline[(vertex + 1) % block.outline.size()] - block.outline[vertex];
                 shortest = block.fixed ? shortest : std::min(shortest, edge.norm());
@@ -335,9 +340,19 @@ double stiffness_ratio_of(const RelaxationStudy& study) {
     return study.settings.value_or(RelaxationNumerics{}).stiffness_ratio.value_or(quality_of(study).stiffness_ratio);
 }
 
+std::size_t number_of_blocks(const RelaxationStudy& study) {
+    struct Count {
+        std::size_t operator()(const RelaxationRow& row) const { return row.block.size() + 1; }
+        std::size_t operator()(const RelaxationColumns& columns) const { return 2 * columns.block.size(); }
+        std::size_t operator()(const RelaxationPolygons& polygons) const { return polygons.block.size(); }
+        std::size_t operator()(const RelaxationSlope& slope) const { return slope_scene(slope).block.size(); }
+    };
+    return std::visit(Count{}, study.model.scene);
+}
+
 RelaxationScene relaxation_scene(const RelaxationStudy& study) {
     const Relaxation& model = study.model;
-    RelaxationScene scene = std::visit([](const auto& blocks) { return blocks_of(blocks); }, model.scene);
+    RelaxationScene scene = drawn_scene(study);
     scene.gravity.acceleration = model.gravity.value_or(scene.gravity.acceleration);
     stiffen(scene, std::holds_alternative<RelaxationSlope>(model.scene), stiffness_ratio_of(study));
     if (!scene.bond_material.empty() && all_joints_known(scene)) {

@@ -134,7 +134,7 @@ Prediction predict(RelaxationStudy study, std::span<const Assignment> assignment
 
 RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
     RelaxationAnswer shape{};
-    shape.block.resize(relaxation_scene(study).block.size());
+    shape.block.resize(number_of_blocks(study));
     if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
         shape.post_failure.emplace();
         shape.post_failure->joint.resize(slope->joint.size());

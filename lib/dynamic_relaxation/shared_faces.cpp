@@ -46,6 +46,9 @@ std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, st
 
 std::vector<SharedFace> find_shared_faces(const Bodies& bodies) {
     std::vector<SharedFace> faces;
+    if (bodies.size() == 0) {
+        return faces;  // there is no shortest edge
+    }
     const std::vector<Motion> unmoved(bodies.size());
     const std::vector<char> none_removed(bodies.size(), 0);
     const std::vector<double> reach(

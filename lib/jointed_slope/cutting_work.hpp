@@ -29,7 +29,8 @@ struct CuttingWork {
     std::vector<MeshIndex> gouge = {};  // rocks that may be thin
 };
 
-inline constexpr std::size_t most_slope_blocks = 2000000;
+// Twice what has been run. So many take some seconds to be cut and checked; ten times as many took minutes.
+inline constexpr std::size_t most_slope_blocks = 200'000;
 
 PlanePoint<> centroid_of(const SectionMesh& mesh, MeshIndex face);
 

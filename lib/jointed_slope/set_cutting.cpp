@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace delabole {
@@ -128,6 +129,26 @@ double shift_at(const JointSetCut& set, const CutSet* columns, const PlanePoint<
     return set.spacing * (shift - std::floor(shift));
 }
 
+// Cuts a face along the joints from `begin` to `end`, which lie in it from above downwards. What a joint leaves below
+// it lies above none that follow, and is returned.
+//
+// A face may have a corner on its side for every joint of the column beside it. Looked through again for each of many
+// joints, those would cost the square of their number: many are halved first, few are cut one after the other.
+template <class Cut>
+MeshIndex cut_along_joints(MeshIndex face, std::ptrdiff_t begin, std::ptrdiff_t end, const Cut& cut) {
+    constexpr std::ptrdiff_t few = 256;
+    if (end - begin <= few) {
+        for (std::ptrdiff_t joint = begin; joint < end; ++joint) {
+            face = cut(face, joint).value_or(face);
+        }
+        return face;
+    }
+    const std::ptrdiff_t middle = begin + (end - begin) / 2;
+    const std::optional<MeshIndex> below = cut(face, middle);
+    const MeshIndex rest = cut_along_joints(face, begin, middle, cut);
+    return cut_along_joints(below.value_or(rest), middle + 1, end, cut);
+}
+
 }  // namespace
 
 CutCount cut_set(CuttingWork& work, const SlopeCut& named, const JointSetCut& set, std::size_t number, MeshIndex joint,
@@ -148,15 +169,28 @@ CutCount cut_set(CuttingWork& work, const SlopeCut& named, const JointSetCut& se
             joint_positions(set, seed, upright.distance(anchor) + set.offset.value_or(0), extent, first_number, check),
             set.spacing};
     Polygon<> region;
+    Extent in_region;
     for (const SectionPoint& point : set.region) {
         region.push_back(PlanePoint<>(point.x, point.y) - work.origin);
+        in_region.include(upright.distance(region.back()));
+    }
+    if (region.empty()) {
+        in_region = extent;
     }
     const Reach reach(set, seed, std::move(region), work.snap, upright.place(anchor));
     const Polyline* feature = set.ends_on ? &work.line.find(*set.ends_on)->second : nullptr;
     const CutSet* columns = set.staggered_by ? &work.set.find(*set.staggered_by)->second : nullptr;
     const bool above = set.side == SideOfLine::above;
 
+    struct JointsInFace {
+        MeshIndex face;
+        double shift;
+        std::ptrdiff_t begin;
+        std::ptrdiff_t end;
+    };
+    std::vector<JointsInFace> to_cut;
     const std::size_t faces = mesh.face_count();
+    std::size_t most_blocks = faces;
     for (MeshIndex face = 0; face < faces && check == SlopeCheck::valid; ++face) {
         if (rock != no_index && mesh.face(face).rock != rock) {
             continue;
@@ -169,23 +203,36 @@ CutCount cut_set(CuttingWork& work, const SlopeCut& named, const JointSetCut& se
         const double shift = shift_at(set, columns, centroid);
         Extent own;
         mesh.for_each_edge(face, [&](MeshIndex edge) { own.include(upright.distance(mesh.start(edge))); });
-        const auto begin = std::upper_bound(made.position.begin(), made.position.end(), own.lowest - shift);
-        const auto end = std::lower_bound(begin, made.position.end(), own.highest - shift);
-        // What is cut off above a joint lies above all that follow.
-        MeshIndex rest = face;
-        for (auto at = begin; at != end; ++at) {
-            const StraightLine line{upright.normal, upright.along, *at + shift};
-            const std::int64_t joint_number = first_number + (at - made.position.begin());
-            const FaceCutResult result = cut_face(mesh, rest, line, work.snap, joint, [&](double first, double last) {
-                return reach.contains(line, joint_number, first, last);
+        const auto joints_between = [&](double lowest, double highest) {
+            const auto begin = std::upper_bound(made.position.begin(), made.position.end(), lowest - shift);
+            const auto end = std::lower_bound(begin, made.position.end(), highest - shift);
+            return JointsInFace{face, shift, begin - made.position.begin(), end - made.position.begin()};
+        };
+        to_cut.push_back(joints_between(own.lowest, own.highest));
+        // Counted before anything is cut: what is refused should not take as long as what is made. No joint cuts beyond
+        // the region that bounds it.
+        const JointsInFace allowed = joints_between(std::max(own.lowest, in_region.lowest - work.snap),
+                                                    std::min(own.highest, in_region.highest + work.snap));
+        most_blocks += static_cast<std::size_t>(allowed.end - allowed.begin);
+        if (most_blocks > most_slope_blocks) {
+            check = SlopeCheck::too_many_blocks;
+        }
+    }
+    if (check != SlopeCheck::valid) {
+        return count;
+    }
+    for (const JointsInFace& of_face : to_cut) {
+        const auto cut = [&](MeshIndex face, std::ptrdiff_t index) -> std::optional<MeshIndex> {
+            const double position = made.position[static_cast<std::size_t>(index)];
+            const StraightLine line{upright.normal, upright.along, position + of_face.shift};
+            const FaceCutResult result = cut_face(mesh, face, line, work.snap, joint, [&](double first, double last) {
+                return reach.contains(line, first_number + index, first, last);
             });
             count.made += result.cut == FaceCut::made ? 1 : 0;
             count.dropped += result.cut == FaceCut::dropped ? 1 : 0;
-            rest = result.cut == FaceCut::made ? result.beyond : rest;
-        }
-        if (mesh.face_count() > most_slope_blocks) {
-            check = SlopeCheck::too_many_blocks;
-        }
+            return result.cut == FaceCut::made ? std::optional(result.beyond) : std::nullopt;
+        };
+        cut_along_joints(of_face.face, of_face.begin, of_face.end, cut);
     }
     return count;
 }

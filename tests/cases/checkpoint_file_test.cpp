@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <string>
 
 namespace delabole {
@@ -69,6 +71,28 @@ TEST_F(CheckpointFile, IsRefusedByName) {
     ++later[8];
     write_file_atomically(path, later);
     EXPECT_EQ(refusal(study), "was written by another version of delabole");
+}
+
+// Only their sizes are so large: the files have holes.
+TEST_F(CheckpointFile, LargerThanTheMemoryIsRefusedByName) {
+    constexpr std::uintmax_t hundred_gigabytes = 100'000'000'000;
+    write_file_atomically(path, "");
+    std::filesystem::resize_file(path, hundred_gigabytes);
+    EXPECT_EQ(refusal(study), "is not a checkpoint of dynamic relaxation");
+    write_checkpoint(path, study, KeepFrames::no, progress_of(study));
+    const std::string bytes = content_of(path);
+    std::filesystem::resize_file(path, hundred_gigabytes);
+    EXPECT_EQ(refusal(study), "is damaged");
+    // With a length that agrees.
+    constexpr std::size_t place_of_length = 24;
+    constexpr std::size_t around_the_body = 40;
+    std::string beginning = bytes;
+    for (std::size_t index = 0; index < 8; ++index) {
+        beginning[place_of_length + index] = static_cast<char>((hundred_gigabytes - around_the_body) >> (8 * index));
+    }
+    write_file_atomically(path, beginning);
+    std::filesystem::resize_file(path, hundred_gigabytes);
+    EXPECT_EQ(refusal(study), "is larger than 65536 MiB, the limit for a checkpoint");
 }
 
 TEST_F(CheckpointFile, IsNoFolderAndMakesItsOwn) {

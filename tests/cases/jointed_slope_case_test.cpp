@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -163,6 +164,36 @@ TEST(OutlineFile, DxfPolylinesAndLinesBecomeAnOutline) {
     EXPECT_EQ(lines.outline.size(), 4U);
 }
 
+// Work that grew with the square of blanks or lines would not end within the test's time.
+TEST(OutlineFile, LongDrawingsAreReadInOnePass) {
+    const OutlineFile padded = outline_of_dxf(dxf_of(light_polyline) + std::string(std::size_t{50} << 20U, ' '));
+    EXPECT_EQ(padded.problem, "");
+    EXPECT_EQ(padded.outline.size(), 3U);
+    std::string blanks_in_lines = "0\nSECTION\n2\nENTITIES\n" + std::string(light_polyline);
+    for (int line = 0; line < 10'000; ++line) {
+        blanks_in_lines += "999\n" + std::string(1000, ' ') + "\n";
+    }
+    EXPECT_EQ(outline_of_dxf(blanks_in_lines + "0\nENDSEC\n0\nEOF\n").outline.size(), 3U);
+
+    // Lines of a circle, each beside the one that comes nearly half a turn later.
+    constexpr int corners = 20'000;
+    constexpr int step = 9'999;
+    const auto corner = [](int number) {
+        const double angle = 2 * 3.141592653589793 * number / corners;
+        return std::pair{1000 * std::cos(angle), 1000 * std::sin(angle)};
+    };
+    std::string lines;
+    for (int number = 0; number < corners; ++number) {
+        const int at = static_cast<int>(static_cast<long>(number) * step % corners);
+        const auto [x1, y1] = corner(number % 3 == 0 ? at + 1 : at);
+        const auto [x2, y2] = corner(number % 3 == 0 ? at : at + 1);
+        lines += dxf_line(x1, y1, x2, y2);
+    }
+    const OutlineFile circle = outline_of_dxf(dxf_of(lines));
+    EXPECT_EQ(circle.problem, "");
+    EXPECT_EQ(circle.outline.size(), static_cast<std::size_t>(corners));
+}
+
 TEST(OutlineFile, WhatIsNoOutlineIsSaid) {
     const auto problem = [](std::string_view entities) { return outline_of_dxf(dxf_of(entities)).problem; };
     const auto has = [](const std::string& text, std::string_view part) {
@@ -180,6 +211,10 @@ TEST(OutlineFile, WhatIsNoOutlineIsSaid) {
     EXPECT_TRUE(has(outline_of_dxf("").problem, "EOF"));
     EXPECT_TRUE(has(outline_of_dxf("0\nSECTION\n2\nENTITIES\n" + dxf_line(0, 0, 1, 0)).problem, "EOF"));
     EXPECT_TRUE(has(outline_of_dxf(dxf_of(light_polyline, "9\n$INSUNITS\n70\n3\n")).problem, "unit"));
+    EXPECT_TRUE(has(outline_of_dxf(dxf_of("0\nLWPOLYLINE\n70\n1\n10\n0\n20\n0\n10\n1e307\n20\n0\n10\n1\n20\n1\n",
+                                          "9\n$INSUNITS\n70\n7\n"))
+                        .problem,
+                    "beyond all numbers"));
     EXPECT_TRUE(has(outline_of_csv("x,y\n0,0\n").problem, "x_m,y_m"));
     EXPECT_TRUE(has(outline_of_csv("x_m,y_m\n0,0\n1,0\n").problem, "three corners"));
     EXPECT_TRUE(has(outline_of_csv("x_m,y_m\n0,0\n1;0\n1,1\n").problem, "line 3"));

@@ -436,5 +436,41 @@ TEST(JointedSection, HundredThousandBlocks) {
     expect_fills(made, square(320));
 }
 
+// Faces with many joints are halved first; no joint is lost by it. Cut one after the other, with all corners of the
+// column beside looked through for each joint, half a million joints would take an hour.
+TEST(JointedSection, ColumnsOfManyThinBlocks) {
+    const std::vector<SectionPoint> low{{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+    const auto cut_finely = [&](double spacing) {
+        SlopeGeometry geometry =
+            section(low, {cut("upright", joint_set(degrees(90), 1)), cut("level", joint_set(0, spacing, spacing / 2))});
+        geometry.sliver_share = 0;
+        return cut_in_one_rock(geometry);
+    };
+    const JointedSection made = cut_finely(1.0 / 3000);
+    EXPECT_EQ(made.block.size(), 2U * 3001U);
+    EXPECT_EQ(made.cut[1].made, 2U * 3000U);
+    expect_fills(made, low);
+    EXPECT_EQ(cut_finely(1.0 / 30'000).cut[1].made, 2U * 30'000U);
+}
+
+// Joints are counted before they cut: of two sets that would make 4e12 blocks the first is not too fine by itself.
+TEST(JointedSection, TooManyBlocksAreRefusedBeforeTheyAreCut) {
+    const auto refused = [](std::vector<SlopeCut> cuts) {
+        const JointedSection made = cut_in_one_rock(section(square(1), std::move(cuts)));
+        EXPECT_EQ(made.check, SlopeCheck::too_many_blocks) << word_of(made.check);
+        EXPECT_TRUE(made.block.empty());
+        return made.cut_at_fault;
+    };
+    EXPECT_EQ(refused({cut("a", joint_set(degrees(90), 2e-5)), cut("b", joint_set(0, 2e-5))}), 1U);
+    EXPECT_EQ(refused({cut("a", joint_set(degrees(90), 7e-4)), cut("b", joint_set(0, 7e-4))}), 1U);
+    // In a region that is small enough it may be as fine.
+    JointSetCut fine = joint_set(0, 7e-4);
+    fine.region = {{-1, 0.4}, {2, 0.4}, {2, 0.5}, {-1, 0.5}};
+    const JointedSection made =
+        cut_in_one_rock(section(square(1), {cut("a", joint_set(degrees(90), 7e-3)), cut("b", fine)}));
+    EXPECT_EQ(made.check, SlopeCheck::valid) << word_of(made.check);
+    EXPECT_GT(made.cut[1].made, 143U * 140U);
+}
+
 }  // namespace
 }  // namespace delabole

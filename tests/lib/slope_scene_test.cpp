@@ -251,5 +251,37 @@ TEST(SlopeScene, DurationIsAnAnswerWhereItWasAskedFor) {
     EXPECT_EQ(run(study).result.outcome, RelaxationOutcome::equilibrium);
 }
 
+TEST(SlopeScene, ThatCannotBeCutHasNoBlocksAndNoBonds) {
+    RelaxationStudy study{};
+    RelaxationSlope slope = slope_of(square(6), bricks());
+    slope.joint[0].strength.bond = RelaxationBond{1e9, 4e8, 1e5, 1e5, degrees(30), {}};
+    slope.geometry.cut[0].joint = "no such joint";
+    study.model.scene = slope;
+    EXPECT_EQ(number_of_blocks(study), 0U);
+    const RelaxationScene scene = relaxation_scene(study);
+    EXPECT_TRUE(scene.block.empty());
+    EXPECT_TRUE(scene.bond.empty());
+    EXPECT_FALSE(model_interface(study).outputs.empty());
+}
+
+TEST(RelaxationScene, BlocksAreCountedWithoutTheirScene) {
+    const auto expect_counted = [](auto kind) {
+        RelaxationStudy study{};
+        study.model.scene = std::move(kind);
+        EXPECT_GT(number_of_blocks(study), 0U);
+        EXPECT_EQ(number_of_blocks(study), relaxation_scene(study).block.size());
+    };
+    RelaxationRow row{};
+    row.block = {{1, 3, {}}, {1, 4, {}}};
+    expect_counted(row);
+    RelaxationColumns columns{};
+    columns.block = {{1, 3, 1, {}}, {1, 4, 1, {}}};
+    expect_counted(columns);
+    RelaxationPolygons polygons{};
+    polygons.block.resize(3);
+    expect_counted(polygons);
+    expect_counted(slope_of(square(6), bricks()));
+}
+
 }  // namespace
 }  // namespace delabole

@@ -189,6 +189,22 @@ expect_error 'delabole: interrupted, 0 of 1 cases were analysed'
 expect "soon: far sooner than the whole run" test "$waited" -lt 3000
 expect "no result folder" refuse test -e long
 
+title "Ctrl-C in work that never asks for it: sections of many blocks that are cut and checked"
+fine_section=$source_folder/cases/relaxation/base_friction_slope.toml
+# Many times, so that even a fast machine is still at it.
+mapfile -t many < <(yes "$fine_section" | head -n 50)
+setsid "$program" check "${many[@]}" --set 'scene.cut[1].trace.spacing="0.6 mm"' \
+    --set 'scene.cut[2].trace.spacing="0.6 mm"' >"$scratch/out" 2>"$scratch/err" </dev/null &
+child=$!
+sleep 1
+expect "it is still at it" kill -0 "$child"
+kill -s INT -- "-$child"
+wait_for_child
+echo "  ended after $waited ms"
+expect_status 4
+expect_error 'delabole: interrupted: the work was ended where it was'
+expect_one_line_of_error
+
 title "Ctrl-C in a trade of accuracy against cost: what is finished is written"
 # Brackets of a billionth of a degree and steps of a fine setting: far longer than the test waits.
 setsid "$program" trade "$source_folder/cases/relaxation/two_blocks_3.toml" --set 'critical.tolerance=1e-9 deg' \
