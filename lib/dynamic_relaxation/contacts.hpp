@@ -41,6 +41,7 @@ struct alignas(8 * sizeof(double)) EdgeEndsOf {
     Number rival;
     Number rival_sine;  // of the interior angle between the two
     Number rival_cosine;
+    Number residual_cohesion;  // N/m, over half the shared length: here because the row of JointLaw is full
 
     bool operator==(const EdgeEndsOf&) const = default;
 };

@@ -51,7 +51,7 @@ Response respond(const ContactLaw& law, const RelaxationContact& contact, const 
     const Direction along = direction(at.along_x(), at.along_y(), at);
     const double pressing = law.normal_stiffness * std::max(overlap, 0.0);
     const double friction = memory.broken ? law.residual_friction : law.friction;
-    const double strength = pressing * friction + (memory.broken ? 0 : law.cohesion);
+    const double strength = pressing * friction + (memory.broken ? law.residual_cohesion : law.cohesion);
     response.stiffness = weight * law.normal_stiffness * normal * normal.transpose();
     const double trial = -law.shear_stiffness * memory.shear;
     const double shear = std::clamp(trial, -strength, strength);
@@ -153,7 +153,8 @@ class Preload {
             const RelaxationContact contact = list.contact[index];
             const ContactLaw law = list.law_of(contact);
             ContactMemory memory = list.memory[index];
-            if (!memory.touching || memory.broken || (law.cohesion == 0 && law.friction == law.residual_friction)) {
+            if (!memory.touching || memory.broken ||
+                (law.cohesion == law.residual_cohesion && law.friction == law.residual_friction)) {
                 continue;
             }
             const double overlap = -locate(contact, motion[contact.block], motion[contact.other]).gap;
