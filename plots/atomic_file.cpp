@@ -185,7 +185,8 @@ void remove_abandoned_parts(const fs::path& folder, const std::set<std::string>&
     std::error_code error;
     for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {
-        if (!files.contains(target_of_part(entry->path().filename().string()))) {
+        const std::string target = target_of_part(entry->path().filename().string());
+        if (target.empty() || !files.contains(target)) {
             continue;
         }
         const int descriptor = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);

@@ -64,6 +64,7 @@ class WeakeningSlope {
             case RelaxationOutcome::equilibrium:
                 return Standing::rests;
             case RelaxationOutcome::undecided:
+            case RelaxationOutcome::onset:  // it has moved, and its time is over
                 ++made_.creeping;
                 return fastest_late_ < fastest_early_ / 2 ? Standing::settles : Standing::creeps;
             default:

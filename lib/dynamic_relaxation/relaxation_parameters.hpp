@@ -55,11 +55,11 @@ struct RelaxationJoint {
     double friction_angle;
     std::optional<double> residual_friction_angle;
     std::optional<double> cohesion;
-    std::optional<double> residual_cohesion;
     std::optional<double> tensile_strength;
     std::optional<double> normal_stiffness;
     std::optional<double> shear_stiffness;
     std::optional<RelaxationBond> bond;
+    std::optional<double> residual_cohesion = {};
     static constexpr auto fields() {
         using J = RelaxationJoint;
         return std::tuple{number("friction_angle", &J::friction_angle, Dimension::angle, right_open(0, degrees(90)),
