@@ -79,6 +79,7 @@ class Simulation {
     void integrate();
     void look();
     void look_for_crack();
+    bool holds_at_rest() const;
     bool carried_along();
     void let_calm_blocks_rest();
     void take_velocities_away_at_peaks();

@@ -1,6 +1,7 @@
 // What a run looks at every so many steps: whether it is over, whether a crack has opened, which blocks rest.
 #include "dynamic_relaxation/loads.hpp"
 #include "dynamic_relaxation/simulation.hpp"
+#include "dynamic_relaxation/static_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ void Simulation::look() {
     const auto at_rest = [&](double ratio) {
         return !growing && !carried_along() && ratio < settings_.equilibrium_ratio &&
                // The last step was made under the last of the loads.
-               state_.time - state_.last_step > last_scheduled_time(scene_, settings_);
+               state_.time - state_.last_step > last_scheduled_time(scene_, settings_) && holds_at_rest();
     };
     const MotionExtremes farthest = farthest_motion(bodies_, state_);
     const auto decide = [&](RelaxationOutcome outcome) { state_.outcome = static_cast<std::uint64_t>(outcome); };
@@ -55,6 +56,14 @@ void Simulation::look() {
         // It has moved past the thresholds and has found no rest since.
         decide(RelaxationOutcome::onset);
     }
+}
+
+// Without dashpots, in which a motion that has yet to die out may hide.
+bool Simulation::holds_at_rest() const {
+    constexpr double yet_to_die_out = 10;
+    return check_statics(bodies_, held_, load_, scales_.inverse_weight, bonds_.list(), state_.bond, state_.motion,
+                         state_.contacts)
+        .holds(yet_to_die_out * settings_.equilibrium_ratio);
 }
 
 // A block that a belt carries at an even speed is in balance too, but not at rest.
