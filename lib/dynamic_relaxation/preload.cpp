@@ -1,6 +1,7 @@
 #include "dynamic_relaxation/preload.hpp"
 
 #include "dynamic_relaxation/contact_law.hpp"
+#include "dynamic_relaxation/corner_choice.hpp"
 #include "dynamic_relaxation/static_equations.hpp"
 
 #include <algorithm>
@@ -33,11 +34,13 @@ class Preload {
             equations_.free_blocks().size() < few_enough) {
             approach_in_steps(start, memory, found, motion, list);
         }
-        // Peak strength goes one joint after the other, wherever it is reached.
-        while (found.ratio <= settings_.tolerance && break_spent(motion, list)) {
-            start = motion;
-            found = approach(start, motion, list);
-        }
+        do {
+            // Peak strength goes one joint after the other, wherever it is reached.
+            while (found.ratio <= settings_.tolerance && break_spent(motion, list)) {
+                start = motion;
+                found = approach(start, motion, list);
+            }
+        } while (found.ratio <= settings_.tolerance && exchange(found, motion, list));
         found.contacts_evaluated = equations_.contacts_evaluated();
         return found;
     }
@@ -64,6 +67,26 @@ class Preload {
         }
         found = std::move(last);
         motion = std::move(stepped);
+    }
+
+    // What a corner on a corner holds has to be held either way (corner_choice.hpp). What has found balance again is
+    // put back to where it was. Returns whether there was anything to exchange.
+    bool exchange(Preloaded& found, std::vector<Motion>& motion, ContactList& list) {
+        MemoryArray memory_before = list.memory;
+        if (exchange_at_corners({bodies_, motion}, weights(), list).empty()) {
+            return false;
+        }
+        const std::vector<Motion> before = motion;
+        const MemoryArray exchanged = list.memory;
+        Preloaded other = approach(before, motion, list);
+        if (other.ratio > settings_.tolerance) {
+            found = std::move(other);
+            return true;
+        }
+        motion = before;
+        list.memory = std::move(memory_before);
+        note_tried(exchanged, list.memory);
+        return true;
     }
 
     // Contacts with a peak that carry all they can slip, and have their residual strength from then on.
@@ -158,6 +181,15 @@ class Preload {
         motion = best.most_balanced;
         list.memory = best_memory;
         return best;
+    }
+
+    // N per metre run, of each block; infinite where it is held.
+    std::vector<double> weights() const {
+        std::vector<double> weight(bodies_.size(), std::numeric_limits<double>::infinity());
+        for (const std::size_t block : equations_.free_blocks()) {
+            weight[block] = equations_.loads()[block].head<2>().norm();
+        }
+        return weight;
     }
 
     int most_rounds() const { return creeps() ? 2000 : 300; }

@@ -48,12 +48,13 @@ std::optional<Response> respond(const ContactLaw& law, const RelaxationContact& 
     const bool bonded = law.tension > 0 && !memory.broken && memory.touching;
     memory.shear += at.slide - memory.place;
     memory.place = at.slide;
-    memory.touching = (overlap > 0 && !memory.beneath) || bonded;
+    memory.touching = (overlap > 0 && !memory.beneath && !memory.yields) || bonded;
     memory.sliding = false;
     const bool open = overlap < -hair && !bonded;
-    if (memory.beneath || open) {
+    const bool bears_elsewhere = memory.beneath || memory.yields;
+    if (bears_elsewhere || open) {
         memory.shear = 0;
-        if (memory.beneath || !resists) {
+        if (bears_elsewhere || !resists) {
             return std::nullopt;
         }
     }

@@ -32,6 +32,7 @@ class StaticEquations {
                     const Bonds& bonds, const std::vector<BondMemory>& bond_memory, const ContactList& list);
 
     const std::vector<std::size_t>& free_blocks() const { return free_blocks_; }
+    const std::vector<Eigen::Vector3d>& loads() const { return loads_; }
 
     // Of the loads, that acts. 1 unless told otherwise.
     void set_load_share(double share) { load_share_ = share; }
