@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -14,11 +15,12 @@ namespace {
 
 struct ExampleNumber {
     std::string_view key;
-    double value;  // SI
+    double value;                             // SI
+    std::optional<Dimension> dimension = {};  // where keys of several have the name
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 71> examples{{
+constexpr std::array<ExampleNumber, 74> examples{{
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -63,9 +65,12 @@ constexpr std::array<ExampleNumber, 71> examples{{
     {"depth_in_front", 0.5},
     {"joint", 1.0},
     {"edge", 1.0},
-    {"lower", degrees(10)},
-    {"upper", degrees(40)},
-    {"tolerance", degrees(0.005)},
+    {"lower", degrees(10), Dimension::angle},
+    {"upper", degrees(40), Dimension::angle},
+    {"tolerance", degrees(0.005), Dimension::angle},
+    {"lower", 0.1, Dimension::ratio},
+    {"upper", 10.0, Dimension::ratio},
+    {"tolerance", 0.005, Dimension::ratio},
     {"final_tilt", degrees(20)},
     {"interval", 0.1},
     {"stiffness_ratio", 1e6},
@@ -96,7 +101,9 @@ constexpr std::array<ExampleNumber, 71> examples{{
 constexpr std::string_view example_input = "strength.friction_angle";
 
 double example_number(const FieldInfo& info) {
-    const auto* const found = std::ranges::find(examples, info.key, &ExampleNumber::key);
+    const auto* const found = std::ranges::find_if(examples, [&](const ExampleNumber& example) {
+        return example.key == info.key && example.dimension.value_or(info.dimension) == info.dimension;
+    });
     if (found != examples.end()) {
         return found->value;
     }
@@ -187,6 +194,10 @@ std::string annotated_value(const FieldInfo& info, const Member& member) {
                          std::string(info.meaning) + "; " + enum_choices<Member>());
     } else if constexpr (std::same_as<Member, std::string>) {
         return explained(std::string(info.key) + " = " + in_quotes(member), std::string(info.meaning));
+    } else if constexpr (is_list_of_texts<Member>) {
+        const std::string line = std::string(info.key) + " = ";
+        return member.empty() ? commented(explained(line + "[\"name\"]", std::string(info.meaning)))
+                              : explained(line + list_in_quotes(member), std::string(info.meaning));
     } else if constexpr (is_variant<Member>) {
         if (!info.key.empty()) {
             return {};
@@ -205,8 +216,9 @@ std::string annotated_value(const FieldInfo& info, const Member& member) {
 }
 
 template <class Alternative>
-std::string annotated_kind(const Alternative& alternative, const FieldInfo& info, const std::string& path) {
-    std::string text = "kind = " + in_quotes(Alternative::kind) + "\n" + annotated_values(alternative);
+std::string annotated_kind(std::string_view key, const Alternative& alternative, const FieldInfo& info,
+                           const std::string& path) {
+    std::string text = std::string(key) + " = " + in_quotes(Alternative::kind) + "\n" + annotated_values(alternative);
     return text + annotated_sections(alternative, joined_path(path, info.key));
 }
 
@@ -221,7 +233,7 @@ std::string annotated_section(const FieldInfo& info, const Member& member, const
         if constexpr (!NumberType<Inner> && !std::is_enum_v<Inner> && !std::same_as<Inner, std::string>) {
             return after_blank_line(commented(annotated_section(info, example<Inner>(), path).substr(1)));
         }
-    } else if constexpr (is_vector<Member>) {
+    } else if constexpr (is_vector<Member> && !is_list_of_texts<Member>) {
         using Element = typename Member::value_type;
         const auto one = [&](const Element& element) {
             return explained(header_of(header_of(inner)), std::string(info.meaning) + "; one section each") +
@@ -234,10 +246,12 @@ std::string annotated_section(const FieldInfo& info, const Member& member, const
         return member.empty() ? after_blank_line(commented(one(example<Element>()))) : text;
     } else if constexpr (detail::is_keyed_variant<Member>) {
         std::string text = after_blank_line(explained(header_of(inner), std::string(info.meaning)));
-        text += std::visit([&](const auto& alternative) { return annotated_kind(alternative, info, path); }, member);
+        constexpr std::string_view key = kind_key<Member>();
+        text +=
+            std::visit([&](const auto& alternative) { return annotated_kind(key, alternative, info, path); }, member);
         detail::for_each_alternative<Member>([&]<std::size_t index, class Alternative>() {
             if (index != member.index()) {
-                text += commented("or:\n" + annotated_kind(example<Alternative>(), info, path));
+                text += commented("or:\n" + annotated_kind(key, example<Alternative>(), info, path));
             }
         });
         return text;

@@ -1,6 +1,7 @@
 // Reads any described struct (parameters/fields.hpp) from a section: one walk over its table of fields.
 #pragma once
 
+#include "cases/described_kinds.hpp"
 #include "cases/section.hpp"
 #include "cases/spelling.hpp"
 #include "parameters/fields.hpp"
@@ -145,9 +146,10 @@ std::string kinds_with_key(std::string_view key) {
 template <class Variant>
 void read_keyed_variant(Section& section, Variant& variant) {
     const std::vector<std::string> kinds = kind_names<Variant>();
-    const Node* kind = section.require("kind", choices(kinds));
+    constexpr std::string_view key = kind_key<Variant>();
+    const Node* kind = section.require(key, choices(kinds));
     const auto chosen =
-        kind == nullptr ? std::nullopt : read_choice(section.reading(), *kind, section.path_of("kind"), kinds);
+        kind == nullptr ? std::nullopt : read_choice(section.reading(), *kind, section.path_of(key), kinds);
     if (!chosen) {
         section.reading().lose_inputs();
         return;
@@ -157,9 +159,10 @@ void read_keyed_variant(Section& section, Variant& variant) {
             read_fields(section, variant.template emplace<index>());
         }
     });
-    section.finish([&](std::string_view key) {
-        const std::string others = kinds_with_key<Variant>(key);
-        return others.empty() ? "" : " of kind " + kinds[*chosen] + ", but of kind " + others;
+    section.finish([&](std::string_view unknown) {
+        const std::string others = kinds_with_key<Variant>(unknown);
+        const std::string of = " of " + std::string(key) + ' ';
+        return others.empty() ? "" : of + kinds[*chosen] + ", but" + of + others;
     });
 }
 
@@ -208,7 +211,7 @@ std::string requirement(const FieldInfo& info) {
     } else if constexpr (std::is_enum_v<Member>) {
         text += " (" + choices(enum_words<Member>()) + ")";
     } else if constexpr (is_keyed_variant<Member>) {
-        text += " (a section with kind = " + choices(kind_names<Member>()) + ")";
+        text += " (a section with " + std::string(kind_key<Member>()) + " = " + choices(kind_names<Member>()) + ")";
     } else if constexpr (Described<Member>) {
         text += " (a section)";
     }
@@ -223,6 +226,8 @@ void read_member(Section& section, const FieldInfo& info, Member& member) {
         } else if constexpr (Described<Member>) {
             read_fields(section, member);
         }
+    } else if constexpr (is_list_of_texts<Member>) {
+        read_words(section, info.key, member);
     } else if constexpr (is_optional<Member> || is_vector<Member>) {
         if (const Node* node = section.take(info.key)) {
             const auto read = [&](auto& value) {

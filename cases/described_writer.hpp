@@ -1,6 +1,7 @@
 // Writes any described struct (parameters/fields.hpp) as TOML: first the values of a section, then its sections.
 #pragma once
 
+#include "cases/described_kinds.hpp"
 #include "cases/document.hpp"
 #include "cases/units.hpp"
 #include "parameters/fields.hpp"
@@ -24,6 +25,14 @@ inline void write_line(std::string& text, std::string_view key, const std::strin
     text += std::string(key) + " = " + value + "\n";
 }
 
+inline std::string list_in_quotes(const std::vector<std::string>& words) {
+    std::string list;
+    for (const std::string& word : words) {
+        list += (list.empty() ? "" : ", ") + in_quotes(word);
+    }
+    return std::string(1, '[').append(list).append(1, ']');
+}
+
 namespace detail {
 
 template <class Member>
@@ -38,6 +47,10 @@ void write_value(std::string& text, const FieldInfo& info, const Member& member)
         write_line(text, info.key, in_quotes(word_of(member)));
     } else if constexpr (std::same_as<Member, std::string>) {
         write_line(text, info.key, in_quotes(member));
+    } else if constexpr (is_list_of_texts<Member>) {
+        if (!member.empty()) {
+            write_line(text, info.key, list_in_quotes(member));
+        }
     } else if constexpr (is_variant<Member>) {
         if (info.key.empty()) {
             std::visit([&](const auto& alternative) { write_values(text, alternative); }, member);
@@ -55,7 +68,7 @@ void write_section(std::string& text, const FieldInfo& info, const Member& membe
         if (member) {
             write_section(text, info, *member, path);
         }
-    } else if constexpr (is_vector<Member>) {
+    } else if constexpr (is_vector<Member> && !is_list_of_texts<Member>) {
         const std::string inner = joined_path(path, info.key);
         for (const auto& element : member) {
             text += "\n[[" + inner + "]]\n";
@@ -72,7 +85,7 @@ void write_section(std::string& text, const FieldInfo& info, const Member& membe
                 const std::string inner = joined_path(path, info.key);
                 text += "\n[" + inner + "]\n";
                 if constexpr (requires { alternative.kind; }) {
-                    write_line(text, "kind", in_quotes(alternative.kind));
+                    write_line(text, kind_key<Member>(), in_quotes(alternative.kind));
                 }
                 write_values(text, alternative);
                 write_sections(text, alternative, inner);
@@ -127,6 +140,9 @@ void write_differences(std::string& values, std::string& sections, const Object&
                 detail::write_section(new_section, one.info, after, path);
                 if (old_value != new_value) {
                     values += new_value;
+                    if (is_list_of_texts<Member> && new_value.empty()) {
+                        write_line(values, one.info.key, "[]");
+                    }
                 }
                 if (old_section != new_section) {
                     sections += new_section;

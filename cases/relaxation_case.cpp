@@ -5,7 +5,10 @@
 #include "dynamic_relaxation/joint_water.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
 #include "dynamic_relaxation/scene_check.hpp"
+#include "dynamic_relaxation/strength_reduction.hpp"
+#include "fitting/words.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace delabole {
@@ -170,12 +173,25 @@ void check_settings(Checker& checker, const RelaxationNumerics& settings, const 
     }
 }
 
-void check_critical(Checker& checker, const CriticalRequest& critical) {
-    if (!(critical.lower < critical.upper)) {
-        checker.complain("critical.lower", "bounds are reversed: must be less than critical.upper");
+void check_critical(Checker& checker, const RelaxationStudy& study) {
+    const CriticalPlan plan = critical_plan(study);
+    if (!(plan.lower < plan.upper)) {
+        const std::string defaults =
+            plan.is_ratio() ? " (" + number_in_words(plan.lower) + " and " + number_in_words(plan.upper) + ')' : "";
+        checker.complain("critical.lower", "bounds are reversed: must be less than critical.upper" + defaults);
     }
-    if (critical.parameter == CriticalParameter::friction && critical.lower < 0) {
-        checker.complain("critical.lower", "is a friction angle: at least 0 deg");
+    if (plan.path.front() == LoadingPath::stages && !has_stages(study)) {
+        checker.complain("critical.path",
+                         "needs stages of excavation: the case has neither [[scene.stage]] nor "
+                         "[[removal]]");
+    }
+    if (const auto* reduction = std::get_if<ReductionSearch>(&*study.critical)) {
+        const std::vector<std::string> names = joint_names(study.model.scene);
+        for (std::size_t index = 0; index < reduction->joints.size(); ++index) {
+            if (std::ranges::find(names, reduction->joints[index]) == names.end()) {
+                checker.complain(indexed("critical.joints", index), "is no joint of the scene: " + choices(names));
+            }
+        }
     }
 }
 
@@ -218,7 +234,7 @@ void check_case(Checker& checker, const RelaxationStudy& study) {
     const RelaxationNumerics settings = study.settings.value_or(RelaxationNumerics{});
     check_settings(checker, settings, scene);
     if (study.critical) {
-        check_critical(checker, *study.critical);
+        check_critical(checker, study);
     }
     if (study.history) {
         for (std::size_t index = 0; index < study.history->block.size(); ++index) {
@@ -242,9 +258,11 @@ ModelExample<RelaxationStudy> example_case(const RelaxationStudy*) {
 
 std::vector<Quantity> possible_outputs(const RelaxationStudy& study) {
     std::vector<Quantity> outputs = outputs_of_run(study);
-    for (const CriticalParameter parameter : {CriticalParameter::tilt, CriticalParameter::friction}) {
-        if (!study.critical || study.critical->parameter != parameter) {
-            outputs.push_back({std::string(name_of_critical(parameter)), Dimension::angle, "where it is asked for"});
+    for (std::size_t index = 0; index < enum_names(CriticalParameter{}).size(); ++index) {
+        const auto parameter = static_cast<CriticalParameter>(index);
+        if (!study.critical || parameter_of(*study.critical) != parameter) {
+            outputs.push_back(
+                {std::string(name_of_critical(parameter)), dimension_of(parameter), "where it is asked for"});
         }
     }
     return outputs;

@@ -194,4 +194,17 @@ void append_block_figures(const RelaxationRun& made, const ResultFolder& folder,
                     "for arrows, they are lines along the forces, as thick as these are great."));
 }
 
+void append_failure_figure(const RelaxationRun& failed, const ResultFolder& folder, Report& report) {
+    const Bodies bodies = make_bodies(failed.scene);
+    if (bodies.size() > most_drawn_blocks) {
+        return;
+    }
+    BlockDrawing drawing = drawing_of(failed, failed.end->motion, bodies, failed.result.tilt, true);
+    drawing.title = "At failure";
+    add_cracks(drawing, failed, bodies, failed.result.tilt);
+    report.blocks.emplace_back(folder.draw(
+        block_figure(drawing), "at_failure",
+        "The blocks at the onset of failure, at the nearest value found to fail: what each has begun to do."));
+}
+
 }  // namespace delabole

@@ -34,6 +34,9 @@ inline std::string label_of(std::size_t block, bool fixed) {
 // Blocks at the start and at the end, velocities, contact forces, the table of blocks; nothing where there was no run.
 void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report);
 
+// Blocks at the end of the run at the nearest value that fails, those marked that have begun to move.
+void append_failure_figure(const RelaxationRun& failed, const ResultFolder& folder, Report& report);
+
 // Of a jointed slope: cracks, crest and the ground left standing, as figure, tables and *.csv; nothing for other
 // scenes.
 void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, Report& report);

@@ -1,8 +1,9 @@
-// Dynamic relaxation as the program reports it: how the run ended, the books, each block, and a critical value.
+// Dynamic relaxation as the program reports it: how the run ended, the books and each block.
 #include "cases/checkpoint_file.hpp"
 #include "cases/jointed_slope_figures.hpp"
 #include "cases/model_cases.hpp"
 #include "cases/model_reports.hpp"
+#include "cases/relaxation_critical_report.hpp"
 #include "cases/relaxation_figures.hpp"
 #include "cases/units.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
@@ -18,56 +19,17 @@ namespace delabole {
 
 namespace {
 
+// What the figures are drawn from.
+struct StudyAnswers {
+    RelaxationRun run;
+    std::optional<CriticalAnswer> critical = {};
+};
+
 // What a run took against what a search takes, as far as progress is concerned.
 constexpr double share_of_run = 0.2;
 
 std::string block_name(std::size_t index) {
     return "block " + std::to_string(index + 1);
-}
-
-void append_critical(Analysis& analysis, const CriticalRequest& request, const CriticalValue& critical) {
-    const std::string name(name_of_critical(request.parameter));
-    const bool found = critical.status == CriticalStatus::found;
-    const auto append = [&](const std::string& key, const std::string& meaning, Dimension dimension, auto value,
-                            bool detail) {
-        analysis.outputs.push_back({key, meaning, dimension, value, detail});
-    };
-    const std::string meaning = request.parameter == CriticalParameter::tilt
-                                    ? "tilt at which the blocks begin to fail"
-                                    : "friction angle of all joints below which the blocks fail";
-    if (found) {
-        append(name, meaning, Dimension::angle, critical.value(), false);
-    } else {
-        append(name, meaning, Dimension::angle, std::string(word_of(critical.status)), false);
-    }
-    // The answer's bracket; without an answer they may still be the bounds of the search.
-    append("critical.stands", "nearest value found to stand", Dimension::angle, critical.stands, !found);
-    append("critical.fails", "nearest value found to fail", Dimension::angle, critical.fails, !found);
-    append("critical.runs", "runs made", Dimension::ratio, static_cast<double>(critical.runs), true);
-    append("critical.steps", "time steps of all runs", Dimension::ratio, static_cast<double>(critical.steps), true);
-}
-
-// Empty where the search ended with an answer.
-std::string search_in_words(const CriticalRequest& request, const CriticalValue& critical) {
-    const std::string last = value_in_words(critical.last, Dimension::angle);
-    const bool of_tilt = request.parameter == CriticalParameter::tilt;
-    switch (critical.status) {
-    case CriticalStatus::found:
-        return {};
-    case CriticalStatus::stands_everywhere:
-        return "the blocks stand even at " + last + (of_tilt ? ": raise critical.upper" : ": lower critical.lower");
-    case CriticalStatus::fails_everywhere:
-        return "the blocks fail even at " + last + (of_tilt ? ": lower critical.lower" : ": raise critical.upper");
-    case CriticalStatus::undecided:
-        return "at " + last + " the blocks neither came to rest nor failed within settings.duration";
-    case CriticalStatus::run_failed:
-        return "the run at " + last + " was stopped: an overlap passed settings.overlap_limit";
-    case CriticalStatus::interrupted:
-        return "the search ended in the run at " + last;
-    case CriticalStatus::not_valid:
-        return "the scene is not valid at " + last;
-    }
-    return {};
 }
 
 // Empty where the run ended as it was to end.
@@ -251,7 +213,8 @@ Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
     how.keep_due = [&] { return keeper.due(); };
     how.keep = [&](const StudyProgress& now) { keeper.keep(now); };
     StudyProgress progress = keeper.take_up();
-    RelaxationRun made = run(study, how, progress);
+    StudyAnswers answers{run(study, how, progress), {}};
+    const RelaxationRun& made = answers.run;
     if (made.result.outcome == RelaxationOutcome::scene_not_valid) {
         analysis.failure = word_of(made.result.fault.check);
         return analysis;
@@ -269,22 +232,28 @@ Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
     leave_unfinished(word_of(made.result.outcome), run_in_words(made));
     if (study.critical && made.result.outcome != RelaxationOutcome::interrupted) {
         how.watch = [&](double done) {
-            return keeper.goes_on(share + (1 - share) * done, human_name(name_of_critical(study.critical->parameter)));
+            return keeper.goes_on(share + (1 - share) * done,
+                                  human_name(name_of_critical(parameter_of(*study.critical))));
         };
-        const CriticalValue critical = find_critical(study, how, progress);
-        append_critical(analysis, *study.critical, critical);
-        leave_unfinished(word_of(critical.status), search_in_words(*study.critical, critical));
+        const CriticalPlan plan = critical_plan(study);
+        answers.critical = find_critical(study, how, progress);
+        append_critical(analysis, plan, *answers.critical);
+        leave_unfinished(word_of(answers.critical->worst_status()), search_in_words(plan, *answers.critical));
     }
     append_run_warnings(made, analysis);
-    analysis.drawn_from = std::move(made);
+    analysis.drawn_from = std::move(answers);
     return analysis;
 }
 
 void append_case_figures(const RelaxationStudy& study, const Analysis& analysis, const ResultFolder& folder,
                          Report& report) {
-    const auto& made = std::any_cast<const RelaxationRun&>(analysis.drawn_from);
+    const auto& answers = std::any_cast<const StudyAnswers&>(analysis.drawn_from);
+    const RelaxationRun& made = answers.run;
     if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
         append_section_figure(*slope, folder, report);
+    }
+    if (answers.critical) {
+        append_critical_figures(study, *answers.critical, folder, report);
     }
     append_block_figures(made, folder, report);
     append_post_failure(made, folder, report);

@@ -78,19 +78,20 @@ ExitCode trade_command(const std::filesystem::path& path, const Options& options
     const Stopwatch watch;
     const CaseFile file = read_case(path, settings_of(options));
     const RelaxationStudy& study = study_of(file);
-    const std::string quantity(name_of_critical(study.critical->parameter));
+    const CriticalPlan plan = critical_plan(study);
+    const std::string quantity(name_of_critical(plan.parameter));
     const Expectation* expected = expected_value(file, quantity);
     std::optional<double> known;
     if (expected != nullptr) {
-        known = parse_value(expected->value, Dimension::angle).value;
+        known = parse_value(expected->value, dimension_of(plan.parameter)).value;
     }
     const TradeProblem problem = trade_problem(study, known, options.threads);
-    const TradeTruth truth{quantity,
+    const TradeTruth truth{quantity, dimension_of(plan.parameter),
                            expected != nullptr
                                ? "the case's expected value (" + expected->source + ")"
                                : "what the finest setting found, for want of an [[expect]] of " + quantity + " (" +
                                      change_in_words(problem.knobs, problem.settings[problem.finest]) + ")",
-                           bracket_width(*study.critical) / 2};
+                           plan.tolerance / 2};
     const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
     const TradeResult result = trade_with_progress(problem, options);
     answer_interrupt();

@@ -12,6 +12,7 @@ namespace delabole {
 // What the errors are errors of.
 struct TradeTruth {
     std::string quantity;     // "critical_tilt"
+    Dimension dimension;      // of it
     std::string where_from;   // for a sentence
     double half_bracket = 0;  // SI; no setting can show a smaller error
 };

@@ -89,7 +89,7 @@ DELABOLE_MEMBERS(RelaxationSettings, step_fraction, time_step, viscous_damping, 
 DELABOLE_MEMBERS(BlockMonitor, block)
 DELABOLE_MEMBERS(ContactMonitor, block, other)
 DELABOLE_MEMBERS(HistoryRequest, interval, block, contact)
-DELABOLE_MEMBERS(CriticalRequest, parameter, lower, upper, tolerance)
+DELABOLE_MEMBERS(CriticalPlan, parameter, lower, upper, tolerance, path, material)
 DELABOLE_MEMBERS(MonitoredBlock, x, y, rotation, velocity_x, velocity_y, angular_velocity)
 DELABOLE_MEMBERS(MonitoredContact, horizontal, vertical, normal, overlap)
 DELABOLE_MEMBERS(HistoryLine, time, tilt, energy, block, contact, base_slip, rotation)
@@ -98,7 +98,8 @@ DELABOLE_MEMBERS(CornerForce, block, other, at, force, normal, shear, overlap, s
 DELABOLE_MEMBERS(MotionFrame, time, tilt, motion, outcome, force)
 DELABOLE_MEMBERS(MotionRecord, frame, interval, next)
 DELABOLE_MEMBERS(CriticalProbe, outcome, steps, contacts_evaluated)
-DELABOLE_MEMBERS(StudyProgress, state, next_line, history, record, slope, probe, probe_state)
+DELABOLE_MEMBERS(SearchProgress, probe, probe_state, consolidated, failed)
+DELABOLE_MEMBERS(StudyProgress, state, next_line, history, record, slope, search)
 
 #undef DELABOLE_MEMBERS
 

@@ -30,7 +30,7 @@ std::optional<CriticalStatus> no_answer(RelaxationOutcome outcome) {
 }  // namespace
 
 CriticalValue find_critical(const std::function<CriticalProbe(double)>& probe, double should_stand, double should_fail,
-                            double tolerance) {
+                            double tolerance, BracketMean mean) {
     CriticalValue critical;
     critical.stands = should_stand;
     critical.fails = should_fail;
@@ -64,7 +64,8 @@ CriticalValue find_critical(const std::function<CriticalProbe(double)>& probe, d
         return critical;
     }
     while (std::abs(critical.stands - critical.fails) > tolerance) {
-        const double middle = critical.value();
+        const double middle =
+            mean == BracketMean::geometric ? std::sqrt(critical.stands * critical.fails) : critical.value();
         if (middle == critical.stands || middle == critical.fails) {
             break;
         }

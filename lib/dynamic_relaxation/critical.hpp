@@ -46,9 +46,14 @@ struct CriticalProbe {
     std::uint64_t contacts_evaluated = 0;
 };
 
+// Where a bracket is divided. Of ratios over decades the geometric mean takes no more runs for small ones than for
+// great ones.
+enum class BracketMean { arithmetic, geometric };
+
 // Bisects between a bound at which the blocks should stand and one at which they should fail, either of which may be
-// the greater, until they are no more than `tolerance` (more than 0) apart. Both bounds are tried first.
+// the greater, until they are no more than `tolerance` (more than 0) apart. Both bounds are tried first; for the
+// geometric mean they are more than 0.
 CriticalValue find_critical(const std::function<CriticalProbe(double value)>& probe, double should_stand,
-                            double should_fail, double tolerance);
+                            double should_fail, double tolerance, BracketMean mean = BracketMean::arithmetic);
 
 }  // namespace delabole

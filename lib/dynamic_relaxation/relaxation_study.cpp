@@ -2,17 +2,15 @@
 
 #include "dynamic_relaxation/scene_check.hpp"
 #include "dynamic_relaxation/slope_scene.hpp"
+#include "dynamic_relaxation/study_run.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 namespace delabole {
-
-namespace {
-
-constexpr double standard_tolerance = degrees(0.005);
 
 SceneFault check(const RelaxationScene& scene, const RelaxationSettings& settings) {
     SceneFault fault = check_settings(settings);
@@ -30,13 +28,6 @@ RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& w
     return settings;
 }
 
-Simulation begun_or_resumed(const RelaxationScene& scene, const RelaxationSettings& settings,
-                            std::optional<RelaxationState> state) {
-    return state ? Simulation(scene, settings, std::move(*state)) : Simulation(scene, settings);
-}
-
-// Runs to the end, or until the watch says false, and whether it was the end. What is `seen` does not depend on where a
-// run was stopped: a state is seen once, before the step that leaves it.
 bool go_on(Simulation& simulation, const StudyWork& work, const std::function<bool(double)>& watch,
            const std::function<void()>& keep, const std::function<void()>& seen) {
     constexpr std::uint64_t block_steps_between_looks = 200000;
@@ -59,21 +50,11 @@ bool go_on(Simulation& simulation, const StudyWork& work, const std::function<bo
     return true;
 }
 
-RelaxationScene scene_at(RelaxationScene scene, CriticalParameter parameter, double value) {
-    if (parameter == CriticalParameter::tilt) {
-        scene.gravity.tilt = scene.gravity.final_tilt = value;
-        scene.gravity.rate = 0;
-        return scene;
-    }
-    for (JointMaterial& material : scene.material) {
-        material.friction_angle = value;
-        material.residual_friction_angle.reset();
-    }
-    return scene;
-}
+namespace {
 
-Quantity critical_quantity(CriticalParameter parameter) {
-    return {std::string(name_of_critical(parameter)), Dimension::angle, "between standing and failing"};
+Simulation begun_or_resumed(const RelaxationScene& scene, const RelaxationSettings& settings,
+                            std::optional<RelaxationState> state) {
+    return state ? Simulation(scene, settings, std::move(*state)) : Simulation(scene, settings);
 }
 
 bool ends_with_duration(const RelaxationStudy& study) {
@@ -123,11 +104,17 @@ Prediction predict(RelaxationStudy study, std::span<const Assignment> assignment
     }
     std::vector<double> outputs = output_values(without_blocks_of_slope(answer_of(made), study));
     if (study.critical) {
-        const CriticalValue critical = find_critical(study);
-        if (critical.status != CriticalStatus::found) {
-            return {word_of(critical.status), {}, {}};
+        const CriticalAnswer critical = find_critical(study);
+        if (critical.worst_status() != CriticalStatus::found) {
+            return {word_of(critical.worst_status()), {}, {}};
         }
         outputs.push_back(critical.value());
+        for (const PathValue& other : critical.other) {
+            outputs.push_back(other.value());
+        }
+        if (!critical.other.empty()) {
+            outputs.push_back(critical.spread());
+        }
     }
     return {{}, std::move(outputs), made.post_failure ? made.post_failure->left_standing : Polyline{}};
 }
@@ -143,28 +130,19 @@ RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
     return shape;
 }
 
-// What a search tells that ended at one of its bounds. At the critical value itself the blocks stand.
-std::vector<OutputBound> bounds_of(const CriticalRequest& request, std::size_t output) {
-    const bool stands_low = request.parameter == CriticalParameter::tilt;
+// What a search tells that ended at one of its bounds. At the critical value itself the blocks stand. Of several paths
+// it is not known which ended there.
+std::vector<OutputBound> bounds_of(const CriticalPlan& plan, std::size_t output) {
+    if (plan.path.size() > 1) {
+        return {};
+    }
     const std::string_view stands = word_of(CriticalStatus::stands_everywhere);
     const std::string_view fails = word_of(CriticalStatus::fails_everywhere);
-    if (stands_low) {
-        return {{stands, output, at_least(request.upper)}, {fails, output, less_than(request.lower)}};
+    if (plan.stands_low()) {
+        return {{stands, output, at_least(plan.upper)}, {fails, output, less_than(plan.lower)}};
     }
-    return {{stands, output, at_most(request.lower)}, {fails, output, more_than(request.upper)}};
+    return {{stands, output, at_most(plan.lower)}, {fails, output, more_than(plan.upper)}};
 }
-
-std::vector<Quantity> outputs_of(const RelaxationAnswer& shape, const std::optional<CriticalRequest>& critical) {
-    std::vector<Quantity> outputs = outputs_of(shape);
-    if (critical) {
-        outputs.push_back(critical_quantity(critical->parameter));
-    }
-    return outputs;
-}
-
-}  // namespace
-
-namespace {
 
 std::vector<char> removed_in(const MotionFrame& frame) {
     std::vector<char> removed(frame.outcome.size());
@@ -304,73 +282,22 @@ std::optional<PostFailure> post_failure_of(const RelaxationStudy& study, const R
                         study.post_failure.value_or(PostFailureRequest{}));
 }
 
-double bracket_width(const CriticalRequest& request) {
-    return request.tolerance.value_or(standard_tolerance);
-}
-
-CriticalValue find_critical(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress) {
-    const CriticalRequest& request = *study.critical;
-    const RelaxationScene scene = relaxation_scene(study);
-    RelaxationSettings settings = settings_for(study, work, scene.block.size());
-    // What happens after onset does not matter to a search, nor how long it takes until then.
-    settings.stop_at_onset = true;
-    settings.creep = true;
-    settings.stop_at_equilibrium = true;
-    const double tolerance = bracket_width(request);
-    const double expected_runs = 2 + std::ceil(std::log2(std::max(2.0, (request.upper - request.lower) / tolerance)));
-    std::size_t runs = 0;
-    const auto probe = [&](double value) -> CriticalProbe {
-        const std::size_t number = runs++;
-        if (number < progress.probe.size()) {
-            return progress.probe[number];
-        }
-        const RelaxationScene at = scene_at(scene, request.parameter, value);
-        if (check(at, settings).check != SceneCheck::valid) {
-            return {RelaxationOutcome::scene_not_valid, 0};
-        }
-        Simulation simulation = begun_or_resumed(at, settings, std::exchange(progress.probe_state, {}));
-        const bool ended = go_on(
-            simulation, work,
-            [&](double share) {
-                return !work.watch || work.watch((static_cast<double>(number) + share) / expected_runs);
-            },
-            [&] {
-                progress.probe_state = simulation.state();
-                work.keep(progress);
-                progress.probe_state.reset();
-            },
-            [] {});
-        const RelaxationCost cost = simulation.result().cost;
-        if (!ended) {
-            return {RelaxationOutcome::interrupted, cost.steps, cost.contacts_evaluated};
-        }
-        progress.probe.push_back({simulation.outcome(), cost.steps, cost.contacts_evaluated});
-        return progress.probe.back();
-    };
-    const bool stands_low = request.parameter == CriticalParameter::tilt;
-    return find_critical(probe, stands_low ? request.lower : request.upper, stands_low ? request.upper : request.lower,
-                         tolerance);
-}
-
-CriticalValue find_critical(const RelaxationStudy& study, const StudyWork& work) {
-    StudyProgress progress;
-    return find_critical(study, work, progress);
-}
-
-std::string_view name_of_critical(CriticalParameter parameter) {
-    return parameter == CriticalParameter::tilt ? "critical_tilt" : "limiting_friction_angle";
-}
-
 std::vector<Quantity> outputs_of_run(const RelaxationStudy& study) {
-    return outputs_of(shape_of_answer(study), study.critical);
+    std::vector<Quantity> outputs = outputs_of(shape_of_answer(study));
+    if (study.critical) {
+        std::ranges::move(outputs_of_search(critical_plan(study)), std::back_inserter(outputs));
+    }
+    return outputs;
 }
 
 ModelInterface model_interface(const RelaxationStudy& study) {
     ModelInterface model;
     model.inputs = inputs_of(study.model);
-    model.outputs = outputs_of(without_blocks_of_slope(shape_of_answer(study), study), study.critical);
+    model.outputs = outputs_of(without_blocks_of_slope(shape_of_answer(study), study));
     if (study.critical) {
-        model.bounds = bounds_of(*study.critical, model.outputs.size() - 1);
+        const CriticalPlan plan = critical_plan(study);
+        model.bounds = bounds_of(plan, model.outputs.size());
+        std::ranges::move(outputs_of_search(plan), std::back_inserter(model.outputs));
     }
     model.predict = [study](std::span<const Assignment> assignments) { return predict(study, assignments); };
     model.costly = true;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dynamic_relaxation/critical.hpp"
+#include "dynamic_relaxation/critical_request.hpp"
 #include "dynamic_relaxation/history.hpp"
 #include "dynamic_relaxation/post_failure.hpp"
 #include "dynamic_relaxation/relaxation_parameters.hpp"
@@ -105,31 +106,6 @@ struct RelaxationNumerics {
                    "rows and stepped bases, none looked for else"),
             number("overlap_limit", &N::overlap_limit, Dimension::ratio, within(0.02, 1),
                    "of the shortest edge; a run with more is stopped; absent: 0.05")};
-    }
-};
-
-enum class CriticalParameter { tilt, friction };
-
-constexpr std::array<std::string_view, 2> enum_names(CriticalParameter) {
-    return {"tilt", "friction"};
-}
-
-// Constant tilt at which the blocks begin to fail, or the friction angle of all joints below which they do.
-struct CriticalRequest {
-    CriticalParameter parameter;
-    double lower;
-    double upper;
-    std::optional<double> tolerance;
-    static constexpr auto fields() {
-        using C = CriticalRequest;
-        return std::tuple{
-            section("parameter", &C::parameter,
-                    "what is varied; tilt is constant, whatever [tilting] does; friction is that of every joint, peak "
-                    "and residual"),
-            number("lower", &C::lower, Dimension::angle, between(degrees(-90), degrees(90)), "least value tried"),
-            number("upper", &C::upper, Dimension::angle, between(degrees(-90), degrees(90)), "greatest value tried"),
-            number("tolerance", &C::tolerance, Dimension::angle, within(degrees(1e-9), degrees(10)),
-                   "width of the bracket in the end; absent: 0.005 deg")};
     }
 };
 
@@ -266,15 +242,22 @@ struct RelaxationAnswer {
 // Called now and then with the share of the work done, 0 to 1; returning false ends the work as interrupted.
 using RelaxationWatch = std::function<bool(double share)>;
 
+// What the search on one path has found so far.
+struct SearchProgress {
+    std::vector<CriticalProbe> probe = {};             // finished runs, in their order
+    std::optional<RelaxationState> probe_state = {};   // of the run after them, where one has begun
+    std::optional<RelaxationState> consolidated = {};  // that runs begin from; absent on other paths, or until found
+    std::optional<RelaxationState> failed = {};        // at the end of the last run that failed
+};
+
 // All that a study has found so far; what it goes on from to the last bit.
 struct StudyProgress {
     std::optional<RelaxationState> state = {};  // of the run at the case's own values; absent before its first step
     double next_line = 0;                       // s of model time, of the history
     RelaxationHistory history = {};
     MotionRecord record = {};
-    MotionRecord slope = {};                          // motion of a jointed slope
-    std::vector<CriticalProbe> probe = {};            // finished runs of the search, in their order
-    std::optional<RelaxationState> probe_state = {};  // of the run after them, where one has begun
+    MotionRecord slope = {};                  // motion of a jointed slope
+    std::vector<SearchProgress> search = {};  // on the paths of the plan, as far as they were begun
 };
 
 // Frames take room and time: for pictures of moving blocks only.
@@ -325,21 +308,43 @@ RelaxationAnswer answer_of(const RelaxationRun& run);
 std::optional<PostFailure> post_failure_of(const RelaxationStudy& study, const RelaxationRun& run,
                                            const std::vector<Motion>& motion, const std::vector<char>& removed);
 
-// rad; of the final bracket, at most
-double bracket_width(const CriticalRequest& request);
+// The search of `critical`, which must be there, with what it leaves open filled in.
+CriticalPlan critical_plan(const RelaxationStudy& study);
 
-// The search of `critical`, which must be there, from where it has come to.
-CriticalValue find_critical(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);
-CriticalValue find_critical(const RelaxationStudy& study, const StudyWork& work = {});
+// Whether blocks are taken away during the run.
+bool has_stages(const RelaxationStudy& study);
 
-// "critical_tilt" or "limiting_friction_angle".
-std::string_view name_of_critical(CriticalParameter parameter);
+// What a search found on one path.
+struct PathValue : CriticalValue {
+    LoadingPath path = LoadingPath::consolidated;
+    std::optional<double> consolidated_at = {};  // value at which the blocks came to rest; absent on other paths
+    std::optional<RelaxationRun> failed = {};    // the run at `fails`, to onset; absent where none failed
+};
+
+// On the first path of the plan, with those on the others.
+struct CriticalAnswer : PathValue {
+    std::vector<PathValue> other = {};
+
+    // Greatest less least value; all paths have found one.
+    double spread() const;
+    // The first status that is not `found`.
+    CriticalStatus worst_status() const;
+};
+
+// The search of `critical` on the paths of its plan, from where it has come to. Each run begins from the initial
+// geometry or from the consolidated state, never from another run: their order makes no difference.
+CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);
+CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work = {});
 
 // All that a run answers, as named numbers.
 std::vector<Quantity> outputs_of_run(const RelaxationStudy& study);
 
-// Inputs: every number of the study's model. Outputs: every number of RelaxationAnswer and, where it is asked for, the
-// critical value; of a jointed slope the ground left standing is the predicted profile. A run that was stopped, or
+// Names of what a search adds to the outputs: the critical value and, where there are several paths, that on each of
+// the others ("factor_of_safety_gravity") and the spread ("factor_of_safety_spread").
+std::vector<Quantity> outputs_of_search(const CriticalPlan& plan);
+
+// Inputs: every number of the study's model. Outputs: every number of RelaxationAnswer and, where it is asked for, what
+// the search adds; of a jointed slope the ground left standing is the predicted profile. A run that was stopped, or
 // stayed undecided though it was to find equilibrium, is a failed prediction under the name of its outcome; so is a
 // critical value that was not found, under that of its status.
 ModelInterface model_interface(const RelaxationStudy& study);

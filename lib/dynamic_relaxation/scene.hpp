@@ -112,7 +112,7 @@ struct PrescribedMotion {
 
 struct Removal {
     std::size_t block;
-    double time;
+    double time;  // s; negative: the block is not there from the start
 };
 
 // A belt under the drawing that moves with gravity's direction, and drives the blocks instead of gravity, whose

@@ -13,10 +13,15 @@ enum class RelaxationStart {
     preloaded,  // springs compressed as equilibrium under the first loads wants it
     dropped,    // springs free, full gravity at once
     ramped,     // springs free, gravity grows from zero over `ramp_time`
+    stepped,    // as preloaded, but the first loads grow in ten equal steps, each of which finds its equilibrium
 };
 
-constexpr std::array<std::string_view, 3> enum_names(RelaxationStart) {
-    return {"preloaded", "dropped", "ramped"};
+constexpr std::array<std::string_view, 4> enum_names(RelaxationStart) {
+    return {"preloaded", "dropped", "ramped", "stepped"};
+}
+
+constexpr bool is_preloaded(RelaxationStart start) {
+    return start == RelaxationStart::preloaded || start == RelaxationStart::stepped;
 }
 
 struct RelaxationSettings {

@@ -65,8 +65,9 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
     state_.bond.resize(scene_.bond.size());
     state_.noticed.resize(bodies_.size());
     ContactWatch::start(bodies_.size(), state_.watch);
+    take_away_what_is_not_there();
     prepare();
-    begin();
+    begin(JointsAtStart::whole);
 }
 
 Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, RelaxationState state)
@@ -81,6 +82,21 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, Relax
     prepare();
     contact_forces_.renew();
     contact_watch_.resume(state_.watch, state_.contacts);
+}
+
+Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from)
+    : scene_(std::move(scene)),
+      settings_(settings),
+      bodies_(bodies_of(scene_, settings_)),
+      state_(begun_at(from.at_rest)),
+      team_(std::max<std::size_t>(settings_.threads, 1)),
+      contact_forces_(bodies_, team_),
+      bonds_(scene_, bodies_, settings_.viscous_damping, team_),
+      contact_watch_(scene_, bodies_, settings_.viscous_damping) {
+    settings_.start = RelaxationStart::preloaded;
+    prepare();
+    begin(JointsAtStart::as_left);
+    contact_forces_.renew();
 }
 
 void Simulation::prepare() {
@@ -116,7 +132,7 @@ PreloadSettings Simulation::preload_settings() const {
     limits.finest = rest_ratio() / 1000;
     // Blocks that only jam once they have leaned a little move farther here than between two searches of the run.
     limits.farthest = 5 * margin_;
-    if (settings_.creep && last_scheduled_time(scene_, settings_) <= 0) {
+    if (settings_.creep && last_scheduled_time(scene_, settings_) <= state_.time) {
         limits.creep_rotation = settings_.onset_rotation;
         limits.creep_slide = settings_.onset_slide;
         double largest = 0;
@@ -128,34 +144,50 @@ PreloadSettings Simulation::preload_settings() const {
     return limits;
 }
 
-// Bonds that cannot bear the first loads break one after the other, the most overloaded first, while the rest finds its
-// balance; where it finds none, the run goes on with it.
-void Simulation::preload_springs() {
+void Simulation::preload_springs(JointsAtStart joints) {
     const PreloadSettings limits = preload_settings();
     apply_loads();
+    bool first = joints == JointsAtStart::whole;
+    if (settings_.start == RelaxationStart::stepped) {
+        constexpr int steps = 10;
+        PreloadSettings on_the_way = limits;
+        on_the_way.creep_rotation = 0;
+        // What is not in balance under a part of the loads is left to all of them.
+        bool balanced = true;
+        for (int step = 1; step < steps && balanced; ++step, first = false) {
+            balanced = preload_under(static_cast<double>(step) / steps, first, on_the_way);
+        }
+    }
+    preload_under(1, first, limits);
+}
+
+// Bonds that cannot bear the loads break one after the other, the most overloaded first, while the rest finds its
+// balance; where it finds none, the run goes on with it. Returns whether it did.
+bool Simulation::preload_under(double load_share, bool first, const PreloadSettings& limits) {
     std::vector<Eigen::Vector3d> loads;
     for (const BlockForce& load : load_) {
-        loads.emplace_back(load.x, load.y, load.moment);
+        loads.emplace_back(load_share * load.x, load_share * load.y, load_share * load.moment);
     }
-    for (bool first = true;; first = false) {
+    for (;; first = false) {
         preload_within(2 * limits.farthest, first);
         const Preloaded found =
             preload(bodies_, held_, loads, limits, bonds_, state_.bond, state_.motion, state_.contacts);
         state_.origin = found.most_balanced;
         state_.start_balance = StartBalance{found.ratio, found.cut_short};
         state_.contacts_evaluated += found.contacts_evaluated;
+        const bool balanced = found.ratio <= limits.tolerance;
         const std::optional<std::size_t> worst = bonds_.worst_overloaded(state_.motion, state_.bond);
-        if (!worst || found.ratio > limits.tolerance) {
-            return;
+        if (!worst || !balanced) {
+            return balanced;
         }
         state_.bond[*worst].state = bonds_.state_of(*worst, state_.motion);
         just_broken_.push_back(*worst);
     }
 }
 
-void Simulation::begin() {
-    if (settings_.start == RelaxationStart::preloaded) {
-        preload_springs();
+void Simulation::begin(JointsAtStart joints) {
+    if (is_preloaded(settings_.start)) {
+        preload_springs(joints);
     } else {
         state_.origin = state_.motion;
     }
@@ -172,7 +204,7 @@ void Simulation::begin() {
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
         const RelaxationContact contact = state_.contacts.contact[index];
         ContactMemory memory = state_.contacts.memory[index];
-        if (settings_.start != RelaxationStart::preloaded && contact.gap < 0) {
+        if (!is_preloaded(settings_.start) && contact.gap < 0) {
             memory.touching = true;  // drawn with an overlap: its spring is compressed before the first step
         }
         state_.ledger.elastic_at_start += elastic_energy(state_.contacts.law_of(contact), contact, memory,

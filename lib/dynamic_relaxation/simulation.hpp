@@ -30,6 +30,8 @@ class Simulation {
     Simulation(RelaxationScene scene, RelaxationSettings settings);
     // Goes on from a state of the same scene and settings, to the last bit.
     Simulation(RelaxationScene scene, RelaxationSettings settings, RelaxationState state);
+    // Begins preloaded from where a run of the same blocks, of other strengths or other gravity, came to rest.
+    Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from);
 
     void step();
     bool running() const { return outcome() == RelaxationOutcome::undecided && !out_of_time(); }
@@ -50,15 +52,20 @@ class Simulation {
     RelaxationResult result() const;
 
   private:
+    // Whether joints that are closed in the initial geometry have their peak strengths, or what another run left them.
+    enum class JointsAtStart { whole, as_left };
+
     // A block that has been calm for some looks is at rest until the forces on it are out of balance by this share of
     // its weight, far below the ratio that counts as equilibrium: it is not moved, and costs next to nothing.
     double rest_ratio() const { return 1e-3 * settings_.equilibrium_ratio; }
     static bool rests(std::uint32_t calm) { return calm >= looks_before_rest; }
     static constexpr std::uint32_t looks_before_rest = 4;
 
+    static RelaxationState begun_at(const RelaxationState& at_rest);
     bool out_of_time() const { return reached() >= settings_.duration || state_.steps >= settings_.most_steps; }
     void prepare();
-    void begin();
+    void begin(JointsAtStart joints);
+    void take_away_what_is_not_there();
     PlanePoint<> up() const { return {std::sin(tilt()), std::cos(tilt())}; }
     bool consolidating() const { return state_.time < settings_.consolidation_time; }
     double kinetic_energy_of(std::size_t block) const;  // J/m; none where it is held
@@ -66,7 +73,8 @@ class Simulation {
     void follow_schedules();
     void break_bonds();
     PreloadSettings preload_settings() const;
-    void preload_springs();
+    void preload_springs(JointsAtStart joints);
+    bool preload_under(double load_share, bool first, const PreloadSettings& limits);
     void book_springs_of_removed(std::size_t block);
     double fastest();  // m/s, no point of any block is faster
     void find_contacts_where_due();

@@ -87,4 +87,10 @@ struct RelaxationState {
     std::uint64_t outcome = 0;  // RelaxationOutcome
 };
 
+// A state at rest for other runs to begin from: they have its motion, its springs, slip and what has broken, and its
+// time, by which everything scheduled has happened. Their books, steps and displacements begin anew.
+struct ConsolidatedState {
+    RelaxationState at_rest;
+};
+
 }  // namespace delabole

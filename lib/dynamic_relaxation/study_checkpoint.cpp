@@ -13,7 +13,7 @@ std::uint64_t hash_of(const RelaxationStudy& study, KeepFrames frames) {
     CheckpointWriter writer;
     writer.put(relaxation_scene(study));
     writer.put(relaxation_settings(study));
-    writer.put(study.critical);
+    writer.put(study.critical ? std::optional(critical_plan(study)) : std::nullopt);
     writer.put(study.history);
     writer.put(frames == KeepFrames::yes);
     return fnv_1a(writer.bytes());
@@ -37,8 +37,14 @@ bool fits(const StudyProgress& progress, const RelaxationStudy& study) {
     const auto frames_fit = [&](const MotionRecord& record) {
         return std::ranges::all_of(record.frame, [&](const MotionFrame& frame) { return fits(frame, blocks); });
     };
-    return (!progress.state || fits(*progress.state, scene)) &&
-           (!progress.probe_state || fits(*progress.probe_state, scene)) &&
+    const auto state_fits = [&](const std::optional<RelaxationState>& state) { return !state || fits(*state, scene); };
+    const std::size_t paths = study.critical ? critical_plan(study).path.size() : 0;
+    return state_fits(progress.state) && progress.search.size() <= paths &&
+           std::ranges::all_of(progress.search,
+                               [&](const SearchProgress& search) {
+                                   return state_fits(search.probe_state) && state_fits(search.consolidated) &&
+                                          state_fits(search.failed);
+                               }) &&
            std::ranges::all_of(progress.history, [&](const HistoryLine& line) { return fits(line, study, blocks); }) &&
            frames_fit(progress.record) && frames_fit(progress.slope);
 }

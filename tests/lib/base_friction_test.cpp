@@ -169,7 +169,7 @@ RelaxationStudy row_study(std::vector<RelaxationRowBlock> blocks, double frictio
     numerics.stiffness_ratio = 1e5;
     numerics.onset_slide = 1e-3;  // just beyond the limit blocks creep over the belt's model
     study.settings = numerics;
-    study.critical = CriticalRequest{CriticalParameter::tilt, degrees(lower), degrees(lower + 2), degrees(0.06)};
+    study.critical = TiltSearch{degrees(lower), degrees(lower + 2), degrees(0.06), {}, {}};
     return study;
 }
 

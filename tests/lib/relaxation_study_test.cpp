@@ -206,13 +206,13 @@ TEST(RelaxationStudy, WhatStoodOnARemovedBlockFalls) {
 
 TEST(RelaxationStudy, CriticalValuesAreThoseOfLimitingEquilibrium) {
     RelaxationStudy study = one_block(degrees(10), degrees(40), 1, 3);
-    study.critical = CriticalRequest{CriticalParameter::tilt, degrees(10), degrees(30), degrees(0.001)};
+    study.critical = TiltSearch{degrees(10), degrees(30), degrees(0.001), {}, {}};
     // tan(tilt) = b/a - W/(k b) sqrt(1 + (b/a)^2) with k b / W = 1e6, and half the bracket. (simulation.hpp)
     const double slender = 1.0 / 3;
     EXPECT_NEAR(find_critical(study).value(), std::atan(slender - 1e-6 * std::hypot(1, slender)), degrees(0.001));
     // On a tilt of 10 deg a squat block needs 10 deg of friction.
     RelaxationStudy squat = one_block(degrees(10), degrees(40), 2, 1);
-    squat.critical = CriticalRequest{CriticalParameter::friction, degrees(5), degrees(15), degrees(0.01)};
+    squat.critical = FrictionSearch{degrees(5), degrees(15), degrees(0.01), {}, {}};
     EXPECT_NEAR(find_critical(squat).value(), degrees(10), degrees(0.02));
 }
 
@@ -229,7 +229,7 @@ TEST(RelaxationStudy, ARunThatIsToldToEndIsInterrupted) {
     const RelaxationRun made = run(study, work);
     EXPECT_EQ(made.result.outcome, RelaxationOutcome::interrupted);
     EXPECT_EQ(calls, 4);
-    study.critical = CriticalRequest{CriticalParameter::tilt, degrees(10), degrees(30), {}};
+    study.critical = TiltSearch{degrees(10), degrees(30), {}, {}, {}};
     work.watch = [](double) { return false; };
     EXPECT_EQ(find_critical(study, work).status, CriticalStatus::interrupted);
 }
@@ -277,13 +277,13 @@ TEST(RelaxationStudy, QualitiesSetStepStiffnessAndEquilibriumUnlessGiven) {
 
 TEST(RelaxationStudy, ASearchThatEndsAtABoundTellsThatTheCriticalValueLiesBeyond) {
     RelaxationStudy study = one_block(degrees(10), degrees(40), 1, 3);
-    const auto bound = [&](CriticalParameter parameter, double lower, double upper) {
-        study.critical = CriticalRequest{parameter, lower, upper, {}};
+    const auto bound = [&](const CriticalRequest& request) {
+        study.critical = request;
         const ModelInterface model = model_interface(study);
         const Prediction prediction = model.predict({});
         const auto found = std::ranges::find(model.bounds, prediction.failure, &OutputBound::failure);
         EXPECT_NE(found, model.bounds.end()) << prediction.failure;
-        EXPECT_EQ(model.outputs[found->output].name, name_of_critical(parameter));
+        EXPECT_EQ(model.outputs[found->output].name, name_of_critical(parameter_of(request)));
         return found->within;
     };
     const auto expect = [](const Interval& found, const Interval& expected) {
@@ -293,10 +293,10 @@ TEST(RelaxationStudy, ASearchThatEndsAtABoundTellsThatTheCriticalValueLiesBeyond
         EXPECT_EQ(found.upper_open, expected.upper_open);
     };
     // It overturns at atan(1 / 3), 18.4 deg; at 10 deg friction of 10 deg holds it.
-    expect(bound(CriticalParameter::tilt, degrees(5), degrees(16)), at_least(degrees(16)));
-    expect(bound(CriticalParameter::tilt, degrees(20), degrees(30)), less_than(degrees(20)));
-    expect(bound(CriticalParameter::friction, degrees(12), degrees(30)), at_most(degrees(12)));
-    expect(bound(CriticalParameter::friction, degrees(2), degrees(8)), more_than(degrees(8)));
+    expect(bound(TiltSearch{degrees(5), degrees(16), {}, {}, {}}), at_least(degrees(16)));
+    expect(bound(TiltSearch{degrees(20), degrees(30), {}, {}, {}}), less_than(degrees(20)));
+    expect(bound(FrictionSearch{degrees(12), degrees(30), {}, {}, {}}), at_most(degrees(12)));
+    expect(bound(FrictionSearch{degrees(2), degrees(8), {}, {}, {}}), more_than(degrees(8)));
     study.critical.reset();
     EXPECT_TRUE(model_interface(study).bounds.empty());
 }

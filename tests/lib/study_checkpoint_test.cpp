@@ -20,7 +20,7 @@ RelaxationStudy study_of_everything() {
     RelaxationStudy study{};
     study.model.scene = row;
     study.settings.emplace().stiffness_ratio = 1e5;
-    study.critical = CriticalRequest{CriticalParameter::tilt, degrees(15), degrees(25), degrees(1)};
+    study.critical = TiltSearch{degrees(15), degrees(25), degrees(1), LoadingPath::consolidated, PathChoice::all};
     study.history = HistoryRequest{0.05, {{1}, {2}}, {{1, 2}}};
     return study;
 }
@@ -31,16 +31,22 @@ struct Answers {
     std::size_t lines = 0;
     double stands = 0;
     double fails = 0;
+    double spread = 0;
     bool operator==(const Answers&) const = default;
 };
 
 Answers answers_from(const RelaxationStudy& study, StudyProgress progress, StudyWork work) {
     work.frames = KeepFrames::yes;
     const RelaxationRun made = run(study, work, progress);
-    const CriticalValue critical = find_critical(study, work, progress);
-    EXPECT_EQ(critical.status, CriticalStatus::found);
-    return {checkpoint_of(study, KeepFrames::yes, progress), made.frames.size(), made.history.size(), critical.stands,
-            critical.fails};
+    const CriticalAnswer critical = find_critical(study, work, progress);
+    EXPECT_EQ(critical.worst_status(), CriticalStatus::found);
+    EXPECT_EQ(critical.other.size(), 3U);
+    return {checkpoint_of(study, KeepFrames::yes, progress),
+            made.frames.size(),
+            made.history.size(),
+            critical.stands,
+            critical.fails,
+            critical.spread()};
 }
 
 TEST(StudyCheckpoint, GoesOnFromAnyLookToTheLastBit) {
@@ -50,7 +56,9 @@ TEST(StudyCheckpoint, GoesOnFromAnyLookToTheLastBit) {
     StudyWork keeping;
     keeping.keep_due = [] { return true; };
     keeping.keep = [&](const StudyProgress& progress) {
-        searched = searched || progress.probe_state.has_value();
+        for (const SearchProgress& search : progress.search) {
+            searched = searched || (search.probe_state && search.consolidated && search.failed);
+        }
         kept.push_back(checkpoint_of(study, KeepFrames::yes, progress));
     };
     const Answers whole = answers_from(study, {}, keeping);
@@ -88,7 +96,7 @@ TEST(StudyCheckpoint, RefusesWhatAsksForSomethingElse) {
     EXPECT_EQ(restore_checkpoint(bytes, study, KeepFrames::no).check, CheckpointCheck::other_scene);
     constexpr CheckpointCheck refused = CheckpointCheck::other_scene;
     EXPECT_EQ(check([](RelaxationStudy& other) { other.critical.reset(); }), refused);
-    EXPECT_EQ(check([](RelaxationStudy& other) { other.critical->upper *= 1.1; }), refused);
+    EXPECT_EQ(check([](RelaxationStudy& other) { std::get<TiltSearch>(*other.critical).upper *= 1.1; }), refused);
     EXPECT_EQ(check([](RelaxationStudy& other) { other.history->interval *= 2; }), refused);
     EXPECT_EQ(check([](RelaxationStudy& other) { other.history->contact.clear(); }), refused);
     EXPECT_EQ(check([](RelaxationStudy& other) { other.settings->duration = 59; }), refused);
@@ -110,7 +118,7 @@ TEST(StudyCheckpoint, RefusesListsOfAnotherLength) {
     EXPECT_EQ(check([](StudyProgress&) {}), CheckpointCheck::ok);
     constexpr CheckpointCheck refused = CheckpointCheck::damaged;
     EXPECT_EQ(check([](StudyProgress& forged) { forged.state->motion.pop_back(); }), refused);
-    EXPECT_EQ(check([](StudyProgress& forged) { forged.probe_state.emplace(); }), refused);
+    EXPECT_EQ(check([](StudyProgress& forged) { forged.search.emplace_back().probe_state.emplace(); }), refused);
     EXPECT_EQ(check([](StudyProgress& forged) { forged.history.front().base_slip.clear(); }), refused);
     EXPECT_EQ(check([](StudyProgress& forged) { forged.history.front().block.pop_back(); }), refused);
     EXPECT_EQ(check([](StudyProgress& forged) { forged.record.frame.front().motion.clear(); }), refused);

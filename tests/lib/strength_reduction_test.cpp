@@ -1,0 +1,218 @@
+// Factors of safety by strength reduction against closed forms, and what they must not depend on.
+#include "dynamic_relaxation/strength_reduction.hpp"
+#include "dynamic_relaxation/relaxation_study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace delabole {
+namespace {
+
+constexpr double gravity = 9.80665;
+constexpr double half_bracket = 0.0025;  // of the standard tolerance
+
+RelaxationJoint joint_of(double friction_angle, double cohesion = 0) {
+    RelaxationJoint joint{};
+    joint.friction_angle = friction_angle;
+    joint.cohesion = cohesion;
+    return joint;
+}
+
+RelaxationStudy blocks_in_a_row(double tilt, RelaxationJoint interface, RelaxationJoint base,
+                                std::vector<RelaxationRowBlock> blocks) {
+    RelaxationRow row{};
+    row.tilt = tilt;
+    row.density = 2700;
+    row.interface = interface;
+    row.base = base;
+    row.block = std::move(blocks);
+    RelaxationStudy study{};
+    study.model.scene = row;
+    study.critical = ReductionSearch{};
+    return study;
+}
+
+RelaxationStudy squat_block(double tilt, double friction_angle, double cohesion = 0, double size = 1) {
+    return blocks_in_a_row(tilt, joint_of(friction_angle), joint_of(friction_angle, cohesion), {{2 * size, size, {}}});
+}
+
+CriticalAnswer with_joints(RelaxationStudy study, std::vector<std::string> joints) {
+    std::get<ReductionSearch>(*study.critical).joints = std::move(joints);
+    return find_critical(study);
+}
+
+TEST(StrengthReduction, ABlockOnAPlaneSlidesAtTheRatioOfTangents) {
+    for (const double tilt : {10.0, 30.0, 38.0}) {
+        const CriticalAnswer critical = find_critical(squat_block(degrees(tilt), degrees(40)));
+        ASSERT_EQ(critical.status, CriticalStatus::found);
+        EXPECT_EQ(critical.path, LoadingPath::consolidated);
+        EXPECT_EQ(critical.consolidated_at, 1);
+        // Friction that just holds is at the edge of both ends of the bracket.
+        EXPECT_NEAR(critical.value(), std::tan(degrees(40)) / std::tan(degrees(tilt)), half_bracket);
+        EXPECT_LE(critical.fails - critical.stands, 2 * half_bracket);
+        ASSERT_TRUE(critical.failed);
+        EXPECT_EQ(critical.failed->result.outcome, RelaxationOutcome::onset);
+        EXPECT_EQ(critical.failed->result.block[0].movement, BlockMovement::slides_forward);
+    }
+}
+
+// The block slides before it turns: both of its corners carry at the limit at once, and the brittle loss of cohesion at
+// one of them is the failure of both.
+TEST(StrengthReduction, CohesionIsDividedLikeFriction) {
+    const double tilt = degrees(35);
+    const double cohesion = 10e3;
+    const double weight = 2700 * gravity * 2;
+    const CriticalAnswer critical = find_critical(squat_block(tilt, degrees(30), cohesion));
+    ASSERT_EQ(critical.status, CriticalStatus::found);
+    const double expected =
+        (cohesion * 2 + weight * std::cos(tilt) * std::tan(degrees(30))) / (weight * std::sin(tilt));
+    // Strength is lost corner by corner: the corner that is pressed less slips first, and the other cannot bear what it
+    // held. Limiting equilibrium of the whole joint is an upper bound.
+    EXPECT_LT(critical.value(), expected + half_bracket);
+    EXPECT_GT(critical.value(), 0.85 * expected);
+}
+
+TEST(StrengthReduction, BelowOneTheBlocksAreConsolidatedAtTheGreatestStrength) {
+    const CriticalAnswer critical = find_critical(squat_block(degrees(40), degrees(30)));
+    ASSERT_EQ(critical.status, CriticalStatus::found);
+    EXPECT_EQ(critical.consolidated_at, 0.1);
+    EXPECT_NEAR(critical.value(), std::tan(degrees(30)) / std::tan(degrees(40)), half_bracket);
+    RelaxationStudy never = squat_block(degrees(40), degrees(1));
+    const CriticalAnswer fails = find_critical(never);
+    EXPECT_EQ(fails.status, CriticalStatus::fails_everywhere);
+    EXPECT_EQ(fails.last, 0.1);
+    ASSERT_TRUE(fails.failed);
+}
+
+// What friction does not hold does not depend on it: a column that leans on nothing turns by its weight alone.
+TEST(StrengthReduction, AColumnThatStandsByItsShapeStandsEverywhere) {
+    RelaxationStudy study = squat_block(0, degrees(40));
+    EXPECT_EQ(find_critical(study).status, CriticalStatus::stands_everywhere);
+}
+
+TEST(StrengthReduction, LengthsAndDensityMakeNoDifference) {
+    const CriticalAnswer one = find_critical(squat_block(degrees(30), degrees(40)));
+    for (const double size : {1e-2, 1e3}) {
+        const CriticalAnswer other = find_critical(squat_block(degrees(30), degrees(40), 0, size));
+        EXPECT_EQ(other.stands, one.stands);
+        EXPECT_EQ(other.fails, one.fails);
+    }
+}
+
+// Two columns press on each other: the lower one slides, the upper one pushes it. Only the joints named give way.
+TEST(StrengthReduction, OnlyTheJointsNamedAreReduced) {
+    const double tilt = degrees(20);
+    RelaxationStudy study =
+        blocks_in_a_row(tilt, joint_of(degrees(35)), joint_of(degrees(35)), {{2, 1, {}}, {2, 1, {}}});
+    // Both slide together as one: what is between them carries nothing.
+    const double together = std::tan(degrees(35)) / std::tan(tilt);
+    EXPECT_NEAR(find_critical(study).value(), together, half_bracket);
+    EXPECT_NEAR(with_joints(study, {"base"}).value(), together, half_bracket);
+    EXPECT_EQ(with_joints(study, {"interface"}).status, CriticalStatus::stands_everywhere);
+}
+
+TEST(StrengthReduction, DividesEveryStrengthAndNothingElse) {
+    RelaxationScene scene;
+    JointMaterial joint{1e9, 2e9, degrees(40), degrees(30), 5e3, 2e3};
+    joint.bond = 0;
+    scene.material = {joint, {1e9, 1e9, degrees(89.9)}};
+    scene.bond_material = {{5e9, 2e9, 4e5, 6e5, degrees(45), {}}};
+    const RelaxationScene half = with_reduced_strength(scene, std::vector<std::size_t>{0}, 2);
+    EXPECT_DOUBLE_EQ(std::tan(half.material[0].friction_angle), std::tan(degrees(40)) / 2);
+    EXPECT_DOUBLE_EQ(std::tan(*half.material[0].residual_friction_angle), std::tan(degrees(30)) / 2);
+    EXPECT_EQ(half.material[0].cohesion, 2.5e3);
+    EXPECT_EQ(half.material[0].tensile_strength, 1e3);
+    EXPECT_EQ(half.material[0].normal_stiffness, 1e9);
+    EXPECT_EQ(half.material[0].shear_stiffness, 2e9);
+    EXPECT_DOUBLE_EQ(std::tan(half.bond_material[0].friction_angle), 0.5);
+    EXPECT_EQ(half.bond_material[0].cohesion, 3e5);
+    EXPECT_EQ(half.bond_material[0].tensile_strength, 2e5);
+    EXPECT_EQ(half.bond_material[0].young_modulus, 5e9);
+    EXPECT_EQ(half.material[1].friction_angle, degrees(89.9));
+    // Raised strength stays below what scenes are refused for.
+    const RelaxationScene strong = with_reduced_strength(scene, std::vector<std::size_t>{0, 1}, 1e-4);
+    EXPECT_LE(strong.material[0].friction_angle, degrees(89.9));
+    EXPECT_EQ(strong.material[1].friction_angle, degrees(89.9));
+}
+
+TEST(StrengthReduction, MaterialsThatScatterBelongToTheirJoints) {
+    RelaxationStudy study = blocks_in_a_row(degrees(20), joint_of(degrees(30)), joint_of(degrees(40)),
+                                            {{1, 1, {}}, {1, 1, {}}, {1, 1, {}}});
+    auto& row = std::get<RelaxationRow>(study.model.scene);
+    row.scatter = RelaxationScatter{7, 0, degrees(1)};
+    const RelaxationScene scene = relaxation_scene(study);
+    const std::vector<std::size_t> joints = joints_of_materials(study.model.scene, scene);
+    ASSERT_EQ(joints.size(), scene.material.size());
+    for (std::size_t material = 0; material + 1 < joints.size(); ++material) {
+        // Scatter is cut off at twice its deviation, far from the middle between the two.
+        EXPECT_EQ(joints[material], scene.material[material].friction_angle > degrees(35) ? 1U : 0U) << material;
+    }
+    EXPECT_EQ(joints.back(), 1U);  // of the plane itself
+    EXPECT_EQ(joint_names(study.model.scene), (std::vector<std::string>{"interface", "base"}));
+}
+
+TEST(LoadingPaths, OfOneBlockAllButTheSuddenOneAgree) {
+    RelaxationStudy study = squat_block(degrees(30), degrees(40));
+    std::get<ReductionSearch>(*study.critical).paths = PathChoice::all;
+    const CriticalAnswer critical = find_critical(study);
+    ASSERT_EQ(critical.worst_status(), CriticalStatus::found);
+    ASSERT_EQ(critical.other.size(), 3U);
+    const double expected = std::tan(degrees(40)) / std::tan(degrees(30));
+    EXPECT_NEAR(critical.value(), expected, half_bracket);
+    for (const PathValue& other : critical.other) {
+        // Statically determinate: the path does not matter. Dropped on its springs the block is pressed less at times.
+        const double less = other.path == LoadingPath::sudden ? 0.5 : half_bracket;
+        EXPECT_LT(other.value(), expected + half_bracket) << word_of(other.path);
+        EXPECT_GT(other.value(), expected - less) << word_of(other.path);
+    }
+    EXPECT_GE(critical.spread(), 0);
+    const std::vector<Quantity> outputs = outputs_of_run(study);
+    for (const char* name : {"factor_of_safety", "factor_of_safety_preloaded", "factor_of_safety_gravity",
+                             "factor_of_safety_sudden", "factor_of_safety_spread"}) {
+        EXPECT_TRUE(place_of(outputs, name)) << name;
+    }
+    // A fit sees the same numbers.
+    const Prediction prediction = model_interface(study).predict({});
+    const ModelInterface model = model_interface(study);
+    ASSERT_EQ(prediction.outputs.size(), model.outputs.size());
+    EXPECT_EQ(prediction.outputs[*place_of(model.outputs, "factor_of_safety")], critical.value());
+    EXPECT_EQ(prediction.outputs[*place_of(model.outputs, "factor_of_safety_spread")], critical.spread());
+}
+
+TEST(LoadingPaths, StagesAreOnePathAndWhatTheyTakeAwayIsMissingOnOthers) {
+    RelaxationStudy study = blocks_in_a_row(degrees(30), joint_of(degrees(40)), joint_of(degrees(40)),
+                                            {{2, 1, BlockHold::free}, {2, 1, {}}});
+    study.model.removal = {{1, 0.1}};
+    std::get<ReductionSearch>(*study.critical).paths = PathChoice::all;
+    const CriticalAnswer critical = find_critical(study);
+    ASSERT_EQ(critical.worst_status(), CriticalStatus::found);
+    ASSERT_EQ(critical.other.size(), 4U);
+    EXPECT_EQ(critical.other.back().path, LoadingPath::stages);
+    const double expected = std::tan(degrees(40)) / std::tan(degrees(30));
+    for (const PathValue& other : critical.other) {
+        if (other.path != LoadingPath::sudden) {
+            EXPECT_NEAR(other.value(), expected, half_bracket) << word_of(other.path);
+        }
+        ASSERT_TRUE(other.failed);
+        EXPECT_EQ(other.failed->result.block[0].movement, BlockMovement::removed);
+    }
+    EXPECT_NEAR(critical.value(), expected, half_bracket);
+}
+
+// c A = W (sin - cos tan phi): weight at which cohesion no longer holds what friction does not.
+TEST(LoadingPaths, WeightGrowsUntilCohesionIsSpent) {
+    RelaxationStudy study = squat_block(degrees(35), degrees(30), 20e3);
+    study.critical = WeightSearch{};
+    const CriticalAnswer critical = find_critical(study);
+    ASSERT_EQ(critical.status, CriticalStatus::found);
+    EXPECT_EQ(name_of_critical(parameter_of(*study.critical)), "critical_weight_factor");
+    const double weight = 2700 * gravity * 2;
+    const double expected =
+        20e3 * 2 / (weight * (std::sin(degrees(35)) - std::cos(degrees(35)) * std::tan(degrees(30))));
+    EXPECT_LT(critical.value(), expected * 1.01);
+    EXPECT_GT(critical.value(), 0.3 * expected);
+}
+
+}  // namespace
+}  // namespace delabole
