@@ -19,6 +19,11 @@ void check_joint(Checker& checker, const std::string& key, const RelaxationJoint
         checker.complain(key + ".residual_friction_angle",
                          "must not exceed the peak, " + readable_quantity(joint.friction_angle, Dimension::angle));
     }
+    if (joint.residual_cohesion && *joint.residual_cohesion > joint.cohesion.value_or(0)) {
+        checker.complain(
+            key + ".residual_cohesion",
+            "must not exceed the cohesion, " + readable_quantity(joint.cohesion.value_or(0), Dimension::stress));
+    }
     if (joint.shear_stiffness && !joint.normal_stiffness) {
         checker.complain(key + ".shear_stiffness", "needs normal_stiffness beside it");
     }

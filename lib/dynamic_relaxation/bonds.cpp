@@ -309,7 +309,7 @@ double hand_over(const Bond& bond, const Bodies& bodies, const std::vector<Motio
         memory.place = place.slide;
         if (memory.touching) {
             const double share = shear * pressing[taker.end] / (pressing[0] + pressing[1]) / weights[taker.end];
-            const double most = force * law.residual_friction;
+            const double most = force * law.residual_friction + law.residual_cohesion;
             // Both ways of naming the pair reverse edge and force: the sign is the same.
             memory.shear = -std::clamp(share, -most, most) / law.shear_stiffness;
             held += elastic_energy(law, contact, memory, motion[contact.block], motion[contact.other]);

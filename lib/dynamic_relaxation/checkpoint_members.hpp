@@ -24,7 +24,8 @@ concept IsMaybeConst = std::same_as<std::remove_const_t<T>, Struct>;
     }
 
 DELABOLE_MEMBERS(Motion, x, y, sine, versine, vx, vy, spin, angle)
-DELABOLE_MEMBERS(EdgeEnds, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, alone)
+DELABOLE_MEMBERS(EdgeEnds, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, alone,
+                 residual_cohesion)
 DELABOLE_MEMBERS(JointLaw, normal_stiffness, shear_stiffness, normal_dashpot, shear_dashpot, friction,
                  residual_friction, cohesion, tension)
 DELABOLE_MEMBERS(ContactBlocks, block, other, twin, ends, joint)
@@ -67,7 +68,7 @@ DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluat
                  unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, outcome)
 
 DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,
-                 tensile_strength, bond)
+                 tensile_strength, bond, residual_cohesion)
 DELABOLE_MEMBERS(BondMaterial, young_modulus, shear_modulus, tensile_strength, cohesion, friction_angle, spacing)
 DELABOLE_MEMBERS(FaceBond, block, edge, other, other_edge, material)
 DELABOLE_MEMBERS(RelaxationBlock, outline, density, fixed, held_at_first, joint)

@@ -3,7 +3,7 @@
 //   normal   spring in compression, w k_n overlap; with tensile strength, in tension too until that is reached
 //   (Fig 5.4(a)) shear    spring over the displacement since first touch, w k_s shear, at most w (normal spring)
 //   tan(friction) + cohesion
-//            (Fig 5.4(b)); with a peak, the residual angle once it has slipped or opened (Fig 5.4(c))
+//            (Fig 5.4(b)); with a peak, the residual angle and cohesion once it has slipped or opened (Fig 5.4(c))
 //   dashpots in parallel with both, none in shear while sliding (5.2.2), and none that would pull the corner back
 //
 // w is the weight near an edge's end (contacts.hpp). Springs and dashpots are kept apart: a dashpot's force never
@@ -167,7 +167,8 @@ DELABOLE_INLINED ContactVelocity<Number> velocity_of(const ContactPositionOf<Num
 // A corner that bears: slips as far as its strength demands, and its dashpots act. The shear spring has followed the
 // corner already. `damping`: dissipated so far, with what the drags of the last step did up to now.
 template <class Number>
-DELABOLE_INLINED ForceOnCornerOf<Number> bear(const JointLawOf<Number>& law, const ContactPositionOf<Number>& at,
+DELABOLE_INLINED ForceOnCornerOf<Number> bear(const JointLawOf<Number>& law, const Number& residual_cohesion,
+                                              const ContactPositionOf<Number>& at,
                                               const ContactVelocity<Number>& velocity, const Number& weight,
                                               const Number& force_before, const Number& damping,
                                               const double& half_step, ContactMemoryOf<Number>& memory) {
@@ -175,7 +176,7 @@ DELABOLE_INLINED ForceOnCornerOf<Number> bear(const JointLawOf<Number>& law, con
     const Number overlap = -at.gap;
     const Number normal = law.normal_stiffness * overlap;
     const Number pressing = greater(normal, Number{});
-    const Number residual = pressing * law.residual_friction;
+    const Number residual = pressing * law.residual_friction + residual_cohesion;
     const Number strength = select(memory.broken, residual, pressing * law.friction + law.cohesion);
     const Number held_by_spring = -law.shear_stiffness * memory.shear;
     memory.sliding = absolute(held_by_spring) > strength;
@@ -279,7 +280,7 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
         open();
         return {};
     }
-    return bear<double>(law, at, velocity, weight, force_before, damping, step / 2, memory);
+    return bear<double>(law, law.residual_cohesion, at, velocity, weight, force_before, damping, step / 2, memory);
 }
 
 // J/m, in both springs.

@@ -36,7 +36,7 @@ DELABOLE_INLINED MotionOf<Lanes> gather_motion(const Rows<Lanes>& rows) {
 template <IsLanes Lanes>
 DELABOLE_INLINED EdgeEndsOf<Lanes> gather_ends(const Rows<Lanes>& rows) {
     const std::array<Lanes, 8> of = gather_eight<Lanes>(rows);
-    return {of[0], of[1], of[2], of[3], of[4], of[5], of[6]};
+    return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]};
 }
 
 // In most groups all have the same.
@@ -258,7 +258,7 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
         memory.shear = select(mask_of<Lanes>(begins.simply), Lanes{}, memory.shear);
     }
     const ForceOnCornerOf<Lanes> force =
-        bear<Lanes>(joint, at, velocity, weight, force_before, damping, half_step, memory);
+        bear<Lanes>(joint, ends.residual_cohesion, at, velocity, weight, force_before, damping, half_step, memory);
     const auto which = mask_of<Lanes>(bearing);
     const auto keep = [&](const Lanes& now, const Lanes& then, NumberGroup& group) __attribute__((always_inline)) {
         part.keep(select(which, now, then), group);

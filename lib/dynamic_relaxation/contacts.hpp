@@ -44,6 +44,7 @@ struct alignas(8 * sizeof(double)) EdgeEndsOf {
     // 1 where not both may bear at a time; 2 where moreover the rival is the edge of the corner's own block on which
     // the edge's end may bear: see corner_choice.hpp. 0 where not.
     Number alone;
+    Number residual_cohesion;  // N/m, over half the shared length: here because the row of JointLaw is full
 
     bool operator==(const EdgeEndsOf&) const = default;
 };

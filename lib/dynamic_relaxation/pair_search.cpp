@@ -320,6 +320,7 @@ ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const 
     if (joint.cohesion != 0 || joint.tensile_strength != 0) {
         const double half_shared = shared_length(block, face, other, edge, bodies_.length[other.begin + edge]) / 2;
         law.cohesion = joint.cohesion * half_shared;
+        law.residual_cohesion = joint.residual_cohesion * half_shared;
         law.tension = joint.tensile_strength * half_shared;
     }
     return law;

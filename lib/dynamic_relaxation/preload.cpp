@@ -97,7 +97,8 @@ class Preload {
             const RelaxationContact contact = list.contact[index];
             const ContactLaw law = list.law_of(contact);
             ContactMemory memory = list.memory[index];
-            if (!memory.touching || memory.broken || (law.cohesion == 0 && law.friction == law.residual_friction)) {
+            if (!memory.touching || memory.broken ||
+                (law.cohesion == law.residual_cohesion && law.friction == law.residual_friction)) {
                 continue;
             }
             const double overlap = -locate(contact, motion[contact.block], motion[contact.other]).gap;

@@ -59,6 +59,7 @@ struct RelaxationJoint {
     std::optional<double> normal_stiffness;
     std::optional<double> shear_stiffness;
     std::optional<RelaxationBond> bond;
+    std::optional<double> residual_cohesion = {};
     static constexpr auto fields() {
         using J = RelaxationJoint;
         return std::tuple{number("friction_angle", &J::friction_angle, Dimension::angle, right_open(0, degrees(90)),
@@ -67,6 +68,8 @@ struct RelaxationJoint {
                                  right_open(0, degrees(90)), "after the first slip or opening; absent: as the peak"),
                           number("cohesion", &J::cohesion, Dimension::stress, at_least(0),
                                  "lost with the first slip or opening; absent: none"),
+                          number("residual_cohesion", &J::residual_cohesion, Dimension::stress, at_least(0),
+                                 "what of the cohesion is not lost; absent: none"),
                           number("tensile_strength", &J::tensile_strength, Dimension::stress, at_least(0),
                                  "lost with the first opening; absent: none"),
                           number("normal_stiffness", &J::normal_stiffness, Dimension::stiffness, more_than(0),

@@ -45,7 +45,9 @@ JointMaterial material_of(const RelaxationJoint& joint) {
             joint.friction_angle,
             joint.residual_friction_angle,
             joint.cohesion.value_or(0),
-            joint.tensile_strength.value_or(0)};
+            joint.tensile_strength.value_or(0),
+            {},
+            joint.residual_cohesion.value_or(0)};
 }
 
 // Materials of joints in their order in the case.

@@ -29,6 +29,8 @@ struct JointMaterial {
     double tensile_strength = 0;  // Pa over the shared length; lost likewise
     // Material of the bonds that find_bonds makes across faces of this joint: intact rock. Absent: the joint is open.
     std::optional<std::size_t> bond = {};
+    // Pa, what of the cohesion is not lost, at most all of it: then the joint is perfectly plastic in shear.
+    double residual_cohesion = 0;
 };
 
 // Intact rock between two blocks (bonds.hpp). Young's modulus is that of the plane: E in plane stress, E / (1 - nu^2)
@@ -151,7 +153,7 @@ enum class SceneCheck {
     stiffness_too_soft,   // a block would sink into its joint by more than a tenth of its size
     stiffness_too_stiff,  // overlaps would drown in rounding
     friction_out_of_range,
-    strength_negative,
+    strength_negative,  // or a residual cohesion above the cohesion
     unknown_block,
     unknown_material,
     unknown_edge,

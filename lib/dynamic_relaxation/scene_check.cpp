@@ -73,7 +73,7 @@ SceneCheck check_outline(const Polygon<>& outline) {
 SceneCheck check_material(const JointMaterial& joint) {
     const double residual = joint.residual_friction_angle.value_or(joint.friction_angle);
     for (const double number : {joint.normal_stiffness, joint.shear_stiffness, joint.friction_angle, residual,
-                                joint.cohesion, joint.tensile_strength}) {
+                                joint.cohesion, joint.tensile_strength, joint.residual_cohesion}) {
         if (!std::isfinite(number)) {
             return SceneCheck::number_not_finite;
         }
@@ -85,7 +85,9 @@ SceneCheck check_material(const JointMaterial& joint) {
         residual > joint.friction_angle) {
         return SceneCheck::friction_out_of_range;
     }
-    return joint.cohesion < 0 || joint.tensile_strength < 0 ? SceneCheck::strength_negative : SceneCheck::valid;
+    return joint.residual_cohesion < 0 || joint.cohesion < joint.residual_cohesion || joint.tensile_strength < 0
+               ? SceneCheck::strength_negative
+               : SceneCheck::valid;
 }
 
 SceneFault check_materials(const RelaxationScene& scene) {

@@ -71,7 +71,7 @@ std::optional<Response> respond(const ContactLaw& law, const RelaxationContact& 
     }
     const double pressing = law.normal_stiffness * std::max(overlap, 0.0);
     const double friction = memory.broken ? law.residual_friction : law.friction;
-    const double strength = pressing * friction + (memory.broken ? 0 : law.cohesion);
+    const double strength = pressing * friction + (memory.broken ? law.residual_cohesion : law.cohesion);
     response.stiffness = weight * law.normal_stiffness * normal * normal.transpose();
     const double trial = -law.shear_stiffness * memory.shear;
     const double shear = std::clamp(trial, -strength, strength);

@@ -29,6 +29,7 @@ RelaxationScene with_reduced_strength(RelaxationScene scene, std::span<const std
             joint.residual_friction_angle = divided(*joint.residual_friction_angle, factor);
         }
         joint.cohesion /= factor;
+        joint.residual_cohesion /= factor;
         joint.tensile_strength /= factor;
         if (joint.bond && reduced[*joint.bond] == 0) {
             BondMaterial& bond = scene.bond_material[*joint.bond];

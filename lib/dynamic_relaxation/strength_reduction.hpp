@@ -1,9 +1,9 @@
 // Strength divided by a factor, for a factor of safety of the strength that joints and intact rock have.
 //
-// Divided are, of a joint, cohesion, tensile strength and the tangents of the peak and of the residual friction angle;
-// of the intact rock that bonds the joint, likewise cohesion, tensile strength and the tangent of the friction angle.
-// Not divided are stiffnesses and moduli, weight, water, forces and shaking, and the friction of a belt that drives the
-// blocks. A factor below 1 raises strength.
+// Divided are, of a joint, peak and residual cohesion, tensile strength and the tangents of the peak and of the
+// residual friction angle; of the intact rock that bonds the joint, cohesion, tensile strength and the tangent of the
+// friction angle. Not divided are stiffnesses and moduli, weight, water, forces and shaking, and the friction of a belt
+// that drives the blocks. A factor below 1 raises strength.
 //
 // Reference: Zienkiewicz, O.C., Humpheson, C. & Lewis, R.W. (1975) Associated and non-associated visco-plasticity and
 // plasticity in soil mechanics. Geotechnique 25, 671-689.

@@ -136,6 +136,32 @@ TEST(TensileStrength, HoldsTheHeelOfATiltedBlock) {
         "tilted");
 }
 
+// Of a slender block the toe presses more and the heel slips first. Cohesion that is lost there brings the block down
+// early; what remains lets it stand up to limit equilibrium, W sin = W cos tan(phi) + c b, and after a slip, too.
+TEST(ResidualCohesion, LetsABlockStandUpToLimitEquilibrium) {
+    const double cohesion = 0.3;  // c b / W
+    for (const double slenderness : {0.2, 0.9}) {
+        OnPlane plane = flat(20);
+        plane.height_to_width = slenderness;
+        const double limit =
+            root([&](double tilt) { return std::sin(tilt) - std::cos(tilt) * std::tan(plane.friction) - cohesion; });
+        const auto scene_at = [&](double part, double remains) {
+            OnPlane tilted = plane;
+            tilted.tilt = part * limit;
+            RelaxationScene scene = scene_of(tilted);
+            scene.material[0].cohesion = cohesion * plane.weight() / plane.width;
+            scene.material[0].residual_cohesion = remains * scene.material[0].cohesion;
+            return scene;
+        };
+        expect_threshold([&](double part) { return scene_at(part, 1); }, "a/b " + std::to_string(slenderness));
+        RelaxationScene shaken = scene_at(0.95, 1);
+        shaken.shaking = {{0.1, {0, 0}}, {0.15, {3, 0}}, {0.2, {0, 0}}};
+        EXPECT_EQ(relax(shaken, until_onset()).outcome, RelaxationOutcome::equilibrium) << slenderness;
+        shaken.material[0].residual_cohesion = 0;
+        EXPECT_EQ(relax(shaken, until_onset()).outcome, RelaxationOutcome::onset) << slenderness;
+    }
+}
+
 TEST(PeakFriction, DropsToTheResidualWithTheFirstSlip) {
     const auto scene_at = [](double tilt, bool shaken) {
         RelaxationScene scene = scene_of(flat(35, degrees(tilt)));

@@ -192,6 +192,8 @@ TEST(Refusals, MaterialsOutOfRange) {
     expect_refused(with([](JointMaterial& one) { one.residual_friction_angle = degrees(31); }),
                    SceneCheck::friction_out_of_range, 0, "residual above the peak");
     expect_refused(with([](JointMaterial& one) { one.cohesion = -1; }), SceneCheck::strength_negative, 0, "cohesion");
+    expect_refused(with([](JointMaterial& one) { one.residual_cohesion = 1; }), SceneCheck::strength_negative, 0,
+                   "residual cohesion without cohesion");
     expect_refused(with([](JointMaterial& one) { one.tensile_strength = -1; }), SceneCheck::strength_negative, 0,
                    "tensile strength");
     for (const double bad : {0.0, -1.0}) {
