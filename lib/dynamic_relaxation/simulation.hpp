@@ -86,6 +86,7 @@ class Simulation {
     void apply_loads();
     void integrate();
     void look();
+    void audit();
     void look_for_crack();
     bool holds_at_rest() const;
     bool exchange_at_corners();
