@@ -65,6 +65,12 @@ inline RelaxationSettings unlimited(double duration) {
     return settings;
 }
 
+// Not stopped for what the blocks or their numbers must not do.
+inline bool ends_as_blocks_do(RelaxationOutcome outcome) {
+    return outcome == RelaxationOutcome::undecided || outcome == RelaxationOutcome::equilibrium ||
+           outcome == RelaxationOutcome::onset || outcome == RelaxationOutcome::collapse;
+}
+
 // Share of the energy turned over that the books cannot account for. A start in equilibrium turns over next to nothing:
 // below `scale`, J/m, it is all rounding.
 inline double energy_error(const RelaxationResult& result, double scale) {

@@ -74,7 +74,7 @@ TEST(Corners, OnACornerDoNotExplode) {
             simulation.step();
         }
         const RelaxationResult result = simulation.result();
-        EXPECT_EQ(result.outcome, RelaxationOutcome::undecided) << index;
+        EXPECT_TRUE(ends_as_blocks_do(result.outcome)) << index;
         EXPECT_LT(energy_error(result, 1e-6 * density * gravity), 0.02) << index;
         EXPECT_LE(result.ledger.kinetic, result.ledger.applied + 1e-6 * density * gravity) << index;
         for (std::size_t block = 0; block + 1 < scene.block.size(); ++block) {
@@ -252,7 +252,7 @@ TEST(Fuzz, HeapsOfPolygonsDoNotExplodeOrSink) {
             simulation.step();
         }
         const EnergyLedger ledger = simulation.ledger();
-        EXPECT_EQ(simulation.outcome(), RelaxationOutcome::undecided) << "trial " << trial;
+        EXPECT_TRUE(ends_as_blocks_do(simulation.outcome())) << "trial " << trial;
         ASSERT_TRUE(std::isfinite(ledger.kinetic)) << "trial " << trial;
         // No energy from nowhere. What is lost beyond the books is that of impacts which last some eight steps.
         EXPECT_GT(ledger.residual(), -0.02 * ledger.turnover()) << "trial " << trial;
