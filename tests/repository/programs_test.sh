@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # No program looks for shared libraries in the folder from which it is called: every element of every run path, of what is
-# built and of what is installed, is an absolute folder.
+# built and of what is installed, is an absolute folder. The program itself, built as Release, is hardened: see the options
+# in CMakeLists.txt.
 set -euo pipefail
 export LC_ALL=C
 work=$(mktemp -d)
@@ -42,6 +43,15 @@ while IFS= read -r -d '' program; do
         failed=1
     fi
 done < <(find "$DELABOLE_BUILD" "$work/prefix" -name CMakeFiles -prune -o -type f -executable -print0)
+if grep -q '^CMAKE_BUILD_TYPE:[A-Z]*=Release$' "$DELABOLE_BUILD/CMakeCache.txt"; then
+    readelf -hldW "$DELABOLE_BUILD/bin/delabole" >"$work/headers"
+    for mark in 'Type: +DYN' 'GNU_RELRO' '\(FLAGS\).*BIND_NOW|\(FLAGS_1\).*NOW'; do
+        if ! grep -qE "$mark" "$work/headers"; then
+            echo "delabole: its headers lack $mark"
+            failed=1
+        fi
+    done
+fi
 if [[ $programs -lt 2 ]]; then
     echo "found no programs, built and installed"
     failed=1
