@@ -100,7 +100,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, const
       team_(std::max<std::size_t>(settings_.threads, 1)),
       contact_forces_(bodies_, team_),
       bonds_(scene_, bodies_, settings_.viscous_damping, team_),
-      contact_watch_(scene_, bodies_, settings_.viscous_damping) {
+      contact_watch_(scene_, bodies_, settings_) {
     settings_.start = RelaxationStart::preloaded;
     prepare();
     begin(JointsAtStart::as_left);
