@@ -1,6 +1,7 @@
 // Dynamic relaxation as the reader knows it.
 #include "cases/jointed_slope_case.hpp"
 #include "cases/model_cases.hpp"
+#include "cases/spelling.hpp"
 #include "cases/units.hpp"
 #include "dynamic_relaxation/joint_water.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
