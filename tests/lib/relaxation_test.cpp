@@ -333,7 +333,7 @@ TEST(Books, BalanceInRandomisedDoubleBlocks) {
         settings.stop_at_equilibrium = false;
         settings.duration = 1.0;
         const RelaxationResult result = relax(scene, settings);
-        ASSERT_TRUE(ends_as_blocks_do(result.outcome)) << "trial " << trial;
+        ASSERT_TRUE(relaxation_scenes::ends_as_blocks_do(result.outcome)) << "trial " << trial;
         // Pairs that stand preloaded turn over less than this share of what their springs hold, W^2 / k.
         const double weight = density * gravity * row.height_to_width;
         const double error = relaxation_scenes::energy_error(result, 1e-9 * weight / row.stiffness_ratio);
