@@ -267,6 +267,10 @@ std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const Colum
         results[index].height = column.height;
         results[index].weight = column.weight;
     }
+    // Of a push without bound on a smooth joint, too.
+    const auto friction_of = [&](double push) {
+        return reduced.joint_friction > 0 ? reduced.joint_friction * push : 0;
+    };
     const auto record = [&](std::size_t index, const Column<>& column, const JointForce<>& upper, double toppling,
                             double sliding, double lower) {
         ColumnResult& result = results[index];
@@ -278,33 +282,36 @@ std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const Colum
         result.lower_force = lower;
         result.lower_force_height = column.lower_contact;
         // The joint below is loaded only by a column that moves.
-        result.normal_reaction = column.normal_force + upper.shear - reduced.joint_friction * lower;
+        result.normal_reaction = column.normal_force + upper.shear - friction_of(lower);
         result.shear_reaction = column.down_dip_force + upper.normal - lower;
-        const double moment = column.overturning_moment + upper.normal * upper.height - upper.shear * column.width -
-                              lower * result.lower_force_height;
-        result.friction_ratio = result.normal_reaction > 0 ? result.shear_reaction / result.normal_reaction : infinity;
-        const bool unloaded = result.normal_reaction == 0 && moment == 0;  // a column of no height
+        // Beside a push without bound nothing else counts: then of one newton of it.
+        const bool bounded = std::isfinite(upper.normal);
+        const double normal = bounded ? result.normal_reaction : reduced.joint_friction;
+        const double shear = bounded ? result.shear_reaction : 1;
+        const double moment = bounded ? column.overturning_moment + upper.normal * upper.height -
+                                            upper.shear * column.width - lower * result.lower_force_height
+                                      : upper.height - reduced.joint_friction * column.width;
+        result.friction_ratio = normal > 0 ? shear / normal : infinity;
+        const bool unloaded = normal == 0 && moment == 0;  // a column of no height
         result.reaction_position = result.mode == ColumnMode::topples || unloaded ? 0
-                                   : result.normal_reaction > 0 ? -moment / (result.normal_reaction * column.width)
-                                                                : infinity;
+                                   : normal > 0                                   ? -moment / (normal * column.width)
+                                                                                  : infinity;
         // Moments balance to rounding where the column just topples.
         constexpr double rounding = 1e-9;
         result.reaction_inside_base = result.reaction_position >= -rounding && result.reaction_position <= 1 + rounding;
-        const double unresolved = rounding * (std::abs(column.normal_force) + std::abs(lower));
-        result.base_friction_holds = result.normal_reaction >= -unresolved &&
-                                     std::abs(result.shear_reaction) <= reduced.base_friction * result.normal_reaction +
-                                                                            reduced.base_cohesion * column.width +
-                                                                            unresolved;
+        const double unresolved = bounded ? rounding * (std::abs(column.normal_force) + std::abs(lower)) : rounding;
+        const double cohesion = bounded ? reduced.base_cohesion * column.width : 0;
+        result.base_friction_holds =
+            normal >= -unresolved && std::abs(shear) <= reduced.base_friction * normal + cohesion + unresolved;
     };
     const JointForce<> head = head_force(slope, strength, factor);
     JointForce<> upper = head;
-    const ToeBalance<> toe =
-        descend(slope, reduced, head,
-                [&](std::size_t index, const Column<>& column, const JointForce<>& force, double toppling,
-                    double sliding, double lower) {
-                    record(index, column, force, toppling, sliding, lower);
-                    upper = {lower, reduced.joint_friction * lower, slope.columns[index - 1].upper_contact};
-                });
+    const ToeBalance<> toe = descend(slope, reduced, head,
+                                     [&](std::size_t index, const Column<>& column, const JointForce<>& force,
+                                         double toppling, double sliding, double lower) {
+                                         record(index, column, force, toppling, sliding, lower);
+                                         upper = {lower, friction_of(lower), slope.columns[index - 1].upper_contact};
+                                     });
     // The toe column has no neighbour to lean on: it moves where a force would be needed.
     const Column<>& first = slope.columns.front();
     const double toppling = toe.overturning_moment / toe_lever(first);

@@ -143,7 +143,8 @@ struct ColumnResult {
     bool base_friction_holds;   // S within the base's strength in either direction, and R no tension
 };
 
-// From the toe up, at the strength divided by a factor.
+// From the toe up, at the strength divided by a factor. Where no push holds a column, that on the toe column is
+// infinite and its ratio and position are those of the push alone; the columns between them are left out: 0, stays.
 std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const ColumnStrength<>& strength,
                                          double factor = 1);
 

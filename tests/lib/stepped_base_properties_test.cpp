@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace delabole {
@@ -162,6 +163,35 @@ TEST(SteppedBaseProperties, BasesThatCannotGiveTheirReactionAreCounted) {
     EXPECT_GT(pushed.normal_reaction, 0);
     EXPECT_LT(pushed.shear_reaction, -0.65 * pushed.normal_reaction);
     EXPECT_FALSE(pushed.base_friction_holds);
+}
+
+// Fuzzing: infinity over infinity. Bases steeper than their friction under joints of so much that pushing frees the
+// columns: none can be held, and the toe column is pushed without bound.
+TEST(SteppedBaseProperties, OfAPushWithoutBoundAreNumbers) {
+    const SteppedBase<> steep = dry_blocks(
+        degrees(30), {{0.4, 1, 0, std::nullopt}, {0.4, 1, 0, std::nullopt}, {0.4, 1, 0, std::nullopt}}, degrees(50));
+    const ColumnSlope<> slope = make_columns(steep.scene);
+    ASSERT_EQ(slope.check, ColumnCheck::valid);
+    const ColumnStrength<> strength{std::tan(degrees(50)), 1, 0};
+    const ColumnResult toe = column_results(slope, strength).front();
+    EXPECT_EQ(toe.upper_force, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(toe.normal_reaction, std::numeric_limits<double>::infinity());
+    EXPECT_DOUBLE_EQ(toe.friction_ratio, 1 / std::tan(degrees(50)));
+    EXPECT_DOUBLE_EQ(toe.reaction_position, 1 - 0.4 / std::tan(degrees(50)));
+    EXPECT_TRUE(toe.base_friction_holds);  // 50 and 45 deg are more than 90
+    // A tall column that leans over a low neighbour, on smooth joints: the push has no friction.
+    const SteppedBase<> tall = dry_blocks(
+        degrees(60), {{1, 3, 0, std::nullopt}, {1, 3, 1, std::nullopt}, {9, 1, 0, std::nullopt}}, degrees(30));
+    const ColumnSlope<> leaning = make_columns(tall.scene);
+    ASSERT_EQ(leaning.check, ColumnCheck::valid);
+    const std::vector<ColumnResult> columns = column_results(leaning, {0, 1, 0});
+    EXPECT_EQ(columns.front().upper_force, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(columns.front().friction_ratio, std::numeric_limits<double>::infinity());
+    EXPECT_FALSE(columns.front().base_friction_holds);
+    for (const ColumnResult& column : columns) {
+        EXPECT_FALSE(std::isnan(column.normal_reaction)) << column.number;
+        EXPECT_FALSE(std::isnan(column.reaction_position)) << column.number;
+    }
 }
 
 TEST(SteppedBaseProperties, EndsOfTheRangesOfStrength) {
