@@ -24,7 +24,8 @@ concept IsMaybeConst = std::same_as<std::remove_const_t<T>, Struct>;
     }
 
 DELABOLE_MEMBERS(Motion, x, y, sine, versine, vx, vy, spin, angle)
-DELABOLE_MEMBERS(EdgeEnds, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, residual_cohesion)
+DELABOLE_MEMBERS(EdgeEnds, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, alone,
+                 residual_cohesion)
 DELABOLE_MEMBERS(JointLaw, normal_stiffness, shear_stiffness, normal_dashpot, shear_dashpot, friction,
                  residual_friction, cohesion, tension)
 DELABOLE_MEMBERS(ContactBlocks, block, other, twin, ends, joint)
@@ -32,7 +33,7 @@ DELABOLE_MEMBERS(ContactCorner, corner, edge)
 DELABOLE_MEMBERS(ContactShapeOf<double>, arm_x, arm_y, other_arm_x, other_arm_y, along_x, along_y, gap, from_start,
                  to_end)
 DELABOLE_MEMBERS(ContactNumbersOf<double>, shear, place, damping, normal_drag, shear_drag, slip, friction)
-DELABOLE_MEMBERS(ContactFlagsOf<bool>, touching, sliding, broken, beneath)
+DELABOLE_MEMBERS(ContactFlagsOf<bool>, touching, sliding, broken, beneath, yields, tried)
 // Of structs that have others as bases: these.
 template <class Object, class... Bases>
 auto bases_of(Object& object) {

@@ -69,6 +69,27 @@ DELABOLE_INLINED ContactPosition locate(const RelaxationContact& contact, const 
     return locate<double>(contact, block, other);
 }
 
+// Beside the edge's rival: its overlap, and the way along it from the end that they have in common.
+template <class Number>
+struct RivalPlace {
+    Number overlap;
+    Number way;
+};
+
+template <class Number>
+DELABOLE_INLINED RivalPlace<Number> place_at_rival(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
+                                                   const ContactPositionOf<Number>& at) {
+    const Number overlap = -at.gap;
+    const Number t = select(ends.rival > Number{}, at.position, length_to_end - at.slide);
+    return {t * ends.rival_sine - overlap * ends.rival_cosine, t * ends.rival_cosine + overlap * ends.rival_sine};
+}
+
+// Of two edges of which one bears: whether that with one overlap bears no longer, or the other takes over.
+template <class Number>
+DELABOLE_INLINED auto gives_way(const EdgeEndsOf<Number>& ends, const Number& overlap, const Number& other_overlap) {
+    return ((overlap - other_overlap) * ends.inverse_blend > 1.0) & (overlap > other_overlap * 2.0);
+}
+
 template <class Number>
 DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
                                        const ContactPositionOf<Number>& at) {
@@ -88,13 +109,18 @@ DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Num
     Number weight = lesser(at_start, at_end);
     const auto has_rival = ends.rival != Number{};
     if (any(has_rival)) {
-        // With t the way from the common end, the rival's overlap and the way along it.
-        const Number t = select(ends.rival > Number{}, at.position, to_end);
-        const Number other_overlap = t * ends.rival_sine - overlap * ends.rival_cosine;
-        const Number other_way = t * ends.rival_cosine + overlap * ends.rival_sine;
+        const auto [other_overlap, other_way] = place_at_rival<Number>(ends, length_to_end, at);
         const Number half = Number{} + 0.5;
-        const Number against =
+        Number against =
             half + ramp(lesser(overlap, other_overlap), half) * greater(other_overlap - overlap, -other_way);
+        const auto alone = ends.alone > Number{};
+        if (any(alone)) {
+            // It bears as far as the blocks overlap, which they do not where they are apart over the rival.
+            const Number one = Number{} + 1.0;
+            const Number both =
+                select(gives_way<Number>(ends, overlap, other_overlap), Number{}, other_overlap * ramp(overlap, one));
+            against = select(alone, both, against);
+        }
         weight = lesser(weight, select(has_rival, against, weight));
     }
     return lesser(greater(weight, Number{}), Number{} + 1.0);
@@ -102,6 +128,25 @@ DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Num
 
 inline double contact_weight(const EdgeEnds& ends, const RelaxationContact& contact, const ContactPosition& at) {
     return contact_weight<double>(ends, contact.to_end, at);
+}
+
+// Whether a corner without weight is past the edge's end, or overlaps it over its rival rather. A rival that may bear
+// as well takes over by itself; of two of which one bears, the other has to be told, and overlaps as small as loads
+// make them do not tell.
+template <class Number>
+DELABOLE_INLINED auto is_past_end(const EdgeEndsOf<Number>& ends, const Number& overlap) {
+    return (ends.rival == Number{}) | ((ends.alone > Number{}) & (overlap * ends.inverse_blend > 1.0));
+}
+
+// Whether a contact that yields no longer does.
+template <class Number>
+DELABOLE_INLINED auto takes_over(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
+                                 const ContactPositionOf<Number>& at) {
+    return gives_way<Number>(ends, place_at_rival<Number>(ends, length_to_end, at).overlap, -at.gap);
+}
+
+inline bool takes_over(const EdgeEnds& ends, const RelaxationContact& contact, const ContactPosition& at) {
+    return takes_over<double>(ends, contact.to_end, at);
 }
 
 // How fast a corner leaves its edge and moves along it, m/s.
@@ -201,10 +246,11 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
             return {};
         }
         // A twin hands over where both are about as deep.
-        if (memory.beneath && (!twin || overlap > 1.5 * twin->overlap)) {
+        if (memory.yields ? !takes_over(law, contact, at)
+                          : memory.beneath && (!twin || overlap > 1.5 * twin->overlap)) {
             return {};
         }
-        memory.beneath = false;
+        memory.beneath = memory.yields = false;
     }
     const ContactVelocity<double> velocity = velocity_of<double>(at, block, other);
     const double damping = damping_until_now<double>(memory, velocity, step / 2);
@@ -217,7 +263,7 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
     };
     if (weight == 0 || (overlap <= 0 && !bonded)) {
         open();
-        memory.beneath = overlap > 0 && law.rival == 0;
+        memory.beneath = overlap > 0 && is_past_end<double>(law, overlap);
         return {};
     }
     const double force_before = law.shear_stiffness * std::abs(memory.shear);

@@ -41,6 +41,9 @@ struct alignas(8 * sizeof(double)) EdgeEndsOf {
     Number rival;
     Number rival_sine;  // of the interior angle between the two
     Number rival_cosine;
+    // 1 where not both may bear at a time; 2 where moreover the rival is the edge of the corner's own block on which
+    // the edge's end may bear: see corner_choice.hpp. 0 where not.
+    Number alone;
     Number residual_cohesion;  // N/m, over half the shared length: here because the row of JointLaw is full
 
     bool operator==(const EdgeEndsOf&) const = default;
@@ -124,6 +127,8 @@ struct ContactFlagsOf {
     // Below the line of the edge without having come there over the edge, for instance past its end: no overlap of this
     // edge, and none to bear with, until the corner has been above.
     Flag beneath{};
+    Flag yields{};  // does not bear, for its rival does alone (corner_choice.hpp)
+    Flag tried{};   // balance was found with this one bearing, before it had to yield (corner_choice.hpp)
 };
 
 template <class Number>

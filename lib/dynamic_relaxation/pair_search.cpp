@@ -1,6 +1,7 @@
 #include "dynamic_relaxation/pair_search.hpp"
 
 #include "dynamic_relaxation/contact_law.hpp"
+#include "dynamic_relaxation/corner_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,9 @@ constexpr double lean_while_touching = 0.7;
 constexpr double blend_way = 1e-3;
 // A joint drawn open by less than this, in shortest edges, is closed.
 constexpr double closed = 1e-3;
+// Corners drawn nearer to each other than this, in shortest edges, are one point: overlaps of rounding do not tell
+// which edge they meet over.
+constexpr double coincident = 1e-6;
 // A corner that is found below an edge came there over the edge if it is no deeper than this, in margins.
 constexpr double came_over = 0.01;
 // Deeper corners belong to the block's other side.
@@ -180,8 +184,9 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
     const bool at_start = start_is_near != far_counts;
     const std::size_t beyond = other.begin + (far_counts ? far : near);
     bool rival = far_counts || near_bears;
+    const bool alone = rival && bodies_.along[edge_number].dot(bodies_.along[beyond]) < one_face;
     const double from_end = at_start ? position : length - position;
-    if (rival && std::abs(from_end) < at_tip * shortest_) {
+    if (rival && !alone && std::abs(from_end) < at_tip * shortest_) {
         const double excess = dip_beyond_that_of(corner_number, edge_number, beyond, at_start);
         if (excess > clearly_less) {
             return;
@@ -195,9 +200,37 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
         law.rival = at_start ? 1 : -1;
         law.rival_sine = std::abs(one.x() * two.y() - one.y() * two.x());
         law.rival_cosine = -one.dot(two);
+        law.alone = alone ? 1 : 0;
+    }
+    add_twin_as_rival(block, corner, other, edge, at_start, law);
+    if (law.alone > 0) {
+        // How far the blocks overlap is all that the weight depends on at this end.
+        (at_start ? law.start_weight : law.end_weight) = 1;
     }
     found.contact.push_back(contact_of(corner_number, edge_number));
     found.law.push_back(law);
+}
+
+// Beyond the edge's end the end itself may bear on a face of the corner's block. Between edges of two blocks the angle
+// changes as they turn: it is rounded, so that the law stays the same from search to search.
+void PairSearch::add_twin_as_rival(const Side& block, std::size_t corner, const Side& other, std::size_t edge,
+                                   bool at_start, ContactLaw& law) const {
+    const std::size_t end = at_start ? edge : other.after(edge);
+    const std::size_t face = at_start ? block.before(corner) : corner;
+    const PlanePoint<> inward = at_start ? other.along[edge] : PlanePoint<>(-other.along[edge]);
+    const PlanePoint<> along_face = at_start ? PlanePoint<>(-block.along[face]) : block.along[face];
+    const double cosine = inward.dot(along_face);
+    // The one nearer in its normal is the neighbour on the outline of all differences.
+    const bool farther = law.alone > 0 && cosine < -law.rival_cosine;
+    if (cosine > one_face || farther || !can_bear(other, end, block, face)) {
+        return;
+    }
+    constexpr double round_to = 1.0 / 64;
+    const double angle = std::round(std::acos(std::max(cosine, -1.0)) / round_to) * round_to;
+    law.rival = at_start ? 1 : -1;
+    law.rival_sine = std::sin(angle);
+    law.rival_cosine = -std::cos(angle);
+    law.alone = 2;
 }
 
 bool PairSearch::can_bear(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const {
@@ -323,6 +356,7 @@ void PairSearch::pair_twins(PairContacts& found) const {
 
 void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion) const {
     found.memory.resize(found.contact.size());
+    std::vector<char> is_new(found.contact.size(), 1);
     for (std::size_t index = 0; index < found.contact.size(); ++index) {
         RelaxationContact& contact = found.contact[index];
         const ContactLaw& law = found.law[index];
@@ -332,15 +366,24 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
         if (before != unknown) {
             memory = list_->memory[before];
             contact.gap += memory.shortened;
+            is_new[index] = 0;
         } else {
             memory.broken = !(first_ && contact.gap <= closed * shortest_);
-            memory.beneath = first_
-                                 ? beside(bodies_, contact, shortest_)
-                                 : law.rival == 0 && locate(contact, motion[contact.block], motion[contact.other]).gap <
-                                                         -came_over * margin_;
+            memory.beneath =
+                first_ ? beside(bodies_, contact, shortest_)
+                       : (law.rival == 0 || law.alone == 2) &&
+                             locate(contact, motion[contact.block], motion[contact.other]).gap < -came_over * margin_;
             memory.touching = !memory.broken && !memory.beneath && (law.tension > 0 || contact.gap < 0);
         }
-        if (memory.beneath) {
+    }
+    const double tilt = scene_.gravity.tilt;
+    choose_at_corners({bodies_, motion}, is_new, first_ ? coincident * shortest_ : 0, {std::sin(tilt), std::cos(tilt)},
+                      found);
+    for (std::size_t index = 0; index < found.contact.size(); ++index) {
+        const RelaxationContact& contact = found.contact[index];
+        const ContactLaw& law = found.law[index];
+        const ContactMemory& memory = found.memory[index];
+        if (memory.beneath || memory.yields) {
             continue;
         }
         const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);

@@ -60,6 +60,8 @@ class PairSearch {
     void place(std::uint32_t block, const std::vector<Motion>& motion, Side& side) const;
     static double measure(const Side& block, const Side& other, Gaps& gaps);
     void add_corner(std::size_t side, std::size_t corner, std::size_t edge, PairContacts& found) const;
+    void add_twin_as_rival(const Side& block, std::size_t corner, const Side& other, std::size_t edge, bool at_start,
+                           ContactLaw& law) const;
     bool can_bear(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;
     double dip_beyond_that_of(std::size_t corner, std::size_t edge, std::size_t beyond, bool at_start) const;
     RelaxationContact contact_of(std::size_t corner, std::size_t edge) const;

@@ -1,6 +1,7 @@
 #include "dynamic_relaxation/preload.hpp"
 
 #include "dynamic_relaxation/contact_law.hpp"
+#include "dynamic_relaxation/corner_choice.hpp"
 
 #include <Eigen/LU>
 #include <Eigen/SparseLU>
@@ -40,9 +41,9 @@ Response respond(const ContactLaw& law, const RelaxationContact& contact, const 
     const bool bonded = law.tension > 0 && !memory.broken && memory.touching;
     memory.shear += at.slide - memory.place;
     memory.place = at.slide;
-    memory.touching = (overlap > 0 && !memory.beneath) || bonded;
+    memory.touching = (overlap > 0 && !memory.beneath && !memory.yields) || bonded;
     memory.sliding = false;
-    if (memory.beneath || (overlap < -hair && !bonded)) {
+    if (memory.beneath || memory.yields || (overlap < -hair && !bonded)) {
         memory.shear = 0;
         return response;
     }
@@ -112,11 +113,13 @@ class Preload {
         if (found.ratio > settings_.tolerance && !creeps() && !bonds_.empty() && free_blocks_.size() < few_blocks) {
             approach_in_steps(start, memory, found, motion, list);
         }
-        // Peak strength goes one joint after the other, wherever it is reached.
-        while (found.ratio <= settings_.tolerance && break_spent(motion, list)) {
-            start = motion;
-            found = approach(start, motion, list);
-        }
+        do {
+            // Peak strength goes one joint after the other, wherever it is reached.
+            while (found.ratio <= settings_.tolerance && break_spent(motion, list)) {
+                start = motion;
+                found = approach(start, motion, list);
+            }
+        } while (found.ratio <= settings_.tolerance && exchange(found, motion, list));
         found.contacts_evaluated = contacts_evaluated_;
         return found;
     }
@@ -143,6 +146,26 @@ class Preload {
         }
         found = std::move(last);
         motion = std::move(stepped);
+    }
+
+    // What a corner on a corner holds has to be held either way (corner_choice.hpp). What has found balance again is
+    // put back to where it was. Returns whether there was anything to exchange.
+    bool exchange(Preloaded& found, std::vector<Motion>& motion, ContactList& list) {
+        MemoryArray memory_before = list.memory;
+        if (exchange_at_corners({bodies_, motion}, weights(), list).empty()) {
+            return false;
+        }
+        const std::vector<Motion> before = motion;
+        const MemoryArray exchanged = list.memory;
+        Preloaded other = approach(before, motion, list);
+        if (other.ratio > settings_.tolerance) {
+            found = std::move(other);
+            return true;
+        }
+        motion = before;
+        list.memory = std::move(memory_before);
+        note_tried(exchanged, list.memory);
+        return true;
     }
 
     // Contacts with a peak that carry all they can slip, and have their residual strength from then on.
@@ -234,6 +257,14 @@ class Preload {
         motion = best.most_balanced;
         list.memory = best_memory;
         return best;
+    }
+
+    std::vector<double> weights() const {
+        std::vector<double> weight(bodies_.size(), std::numeric_limits<double>::infinity());
+        for (const std::size_t block : free_blocks_) {
+            weight[block] = loads_[block].head<2>().norm();
+        }
+        return weight;
     }
 
     int most_rounds() const {

@@ -352,7 +352,8 @@ SceneFault check_start(const RelaxationScene& scene) {
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         const RelaxationContact contact = list.contact[index];
         const ContactPosition at = locate(contact, unmoved[contact.block], unmoved[contact.other]);
-        if (!list.memory[index].beneath && contact_weight(list.law_of(contact), contact, at) > 0 &&
+        if (!list.memory[index].beneath && !list.memory[index].yields &&
+            contact_weight(list.law_of(contact), contact, at) > 0 &&
             -at.gap > allowed(contact.block, contact.other, list.law_of(contact).normal_stiffness)) {
             return {SceneCheck::overlap_at_start, contact.block, contact.other};
         }

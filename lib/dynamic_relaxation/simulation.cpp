@@ -2,6 +2,7 @@
 
 #include "dynamic_relaxation/base_friction.hpp"
 #include "dynamic_relaxation/contact_law.hpp"
+#include "dynamic_relaxation/corner_choice.hpp"
 #include "dynamic_relaxation/loads.hpp"
 #include "dynamic_relaxation/preload.hpp"
 #include "dynamic_relaxation/time_step.hpp"
@@ -189,6 +190,9 @@ void Simulation::begin(JointsAtStart joints) {
         preload_springs(joints);
     } else {
         state_.origin = state_.motion;
+    }
+    if (last_scheduled_time(scene_, settings_) > 0) {
+        forget_tried(state_.contacts.memory);
     }
     // The first step evaluates all contacts.
     for (std::size_t block = 0; block < bodies_.size(); ++block) {

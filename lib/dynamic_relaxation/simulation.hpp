@@ -87,6 +87,7 @@ class Simulation {
     void integrate();
     void look();
     void look_for_crack();
+    bool exchange_at_corners();
     bool carried_along();
     void let_calm_blocks_rest();
     void take_velocities_away_at_peaks();

@@ -1,9 +1,11 @@
 // What a run looks at every so many steps: whether it is over, whether a crack has opened, which blocks rest.
+#include "dynamic_relaxation/corner_choice.hpp"
 #include "dynamic_relaxation/loads.hpp"
 #include "dynamic_relaxation/simulation.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace delabole {
@@ -49,12 +51,28 @@ void Simulation::look() {
     } else if (farthest.rotation > settings_.collapse_rotation ||
                farthest.displacement > settings_.collapse_displacement) {
         decide(RelaxationOutcome::collapse);
-    } else if (settings_.stop_at_equilibrium ? at_rest(unbalanced) : last && at_rest(lately)) {
+    } else if (settings_.stop_at_equilibrium ? at_rest(unbalanced) && !exchange_at_corners()
+                                             : last && at_rest(lately)) {
         decide(RelaxationOutcome::equilibrium);
     } else if (last && state_.onset_time >= 0) {
         // It has moved past the thresholds and has found no rest since.
         decide(RelaxationOutcome::onset);
     }
+}
+
+// Balance that relies on a corner on a corner has yet to be found with the other edge: the run goes on.
+bool Simulation::exchange_at_corners() {
+    std::vector<double> weight(bodies_.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        weight[block] = held_[block] != 0 ? weight[block] : 1 / scales_.inverse_weight[block];
+    }
+    const std::vector<std::uint32_t> concerned =
+        delabole::exchange_at_corners({bodies_, state_.motion}, weight, state_.contacts);
+    for (const std::uint32_t block : concerned) {
+        state_.calm[block] = 0;
+        state_.noticed.notice(block, state_.motion[block]);
+    }
+    return !concerned.empty();
 }
 
 // A block that a belt carries at an even speed is in balance too, but not at rest.
