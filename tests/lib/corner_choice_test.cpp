@@ -123,5 +123,86 @@ TEST(Toe, AgainstAWallIsHeld) {
     }
 }
 
+RelaxationScene on_floor(std::vector<Polygon<>> outlines, double friction, double tilt = 0) {
+    RelaxationScene scene;
+    for (Polygon<>& outline : outlines) {
+        scene.block.push_back({std::move(outline), density});
+    }
+    scene.block.push_back(fixed_block(rectangle(-20, -2, 40, 2)));
+    scene.material = {joint(1e6 * density * gravity, degrees(friction))};
+    scene.gravity.tilt = scene.gravity.final_tilt = degrees(tilt);
+    return scene;
+}
+
+Polygon<> diamond(double x, double y) {
+    const double half = std::sqrt(0.5);
+    return {{x, y}, {x + half, y + half}, {x, y + 2 * half}, {x - half, y + half}};
+}
+
+TEST(CornerOnCorner, HoldsNothingThatEitherEdgeLetsGo) {
+    // A brick on the very corner of another; and edges like knives, on which a block slides off to either side.
+    EXPECT_EQ(relax(on_floor({rectangle(0, 0, 1, 1), rectangle(1, 1, 1, 1)}, 30), until_onset()).outcome,
+              RelaxationOutcome::onset);
+    RelaxationScene knives = on_floor({diamond(0, 0), diamond(0, 2 * std::sqrt(0.5))}, 30);
+    knives.block[0].fixed = true;
+    EXPECT_EQ(relax(knives, until_onset()).outcome, RelaxationOutcome::onset);
+}
+
+// Two layers of two bricks, with joints that cross in one point; and a third joint through it.
+TEST(CornerOnCorner, CrossingJointsHoldByTheirFriction) {
+    const std::vector<Polygon<>> two{rectangle(0, 0, 2, 1), rectangle(2, 0, 2, 1), rectangle(0, 1, 2, 1),
+                                     rectangle(2, 1, 2, 1)};
+    const std::vector<Polygon<>> three{rectangle(0, 0, 2, 1),
+                                       {{2, 0}, {3, 0}, {2, 1}},
+                                       {{3, 0}, {4, 0}, {4, 1}, {2, 1}},
+                                       {{0, 1}, {2, 1}, {1, 2}, {0, 2}},
+                                       {{2, 1}, {2, 2}, {1, 2}},
+                                       rectangle(2, 1, 2, 1)};
+    for (const double tilt : {20.0, -20.0}) {
+        EXPECT_EQ(relax(on_floor(two, 19.9, tilt), until_onset()).outcome, RelaxationOutcome::onset);
+        EXPECT_EQ(relax(on_floor(two, 20.1, tilt), until_onset()).outcome, RelaxationOutcome::equilibrium);
+    }
+    // The third joint dips 25 deg against the slope.
+    EXPECT_EQ(relax(on_floor(three, 19.9, 20), until_onset()).outcome, RelaxationOutcome::onset);
+    EXPECT_EQ(relax(on_floor(three, 26, 20), until_onset()).outcome, RelaxationOutcome::equilibrium);
+}
+
+TEST(CornerOnCorner, BlockSlidesOffAnEndAndFalls) {
+    RelaxationScene scene = on_floor({rectangle(-1.2, 0, 1, 1)}, 5, -20);
+    scene.block[1].outline = rectangle(-4, -1, 4, 1);
+    scene.block.push_back(fixed_block(rectangle(-4, -9, 30, 1)));
+    Simulation simulation(scene, unlimited(1.7));
+    while (simulation.running()) {
+        simulation.step();
+    }
+    EXPECT_EQ(simulation.outcome(), RelaxationOutcome::undecided);
+    EXPECT_LT(simulation.state().motion[0].y, -1);
+    EXPECT_LT(energy_error(simulation.result(), density * gravity), 0.01);
+}
+
+TEST(CornerOnCorner, ShearReversesOverCrossingJoints) {
+    RelaxationScene scene =
+        on_floor({rectangle(0, 0, 2, 1), rectangle(2, 0, 2, 1), rectangle(0, 1, 2, 1), rectangle(2, 1, 2, 1)}, 25);
+    PrescribedMotion shaken{4, {}};
+    for (int time = 0; time <= 10; ++time) {
+        // 0.6 g: bricks slide, and corners pass each other by some centimetres, to and fro.
+        shaken.velocity.push_back({0.05 + 0.1 * time, {time % 2 == 0 ? 0.3 : -0.3, 0}});
+    }
+    shaken.velocity.push_back({1.2, {0, 0}});
+    scene.motion = {shaken};
+    RelaxationSettings settings = unlimited(3);
+    settings.stop_at_equilibrium = true;
+    Simulation simulation(scene, settings);
+    while (simulation.running()) {
+        simulation.step();
+    }
+    const RelaxationResult result = simulation.result();
+    EXPECT_EQ(result.outcome, RelaxationOutcome::equilibrium);
+    EXPECT_LT(energy_error(result, density * gravity), 0.01);
+    for (std::size_t block = 0; block < 4; ++block) {
+        EXPECT_NEAR(simulation.state().motion[block].y, 0, 1e-3) << block;
+    }
+}
+
 }  // namespace
 }  // namespace delabole
