@@ -230,7 +230,7 @@ void PairSearch::add_twin_as_rival(const Side& block, std::size_t corner, const 
     law.rival = at_start ? 1 : -1;
     law.rival_sine = std::sin(angle);
     law.rival_cosine = -std::cos(angle);
-    law.alone = 2;
+    law.alone = law.alone > 0 ? 1 : 2;
 }
 
 bool PairSearch::can_bear(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const {
