@@ -110,7 +110,7 @@ void choose_at_corners(const CornerMotion& blocks, const std::vector<char>& is_n
         if (bearing == here.end()) {
             bearing = least;
             if (coincide > 0 && coincide_in_drawing(blocks.bodies, pair, coincide)) {
-                bearing = std::max_element(here.begin(), here.end(), [&](const AtCorner& one, const AtCorner& other) {
+                bearing = std::min_element(here.begin(), here.end(), [&](const AtCorner& one, const AtCorner& other) {
                     constexpr double alike = 1e-9;
                     return std::abs(one.apart.dot(up)) < std::abs(other.apart.dot(up)) - alike;
                 });
@@ -153,8 +153,7 @@ std::vector<std::uint32_t> exchange_at_corners(const CornerMotion& blocks, const
             ++end;
         }
         const double lighter = std::min(weight[pair.first], weight[pair.second]);
-        const auto busy = [&] { return concerned[pair.first] != 0 || concerned[pair.second] != 0; };
-        for (std::size_t index = begin; index < end && !busy(); ++index) {
+        for (std::size_t index = begin; index < end; ++index) {
             const ContactLaw law = law_of(index);
             const RelaxationContact contact = list.contact[index];
             if (law.alone == 0 || !list.memory[index].touching) {
@@ -194,29 +193,16 @@ std::vector<std::uint32_t> exchange_at_corners(const CornerMotion& blocks, const
                 list.force[there.index] = {};
                 list.open_until[there.index] = not_open;
             }
-            // What does not move may be a neighbour of many.
-            concerned[pair.first] = std::isfinite(weight[pair.first]) ? 1 : 0;
-            concerned[pair.second] = std::isfinite(weight[pair.second]) ? 1 : 0;
-            break;
+            concerned[pair.first] = concerned[pair.second] = 1;
         }
     }
     std::vector<std::uint32_t> blocks_concerned;
     for (std::uint32_t block = 0; block < bodies.size(); ++block) {
-        if (concerned[block] != 0) {
+        if (concerned[block] != 0 && std::isfinite(weight[block])) {
             blocks_concerned.push_back(block);
         }
     }
     return blocks_concerned;
-}
-
-void note_tried(const MemoryArray& exchanged, MemoryArray& memory) {
-    for (std::size_t index = 0; index < memory.size(); ++index) {
-        ContactMemory one = memory[index];
-        if (one.yields && !exchanged[index].yields) {
-            one.tried = true;
-            memory.set(index, one);
-        }
-    }
 }
 
 void forget_tried(MemoryArray& memory) {

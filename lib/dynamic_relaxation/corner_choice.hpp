@@ -14,12 +14,13 @@
 //   - which one is remembered: as long as the blocks overlap there, it stays the one over which they met, until it is
 //     deeper than the other by more than the way over which a corner's weight changes, or than twice the other's depth
 //     (least penetration, as for the first entrance of a corner in Shi's discontinuous deformation analysis). Where the
-//     corners coincide in the drawing and nothing has met yet, it is the edge that is more level: what is above rests;
+//     corners coincide in the drawing and nothing has met yet, it is the steeper edge: what is above does not rest on
+//     a point;
 //   - a body is in equilibrium if the work of its forces is not positive for any motion that is possible. Here that
 //     asks for equilibrium with n1 alone and with n2 alone: what only one of them holds can give way to the other side.
 //     So a balance that relies on a corner on a corner is believed once balance has been found with the other edge,
-//     too. Edges are exchanged in turn where they bear, those of many corners at a time, but of a block one at most;
-//     the static solver goes back to where it was when balance has been found.
+//     too. Edges are exchanged wherever they bear, at all corners at a time: corners that hold a block together, as
+//     those of crossing joints hold columns against sliding on each other, hide what each of them would give way to.
 //
 // Edges whose normals differ by less than 20 deg count as one face, lying on that of the other block: their weights add
 // up to one at the corner, and both bear. What is free to give way to either side of such a corner is held there by
@@ -63,8 +64,6 @@ void choose_at_corners(const CornerMotion& blocks, const std::vector<char>& is_n
 // been tried.
 std::vector<std::uint32_t> exchange_at_corners(const CornerMotion& blocks, const std::vector<double>& weight,
                                                ContactList& list);
-// Balance has been found with the edges that bear in `exchanged` and yield here.
-void note_tried(const MemoryArray& exchanged, MemoryArray& memory);
 // Loads change: all has to be tried again.
 void forget_tried(MemoryArray& memory);
 

@@ -106,6 +106,7 @@ class Preload {
         if (free_blocks_.empty()) {
             return {0, false, motion, 0};
         }
+        forget_tried(list.memory);
         const MemoryArray memory = list.memory;
         std::vector<Motion> start = motion;
         Preloaded found = approach(start, motion, list);
@@ -148,23 +149,14 @@ class Preload {
         motion = std::move(stepped);
     }
 
-    // What a corner on a corner holds has to be held either way (corner_choice.hpp). What has found balance again is
-    // put back to where it was. Returns whether there was anything to exchange.
+    // What a corner on a corner holds has to be held either way (corner_choice.hpp). Returns whether there was anything
+    // to exchange.
     bool exchange(Preloaded& found, std::vector<Motion>& motion, ContactList& list) {
-        MemoryArray memory_before = list.memory;
         if (exchange_at_corners({bodies_, motion}, weights(), list).empty()) {
             return false;
         }
-        const std::vector<Motion> before = motion;
-        const MemoryArray exchanged = list.memory;
-        Preloaded other = approach(before, motion, list);
-        if (other.ratio > settings_.tolerance) {
-            found = std::move(other);
-            return true;
-        }
-        motion = before;
-        list.memory = std::move(memory_before);
-        note_tried(exchanged, list.memory);
+        const std::vector<Motion> start = motion;
+        found = approach(start, motion, list);
         return true;
     }
 

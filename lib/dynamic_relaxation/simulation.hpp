@@ -34,6 +34,9 @@ class Simulation {
     Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from);
 
     void step();
+    // At rest: exchanges what bears where balance relies on a corner on a corner, and has to be found with the other
+    // edge, too (corner_choice.hpp). Returns whether anything was exchanged: the run has to go on.
+    bool exchange_at_corners();
     bool running() const { return outcome() == RelaxationOutcome::undecided && !out_of_time(); }
 
     RelaxationOutcome outcome() const { return static_cast<RelaxationOutcome>(state_.outcome); }
@@ -87,7 +90,6 @@ class Simulation {
     void integrate();
     void look();
     void look_for_crack();
-    bool exchange_at_corners();
     bool carried_along();
     void let_calm_blocks_rest();
     void take_velocities_away_at_peaks();

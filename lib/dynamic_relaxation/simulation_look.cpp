@@ -51,8 +51,8 @@ void Simulation::look() {
     } else if (farthest.rotation > settings_.collapse_rotation ||
                farthest.displacement > settings_.collapse_displacement) {
         decide(RelaxationOutcome::collapse);
-    } else if (settings_.stop_at_equilibrium ? at_rest(unbalanced) && !exchange_at_corners()
-                                             : last && at_rest(lately)) {
+    } else if (at_rest(last && !settings_.stop_at_equilibrium ? lately : unbalanced) && !exchange_at_corners() &&
+               (last || settings_.stop_at_equilibrium)) {
         decide(RelaxationOutcome::equilibrium);
     } else if (last && state_.onset_time >= 0) {
         // It has moved past the thresholds and has found no rest since.
