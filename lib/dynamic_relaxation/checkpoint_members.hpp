@@ -54,7 +54,9 @@ static_assert(sizeof(RelaxationContact) == 9 * sizeof(double) + 8 * sizeof(std::
 
 DELABOLE_MEMBERS(ForceOnCorner, x, y, moment, other_moment)
 DELABOLE_MEMBERS(ContactList, contact, ends, joint, memory, force, open_until)
-DELABOLE_MEMBERS(WatchedPair, first, second, begin, x, y, first_angle, second_angle, holds)
+DELABOLE_MEMBERS(PairPose, x, y, first_angle, second_angle)
+DELABOLE_MEMBERS(WatchedPair, first, second, begin, pose, distance, holds)
+DELABOLE_MEMBERS(BlockOverlap, block, other, depth, share, area)
 DELABOLE_MEMBERS(WatchState, pair, way, due, neighbours_until, step_until, stable_step, step, searches, looks)
 DELABOLE_MEMBERS(NoticedMotion, moved, x, y, angle)
 DELABOLE_MEMBERS(BondMemory, state, time, damping, normal_drag, shear_drag, bending_drag)
@@ -65,7 +67,8 @@ DELABOLE_MEMBERS(StartBalance, unbalanced_ratio, cut_short)
 DELABOLE_MEMBERS(SlipOverFace, upward, slip)
 DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluated, motion, origin, start_balance,
                  noticed, calm, removed, base_slip, dropped_slip, contacts, watch, bond, ledger, unbalanced,
-                 unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, outcome)
+                 unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, overlap,
+                 outcome)
 
 DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,
                  tensile_strength, bond, residual_cohesion)

@@ -131,17 +131,20 @@ double PairSearch::measure(const Side& block, const Side& other, Gaps& gaps) {
 }
 
 void PairSearch::find(const BlockPair& pair, const std::vector<Motion>& motion, double margin, bool first,
-                      const ContactList& list, const ContactRange& before, PairContacts& found) {
+                      const ContactList& list, const ContactRange& before, const std::optional<PairPose>& then,
+                      PairContacts& found) {
     found.clear();
     margin_ = margin;
     shortest_ = std::min(bodies_.shortest_edge[pair.first], bodies_.shortest_edge[pair.second]);
     first_ = first;
     list_ = &list;
     before_ = before;
+    then_ = then;
     place(pair.first, motion, side_[0]);
     place(pair.second, motion, side_[1]);
     const double distance = std::max(measure(side_[0], side_[1], gaps_[0]), measure(side_[1], side_[0], gaps_[1]));
-    found.distance = std::max(0.0, distance);
+    found.distance = distance;
+    found.worst_overlap = std::max(0.0, -distance / shortest_);
     if (distance > margin + 3 * blend_way * shortest_) {
         return;
     }
@@ -369,10 +372,10 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
             is_new[index] = 0;
         } else {
             memory.broken = !(first_ && contact.gap <= closed * shortest_);
-            memory.beneath =
-                first_ ? beside(bodies_, contact, shortest_)
-                       : (law.rival == 0 || law.alone == 2) &&
-                             locate(contact, motion[contact.block], motion[contact.other]).gap < -came_over * margin_;
+            const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
+            memory.beneath = first_ ? beside(bodies_, contact, shortest_)
+                                    : (law.rival == 0 || law.alone == 2) && at.gap < -came_over * margin_ &&
+                                          !came_over_edge(contact, at);
             memory.touching = !memory.broken && !memory.beneath && (law.tension > 0 || contact.gap < 0);
         }
     }
@@ -391,6 +394,27 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
             found.worst_overlap = -at.gap / shortest_;
         }
     }
+}
+
+// Whether the corner has crossed the line of the edge between the edge's ends since the pair was last looked at.
+bool PairSearch::came_over_edge(const RelaxationContact& contact, const ContactPosition& now) const {
+    if (!then_) {
+        return false;
+    }
+    Motion first;
+    first.x = then_->x;
+    first.y = then_->y;
+    first.set_angle(then_->first_angle);
+    Motion second;
+    second.set_angle(then_->second_angle);
+    const bool of_first = contact.block == side_[0].block;
+    const ContactPosition before = locate(contact, of_first ? first : second, of_first ? second : first);
+    if (before.gap < 0) {
+        return false;
+    }
+    const double share = before.gap / (before.gap - now.gap);
+    const double position = before.position + share * (now.position - before.position);
+    return position >= 0 && position <= contact.edge_length();
 }
 
 std::size_t PairSearch::known(std::size_t corner, std::size_t edge) const {

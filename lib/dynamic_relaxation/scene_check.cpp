@@ -302,7 +302,7 @@ double softest_joint(const RelaxationScene& scene, const Bodies& bodies, std::si
 SceneFault check_settings(const RelaxationSettings& settings) {
     const auto within = [](double value, double least, double most) { return value >= least && value <= most; };
     const auto not_negative = [](double value) { return value >= 0 && std::isfinite(value); };
-    const bool valid = within(settings.step_fraction, 0.01, 1) &&
+    const bool valid = within(settings.step_fraction, 0.01, 0.8) &&
                        (!settings.time_step || (*settings.time_step > 0 && std::isfinite(*settings.time_step))) &&
                        within(settings.viscous_damping, 0, 2) && settings.local_damping >= 0 &&
                        settings.local_damping < 1 && not_negative(settings.ramp_time) &&

@@ -35,6 +35,14 @@ std::vector<double> unnoticed_ways(const RelaxationScene& scene, const Bodies& b
     return ways;
 }
 
+// Local damping that opposes a spring's swing acts as a stiffer spring, up to 1 + `local_damping` times: at 0.2 the
+// greatest share allowed, 0.8, is stable, and beyond that the share is less by as much. On a belt friction damps what
+// swings, and no share is taken off.
+double share_of_stable_step(const RelaxationScene& scene, const RelaxationSettings& settings) {
+    constexpr double held_at_most = 1.2;
+    return settings.step_fraction * (scene.belt ? 1 : std::min(1.0, held_at_most / (1 + settings.local_damping)));
+}
+
 Bodies bodies_of(const RelaxationScene& scene, const RelaxationSettings& settings) {
     Bodies bodies = make_bodies(scene);
     if (settings.mass_scaling) {
@@ -56,7 +64,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
       team_(std::max<std::size_t>(settings_.threads, 1)),
       contact_forces_(bodies_, team_),
       bonds_(scene_, bodies_, settings_.viscous_damping, team_),
-      contact_watch_(scene_, bodies_, settings_.viscous_damping) {
+      contact_watch_(scene_, bodies_, settings_) {
     state_.motion.resize(bodies_.size());
     state_.removed.resize(bodies_.size(), 0);
     state_.base_slip.resize(bodies_.size(), 0);
@@ -78,7 +86,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, Relax
       team_(std::max<std::size_t>(settings_.threads, 1)),
       contact_forces_(bodies_, team_),
       bonds_(scene_, bodies_, settings_.viscous_damping, team_),
-      contact_watch_(scene_, bodies_, settings_.viscous_damping) {
+      contact_watch_(scene_, bodies_, settings_) {
     prepare();
     contact_forces_.renew();
     contact_watch_.resume(state_.watch, state_.contacts);
@@ -92,7 +100,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, const
       team_(std::max<std::size_t>(settings_.threads, 1)),
       contact_forces_(bodies_, team_),
       bonds_(scene_, bodies_, settings_.viscous_damping, team_),
-      contact_watch_(scene_, bodies_, settings_.viscous_damping) {
+      contact_watch_(scene_, bodies_, settings_) {
     settings_.start = RelaxationStart::preloaded;
     prepare();
     begin(JointsAtStart::as_left);
@@ -220,6 +228,7 @@ void Simulation::step() {
     apply_loads();
     integrate();
     look();
+    audit();
 }
 
 void Simulation::hold_blocks() {
@@ -333,7 +342,7 @@ void Simulation::find_contacts_where_due() {
     choose_step(last);
     constexpr double room_to_grow = 1.25;
     while (state_.step > state_.watch.step) {
-        ContactWatch::prepare_for(room_to_grow * state_.step, state_.watch);
+        contact_watch_.prepare_for(room_to_grow * state_.step, state_.motion, state_.watch);
         look_at_contacts();
         choose_step(last);
     }
@@ -371,7 +380,8 @@ void Simulation::choose_step(double last) {
     const double speed = fastest();
     // While blocks are fast the step does not grow: they would not be seen coming.
     const double seen_ahead = speed > 0 ? std::max(last, margin_ / (8 * speed)) : longest_step_;
-    double largest = std::min({settings_.step_fraction * contact_watch_.stable_step(), longest_step_, seen_ahead});
+    double largest =
+        std::min({share_of_stable_step(scene_, settings_) * contact_watch_.stable_step(), longest_step_, seen_ahead});
     if (scene_.belt) {
         largest = std::min(largest, longest_step(*scene_.belt, scene_.gravity));
     }

@@ -89,6 +89,7 @@ class Simulation {
     void apply_loads();
     void integrate();
     void look();
+    void audit();
     void look_for_crack();
     bool carried_along();
     void let_calm_blocks_rest();

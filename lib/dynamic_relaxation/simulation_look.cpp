@@ -14,6 +14,8 @@ namespace {
 
 // Steps between two looks at the balance of forces.
 constexpr std::uint64_t steps_between_looks = 50;
+// Between two measurements of how blocks lie in each other: together they cost less than a hundredth of the run.
+constexpr std::uint64_t steps_between_audits = 5000;
 
 }  // namespace
 
@@ -73,6 +75,29 @@ bool Simulation::exchange_at_corners() {
         state_.noticed.notice(block, state_.motion[block]);
     }
     return !concerned.empty();
+}
+
+// What the contacts do not tell: whether blocks lie in each other, and at the end whether the energy is accounted for.
+void Simulation::audit() {
+    const bool ends = !running();
+    if (!ends && state_.steps % steps_between_audits != 0) {
+        return;
+    }
+    if (!std::isfinite(kinetic_energy())) {
+        state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::motion_not_finite);
+        return;
+    }
+    const std::optional<BlockOverlap> now = greatest_overlap(bodies_, state_.motion, state_.removed);
+    if (now && now->share > (state_.overlap ? state_.overlap->share : 0)) {
+        state_.overlap = now;
+    }
+    if (now && now->share > settings_.overlap_limit) {
+        state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::overlap_too_large);
+    }
+    if (ends && outcome() != RelaxationOutcome::overlap_too_large &&
+        !(std::abs(ledger().residual_share()) <= most_energy_lacking)) {
+        state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::energy_not_balanced);
+    }
 }
 
 // A block that a belt carries at an even speed is in balance too, but not at rest.

@@ -76,6 +76,7 @@ RelaxationResult Simulation::result() const {
         std::ranges::count_if(state_.bond, [](const BondMemory& memory) { return is_broken(memory.state); }));
     result.ledger = ledger();
     result.deepest = deepest_contact(bodies_, state_);
+    result.overlap = state_.overlap;
     result.cost = {state_.steps, state_.watch.looks, state_.contacts_evaluated, state_.step};
     result.block = block_outcomes();
     return result;

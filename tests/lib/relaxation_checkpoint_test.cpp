@@ -160,10 +160,8 @@ TEST(RelaxationCheckpoint, PaddingDoesNotShow) {
         pair->first = from.first;
         pair->second = from.second;
         pair->begin = from.begin;
-        pair->x = from.x;
-        pair->y = from.y;
-        pair->first_angle = from.first_angle;
-        pair->second_angle = from.second_angle;
+        pair->pose = from.pose;
+        pair->distance = from.distance;
         pair->holds = from.holds;
     }
     EXPECT_EQ(checkpoint_of(one.scene, one.settings, copy), saved(run));
