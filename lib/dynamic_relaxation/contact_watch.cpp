@@ -35,7 +35,7 @@ constexpr double steps_between_searches = 64;
 constexpr double step_fraction_in_collision = 0.3;
 // An impact counts whose speed is that of a free fall over so many stable steps: slower ones turn over no more energy
 // than springs hold at rest.
-constexpr double stable_steps_of_fall = 15;
+constexpr double stable_steps_of_fall = 40;
 // A block that has come by this share of its radius rests on other places of its neighbours, and has another stable
 // step.
 constexpr double way_of_same_step = 0.01;
