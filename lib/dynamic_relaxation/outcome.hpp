@@ -31,8 +31,10 @@ constexpr std::array<std::string_view, 9> enum_names(RelaxationOutcome) {
 }
 
 // Share of the energy turned over that a run's ledger may lack and its outcome still be believed: several times what
-// impacts lose at the longest step allowed.
+// impacts lose. Energy that lifts the blocks by no more than so many of their settlements moves none: blocks that only
+// stand turn over no more than that.
 constexpr double most_energy_lacking = 0.1;
+constexpr double settlements_lacking = 10;
 
 enum class BlockMovement {
     stays,

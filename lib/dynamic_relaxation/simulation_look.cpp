@@ -17,6 +17,18 @@ constexpr std::uint64_t steps_between_looks = 50;
 // Between two measurements of how blocks lie in each other: together they cost less than a hundredth of the run.
 constexpr std::uint64_t steps_between_audits = 5000;
 
+// J/m; what it takes to lift every free block by its settlement on the softest joint.
+double energy_of_settlements(const RelaxationScene& scene, const Bodies& bodies) {
+    const auto softest =
+        std::ranges::min_element(scene.material, {}, [](const JointMaterial& joint) { return joint.normal_stiffness; });
+    double energy = 0;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        const double weight = bodies.fixed[block] != 0 ? 0 : bodies.mass[block] * scene.gravity.acceleration;
+        energy += weight * weight / softest->normal_stiffness;
+    }
+    return energy;
+}
+
 }  // namespace
 
 void Simulation::look() {
@@ -94,8 +106,12 @@ void Simulation::audit() {
     if (now && now->share > settings_.overlap_limit) {
         state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::overlap_too_large);
     }
-    if (ends && outcome() != RelaxationOutcome::overlap_too_large &&
-        !(std::abs(ledger().residual_share()) <= most_energy_lacking)) {
+    if (!ends || outcome() == RelaxationOutcome::overlap_too_large) {
+        return;
+    }
+    const EnergyLedger energy = ledger();
+    if (!(std::abs(energy.residual_share()) <= most_energy_lacking) &&
+        !(std::abs(energy.residual()) <= settlements_lacking * energy_of_settlements(scene_, bodies_))) {
         state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::energy_not_balanced);
     }
 }
