@@ -212,6 +212,8 @@ void Simulation::begin(JointsAtStart joints) {
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
         const RelaxationContact contact = state_.contacts.contact[index];
         ContactMemory memory = state_.contacts.memory[index];
+        memory.friction = 0;  // edges exchanged at corners while springs were preloaded
+        state_.contacts.memory.set(index, memory);
         if (!is_preloaded(settings_.start) && contact.gap < 0) {
             memory.touching = true;  // drawn with an overlap: its spring is compressed before the first step
         }
