@@ -178,7 +178,7 @@ class WeakeningSlope {
             calm = state.time > scheduled && speed_now < reduction_.rest_speed ? calm + 1 : 0;
             if (calm == calm_looks) {
                 calm = 0;
-                if (!simulation.exchange_at_corners()) {
+                if (!simulation.try_corners()) {
                     rests_ = true;
                     return false;
                 }

@@ -284,7 +284,7 @@ double hand_over(const Bond& bond, const Bodies& bodies, const std::vector<Motio
         const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
         ContactPosition level = place;
         level.gap = 0;
-        const double weight = contact_weight(list.law_of(contact), contact, level);
+        const double weight = contact_weight(list.law_of(contact), contact, level, false);
         if (weight > 0) {
             const bool at_end = along.dot(moved_corner(bodies, motion, contact.corner) - middle) > 0;
             takers.push_back({index, at_end ? std::size_t{1} : std::size_t{0}});

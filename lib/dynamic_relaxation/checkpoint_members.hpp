@@ -33,7 +33,7 @@ DELABOLE_MEMBERS(ContactCorner, corner, edge)
 DELABOLE_MEMBERS(ContactShapeOf<double>, arm_x, arm_y, other_arm_x, other_arm_y, along_x, along_y, gap, from_start,
                  to_end)
 DELABOLE_MEMBERS(ContactNumbersOf<double>, shear, place, damping, normal_drag, shear_drag, slip, friction)
-DELABOLE_MEMBERS(ContactFlagsOf<bool>, touching, sliding, broken, beneath, yields, tried)
+DELABOLE_MEMBERS(ContactFlagsOf<bool>, touching, sliding, broken, beneath, yields, insists, tried)
 // Of structs that have others as bases: these.
 template <class Object, class... Bases>
 auto bases_of(Object& object) {

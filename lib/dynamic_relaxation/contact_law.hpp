@@ -84,15 +84,12 @@ DELABOLE_INLINED RivalPlace<Number> place_at_rival(const EdgeEndsOf<Number>& end
     return {t * ends.rival_sine - overlap * ends.rival_cosine, t * ends.rival_cosine + overlap * ends.rival_sine};
 }
 
-// Of two edges of which one bears: whether that with one overlap bears no longer, or the other takes over.
-template <class Number>
-DELABOLE_INLINED auto gives_way(const EdgeEndsOf<Number>& ends, const Number& overlap, const Number& other_overlap) {
-    return ((overlap - other_overlap) * ends.inverse_blend > 1.0) & (overlap > other_overlap * 2.0);
-}
+// An edge that bears in a trial does so until it is so many times as deep as its rival (corner_choice.hpp).
+constexpr double deepest_in_trial = 8;
 
 template <class Number>
 DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
-                                       const ContactPositionOf<Number>& at) {
+                                       const ContactPositionOf<Number>& at, const MaskOf<Number>& insists) {
     const Number overlap = -at.gap;
     // A ramp is no steeper than the overlap allows: a weight that changed faster would be a stiffer spring. Where a
     // corner does not bear at an end, it begins to bear half as far from it as it is deep: a point on a point holds.
@@ -117,8 +114,8 @@ DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Num
         if (any(alone)) {
             // It bears as far as the blocks overlap, which they do not where they are apart over the rival.
             const Number one = Number{} + 1.0;
-            const Number both =
-                select(gives_way<Number>(ends, overlap, other_overlap), Number{}, other_overlap * ramp(overlap, one));
+            const Number deepest = select(insists, other_overlap * deepest_in_trial, other_overlap);
+            const Number both = select(overlap > deepest, Number{}, other_overlap * ramp(overlap, one));
             against = select(alone, both, against);
         }
         weight = lesser(weight, select(has_rival, against, weight));
@@ -126,23 +123,23 @@ DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Num
     return lesser(greater(weight, Number{}), Number{} + 1.0);
 }
 
-inline double contact_weight(const EdgeEnds& ends, const RelaxationContact& contact, const ContactPosition& at) {
-    return contact_weight<double>(ends, contact.to_end, at);
+inline double contact_weight(const EdgeEnds& ends, const RelaxationContact& contact, const ContactPosition& at,
+                             bool insists) {
+    return contact_weight<double>(ends, contact.to_end, at, insists);
 }
 
-// Whether a corner without weight is past the edge's end, or overlaps it over its rival rather. A rival that may bear
-// as well takes over by itself; of two of which one bears, the other has to be told, and overlaps as small as loads
-// make them do not tell.
+// Whether a corner without weight is past the edge's end, or overlaps the block over the rival rather. A rival that may
+// bear as well takes over by itself; of two of which one bears, overlaps as small as loads make them do not tell.
 template <class Number>
 DELABOLE_INLINED auto is_past_end(const EdgeEndsOf<Number>& ends, const Number& overlap) {
     return (ends.rival == Number{}) | ((ends.alone > Number{}) & (overlap * ends.inverse_blend > 1.0));
 }
 
-// Whether a contact that yields no longer does.
+// Whether a contact that yields in a trial no longer does.
 template <class Number>
 DELABOLE_INLINED auto takes_over(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
                                  const ContactPositionOf<Number>& at) {
-    return gives_way<Number>(ends, place_at_rival<Number>(ends, length_to_end, at).overlap, -at.gap);
+    return place_at_rival<Number>(ends, length_to_end, at).overlap > -at.gap * deepest_in_trial;
 }
 
 inline bool takes_over(const EdgeEnds& ends, const RelaxationContact& contact, const ContactPosition& at) {
@@ -255,10 +252,11 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
     const ContactVelocity<double> velocity = velocity_of<double>(at, block, other);
     const double damping = damping_until_now<double>(memory, velocity, step / 2);
     const bool bonded = law.tension > 0 && !memory.broken;
-    const double weight = contact_weight(law, contact, at);
+    const double weight = contact_weight(law, contact, at, memory.insists);
     const auto open = [&] {
         let_go(law, weight, damping, memory);
         memory.touching = memory.sliding = false;
+        memory.insists = memory.insists && weight > 0;
         memory.broken = true;
     };
     if (weight == 0 || (overlap <= 0 && !bonded)) {
@@ -290,7 +288,7 @@ inline double elastic_energy(const ContactLaw& law, const RelaxationContact& con
         return 0;
     }
     const ContactPosition at = locate(contact, block, other);
-    return contact_weight(law, contact, at) *
+    return contact_weight(law, contact, at, memory.insists) *
            (law.normal_stiffness * at.gap * at.gap + law.shear_stiffness * memory.shear * memory.shear) / 2;
 }
 

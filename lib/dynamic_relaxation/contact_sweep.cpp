@@ -158,7 +158,8 @@ void open_up(const ContactSweep& sweep, std::size_t index, double weight, double
     ContactNumbersOf<double> kept = taken_from(numbers, place);
     let_go(sweep.joint[sweep.contact[index].joint], weight, damping, kept);
     put_into<ContactNumbersOf>(numbers, place, kept);
-    put_into<ContactFlagsOf>(flags, place, {false, false, true, beneath, false, flags.tried[place]});
+    put_into<ContactFlagsOf>(
+        flags, place, {false, false, true, beneath, false, flags.insists[place] && weight > 0, flags.tried[place]});
     sweep.force[index] = {};
     sweep.open_until[index] = not_open;
 }
@@ -237,7 +238,7 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
         return one_by_one;
     }
     const EdgeEndsOf<Lanes> ends = ends_of<Lanes>(sweep, part);
-    const Lanes weight = contact_weight<Lanes>(ends, shape.to_end, at);
+    const Lanes weight = contact_weight<Lanes>(ends, shape.to_end, at, mask_of<Lanes>(part.of(part.flags.insists)));
     const unsigned without_weight = bits(weight == 0.0);
     const unsigned bearing = acting & ~apart & ~without_weight;
     const unsigned opening = acting & ~bearing;
@@ -247,7 +248,7 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     const ContactMemoryOf<Lanes> before{
         {part.of(kept.shear), part.of(kept.place), part.of(kept.damping), part.of(kept.normal_drag),
          part.of(kept.shear_drag), part.of(kept.slip), part.of(kept.friction)},
-        {{}, {}, mask_of<Lanes>(broken), {}, {}, {}}};
+        {{}, {}, mask_of<Lanes>(broken), {}, {}, {}, {}}};
     ContactMemoryOf<Lanes> memory = before;
     const double half_step = sweep.step / 2;
     const Lanes damping = damping_until_now<Lanes>(memory, velocity, half_step);

@@ -263,7 +263,6 @@ bool ContactWatch::is_as_before(const ContactRange& before, const ContactList& l
         const RelaxationContact& now = now_.contact[index];
         const bool same_twin = now.twin == no_twin ? then.twin == no_twin : then.twin == before.begin + now.twin;
         if (now.corner != then.corner || now.edge != then.edge || !same_twin ||
-            now_.memory[index].yields != list.memory[before.begin + index].yields ||
             !(now_.law[index] == list.law_of(then))) {
             return false;
         }

@@ -127,8 +127,10 @@ struct ContactFlagsOf {
     // Below the line of the edge without having come there over the edge, for instance past its end: no overlap of this
     // edge, and none to bear with, until the corner has been above.
     Flag beneath{};
-    Flag yields{};  // does not bear, for its rival does alone (corner_choice.hpp)
-    Flag tried{};   // balance was found with this one bearing, before it had to yield (corner_choice.hpp)
+    // Of corners on corners (corner_choice.hpp):
+    Flag yields{};   // does not bear in a trial
+    Flag insists{};  // bears in a trial though it is the deeper one
+    Flag tried{};    // whether balance is found without it has been tried
 };
 
 template <class Number>

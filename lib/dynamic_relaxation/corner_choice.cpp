@@ -24,129 +24,102 @@ CornerPair corners_of(const Bodies& bodies, const ContactLaw& law, const Relaxat
     return {std::min(contact.corner, end), std::max(contact.corner, end)};
 }
 
-// What a contact at a corner on a corner does now.
-struct AtCorner {
-    std::size_t index;
-    double overlap;
-    PlanePoint<> apart;  // unit vector in which the block with the higher number would be parted from the other
-};
-
-AtCorner at_corner(const CornerMotion& blocks, std::size_t index, const RelaxationContact& contact) {
-    const ContactPosition at = locate(contact, blocks.motion[contact.block], blocks.motion[contact.other]);
+// Unit vector in which the block with the higher number would be parted from the other.
+PlanePoint<> parting(const RelaxationContact& contact, const ContactPosition& at) {
     const double sense = contact.block > contact.other ? 1 : -1;
-    return {index, -at.gap, sense * PlanePoint<>(at.normal_x, at.normal_y)};
+    return sense * PlanePoint<>(at.normal_x, at.normal_y);
 }
 
-bool on_one_face(const AtCorner& one, const AtCorner& other) {
-    return one.apart.dot(other.apart) > one_face;
-}
+class Corners {
+  public:
+    Corners(const CornerMotion& blocks, ContactList& list)
+        : blocks_(blocks), list_(list), concerned_(blocks.bodies.size(), 0) {}
 
-// As a contact that ceases to bear leaves its memory: what it held is dissipated.
-void make_yield(const ContactLaw& law, const RelaxationContact& contact, const CornerMotion& blocks,
-                ContactMemory& memory) {
-    memory.friction += elastic_energy(law, contact, memory, blocks.motion[contact.block], blocks.motion[contact.other]);
-    memory.shear = memory.normal_drag = memory.shear_drag = 0;
-    memory.touching = memory.sliding = false;
-    memory.yields = true;
-}
-
-// What it begins to hold is not gained: it is taken from what has been dissipated.
-void make_bear(const ContactLaw& law, const RelaxationContact& contact, const CornerMotion& blocks,
-               ContactMemory& memory) {
-    memory.yields = memory.beneath = false;
-    const ContactPosition at = locate(contact, blocks.motion[contact.block], blocks.motion[contact.other]);
-    if (at.gap < 0 && contact_weight(law, contact, at) > 0) {
-        memory.touching = true;
-        memory.place = at.slide;
-        memory.friction -=
-            elastic_energy(law, contact, memory, blocks.motion[contact.block], blocks.motion[contact.other]);
+    ContactLaw law_of(std::size_t index) const { return list_.law_of(list_.contact.blocks()[index]); }
+    ContactPosition position_of(std::size_t index) const {
+        const RelaxationContact contact = list_.contact[index];
+        return locate(contact, blocks_.motion[contact.block], blocks_.motion[contact.other]);
     }
-}
 
-PlanePoint<> drawn(const Bodies& bodies, std::size_t corner) {
-    return bodies.corner[corner];
-}
+    // N/m, normal to the edge; none where a corner has come over its edge altogether.
+    double relied_on(std::size_t index) const {
+        const ContactLaw law = law_of(index);
+        if (law.alone == 0 || !list_.memory[index].touching) {
+            return 0;
+        }
+        const ContactPosition at = position_of(index);
+        const double share = contact_weight(law, list_.contact[index], at, list_.memory[index].insists);
+        return share < 1 ? -share * law.normal_stiffness * at.gap : 0;
+    }
 
-bool coincide_in_drawing(const Bodies& bodies, const CornerPair& pair, double within) {
-    const std::size_t lower = bodies.block_of[pair.lower];
-    const std::size_t higher = bodies.block_of[pair.higher];
-    const PlanePoint<> apart =
-        (bodies.centroid[higher] - bodies.centroid[lower]) + (drawn(bodies, pair.higher) - drawn(bodies, pair.lower));
-    return apart.norm() < within;
-}
+    // Of the contacts of a pair of blocks, those of the same two corners.
+    void exchange(std::size_t index, const ContactRange& of_pair) {
+        const CornerPair corners = corners_of(blocks_.bodies, law_of(index), list_.contact[index]);
+        const PlanePoint<> bearing = parting(list_.contact[index], position_of(index));
+        std::vector<std::size_t> same_face;
+        std::vector<std::size_t> other_face;
+        for (std::size_t other = of_pair.begin; other < of_pair.end; ++other) {
+            if (law_of(other).alone == 0 ||
+                !(corners_of(blocks_.bodies, law_of(other), list_.contact[other]) == corners)) {
+                continue;
+            }
+            const bool same = parting(list_.contact[other], position_of(other)).dot(bearing) > one_face;
+            (same ? same_face : other_face).push_back(other);
+        }
+        for (const std::size_t one : same_face) {
+            set_trial(one, true, false);
+        }
+        for (const std::size_t one : other_face) {
+            set_trial(one, false, true);
+        }
+    }
+
+    void set_trial(std::size_t index, bool yields, bool insists) {
+        const RelaxationContact contact = list_.contact[index];
+        const ContactLaw law = law_of(index);
+        ContactMemory memory = list_.memory[index];
+        const Motion& block = blocks_.motion[contact.block];
+        const Motion& other = blocks_.motion[contact.other];
+        memory.friction += elastic_energy(law, contact, memory, block, other);
+        memory.tried |= yields;
+        memory.yields = yields;
+        memory.insists = insists;
+        memory.shear = memory.normal_drag = memory.shear_drag = 0;
+        memory.sliding = false;
+        const ContactPosition at = position_of(index);
+        memory.beneath = memory.beneath && !insists;
+        memory.touching = at.gap < 0 && !yields && !memory.beneath && contact_weight(law, contact, at, insists) > 0;
+        memory.place = at.slide;
+        memory.friction -= elastic_energy(law, contact, memory, block, other);
+        list_.memory.set(index, memory);
+        list_.force[index] = {};
+        list_.open_until[index] = not_open;
+        concerned_[contact.block] = concerned_[contact.other] = 1;
+    }
+
+    template <class IsHeld>
+    std::vector<std::uint32_t> concerned(const IsHeld& is_held) const {
+        std::vector<std::uint32_t> blocks;
+        for (std::uint32_t block = 0; block < concerned_.size(); ++block) {
+            if (concerned_[block] != 0 && !is_held(block)) {
+                blocks.push_back(block);
+            }
+        }
+        return blocks;
+    }
+
+  private:
+    const CornerMotion& blocks_;
+    ContactList& list_;
+    std::vector<char> concerned_;
+};
 
 }  // namespace
 
-void choose_at_corners(const CornerMotion& blocks, const std::vector<char>& is_new, double coincide,
-                       const PlanePoint<>& up, PairContacts& found) {
-    std::vector<char> done(found.contact.size(), 0);
-    std::vector<AtCorner> here;
-    for (std::size_t first = 0; first < found.contact.size(); ++first) {
-        if (done[first] != 0 || found.law[first].alone == 0) {
-            continue;
-        }
-        const CornerPair pair = corners_of(blocks.bodies, found.law[first], found.contact[first]);
-        here.clear();
-        for (std::size_t index = first; index < found.contact.size(); ++index) {
-            if (found.law[index].alone != 0 &&
-                corners_of(blocks.bodies, found.law[index], found.contact[index]) == pair) {
-                done[index] = 1;
-                here.push_back(at_corner(blocks, index, found.contact[index]));
-            }
-        }
-        const auto less_deep = [](const AtCorner& one, const AtCorner& other) { return one.overlap < other.overlap; };
-        // Whatever a corner has come beneath without meeting it comes last.
-        const auto before = [&](const AtCorner& one, const AtCorner& other) {
-            const bool beneath = found.memory[one.index].beneath;
-            return beneath == found.memory[other.index].beneath ? less_deep(one, other) : !beneath;
-        };
-        const auto least = std::min_element(here.begin(), here.end(), before);
-        auto bearing = here.end();
-        for (auto one = here.begin(); one != here.end(); ++one) {
-            const ContactMemory& memory = found.memory[one->index];
-            const bool bore = is_new[one->index] == 0 && !memory.yields && !memory.beneath;
-            bearing = bore && (bearing == here.end() || less_deep(*one, *bearing)) ? one : bearing;
-        }
-        if (bearing == here.end()) {
-            bearing = least;
-            if (coincide > 0 && coincide_in_drawing(blocks.bodies, pair, coincide)) {
-                bearing = std::min_element(here.begin(), here.end(), [&](const AtCorner& one, const AtCorner& other) {
-                    constexpr double alike = 1e-9;
-                    return std::abs(one.apart.dot(up)) < std::abs(other.apart.dot(up)) - alike;
-                });
-            }
-        } else {
-            const double way = 1 / found.law[bearing->index].inverse_blend;
-            if (bearing->overlap - least->overlap > std::max(way, least->overlap)) {
-                bearing = least;
-            }
-        }
-        for (const AtCorner& one : here) {
-            ContactMemory& memory = found.memory[one.index];
-            const bool yields = !on_one_face(one, *bearing);
-            if (yields == memory.yields && (yields || here.size() == 1)) {
-                continue;
-            }
-            if (is_new[one.index] != 0) {
-                memory.yields = yields;
-                memory.beneath = memory.beneath && (yields || coincide == 0);
-                memory.touching = memory.touching && !yields;
-            } else if (yields) {
-                make_yield(found.law[one.index], found.contact[one.index], blocks, memory);
-            } else if (memory.yields) {
-                make_bear(found.law[one.index], found.contact[one.index], blocks, memory);
-            }
-        }
-    }
-}
-
-std::vector<std::uint32_t> exchange_at_corners(const CornerMotion& blocks, const std::vector<double>& weight,
-                                               ContactList& list) {
+std::vector<std::uint32_t> try_other_edges(const CornerMotion& blocks, const std::vector<double>& weight,
+                                           ContactList& list) {
     constexpr double relied_on = 1e-3;
-    const Bodies& bodies = blocks.bodies;
-    std::vector<char> concerned(bodies.size(), 0);
-    std::vector<AtCorner> here;
-    const auto law_of = [&](std::size_t index) { return list.law_of(list.contact.blocks()[index]); };
+    Corners corners(blocks, list);
     for (std::size_t begin = 0, end = 0; begin < list.contact.size(); begin = end) {
         const BlockPair pair = list.contact.blocks()[begin].pair();
         while (end < list.contact.size() && list.contact.blocks()[end].pair() == pair) {
@@ -154,62 +127,43 @@ std::vector<std::uint32_t> exchange_at_corners(const CornerMotion& blocks, const
         }
         const double lighter = std::min(weight[pair.first], weight[pair.second]);
         for (std::size_t index = begin; index < end; ++index) {
-            const ContactLaw law = law_of(index);
-            const RelaxationContact contact = list.contact[index];
-            if (law.alone == 0 || !list.memory[index].touching) {
-                continue;
+            const ContactMemory memory = list.memory[index];
+            if (!memory.tried && !memory.insists && corners.relied_on(index) > relied_on * lighter) {
+                corners.exchange(index, {begin, end});
             }
-            const AtCorner one = at_corner(blocks, index, contact);
-            const ContactPosition at = locate(contact, blocks.motion[contact.block], blocks.motion[contact.other]);
-            const double share = contact_weight(law, contact, at);
-            if (share >= 1 || share * law.normal_stiffness * one.overlap < relied_on * lighter) {
-                continue;
-            }
-            const CornerPair corners = corners_of(bodies, law, contact);
-            here.clear();
-            bool has_been_tried = true;
-            bool has_other = false;
-            for (std::size_t other = begin; other < end; ++other) {
-                if (law_of(other).alone != 0 && corners_of(bodies, law_of(other), list.contact[other]) == corners) {
-                    here.push_back(at_corner(blocks, other, list.contact[other]));
-                    const ContactMemory memory = list.memory[other];
-                    has_other |= memory.yields;
-                    has_been_tried &= !memory.yields || memory.tried;
-                }
-            }
-            if (!has_other || has_been_tried) {
-                continue;
-            }
-            for (const AtCorner& there : here) {
-                ContactMemory memory = list.memory[there.index];
-                const RelaxationContact its = list.contact[there.index];
-                if (memory.yields) {
-                    make_bear(law_of(there.index), its, blocks, memory);
-                } else {
-                    make_yield(law_of(there.index), its, blocks, memory);
-                    memory.tried = true;
-                }
-                list.memory.set(there.index, memory);
-                list.force[there.index] = {};
-                list.open_until[there.index] = not_open;
-            }
-            concerned[pair.first] = concerned[pair.second] = 1;
         }
     }
-    std::vector<std::uint32_t> blocks_concerned;
-    for (std::uint32_t block = 0; block < bodies.size(); ++block) {
-        if (concerned[block] != 0 && std::isfinite(weight[block])) {
-            blocks_concerned.push_back(block);
+    return corners.concerned([&](std::uint32_t block) { return !std::isfinite(weight[block]); });
+}
+
+std::vector<std::uint32_t> end_trial(const CornerMotion& blocks, ContactList& list) {
+    Corners corners(blocks, list);
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const ContactMemory memory = list.memory[index];
+        if (memory.yields || memory.insists) {
+            corners.set_trial(index, false, false);
         }
     }
-    return blocks_concerned;
+    return corners.concerned([&](std::uint32_t block) { return blocks.bodies.fixed[block] != 0; });
+}
+
+void note_tried(const MemoryArray& in_trial, MemoryArray& memory) {
+    for (std::size_t index = 0; index < memory.size(); ++index) {
+        ContactMemory one = memory[index];
+        if (in_trial[index].tried && !one.tried) {
+            one.tried = true;
+            memory.set(index, one);
+        }
+    }
 }
 
 void forget_tried(MemoryArray& memory) {
     for (std::size_t index = 0; index < memory.size(); ++index) {
         ContactMemory one = memory[index];
-        one.tried = false;
-        memory.set(index, one);
+        if (one.tried) {
+            one.tried = false;
+            memory.set(index, one);
+        }
     }
 }
 

@@ -22,9 +22,6 @@ constexpr double lean_while_touching = 0.7;
 constexpr double blend_way = 1e-3;
 // A joint drawn open by less than this, in shortest edges, is closed.
 constexpr double closed = 1e-3;
-// Corners drawn nearer to each other than this, in shortest edges, are one point: overlaps of rounding do not tell
-// which edge they meet over.
-constexpr double coincident = 1e-6;
 // A corner that is found below an edge came there over the edge if it is no deeper than this, in margins.
 constexpr double came_over = 0.01;
 // Deeper corners belong to the block's other side.
@@ -359,7 +356,6 @@ void PairSearch::pair_twins(PairContacts& found) const {
 
 void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion) const {
     found.memory.resize(found.contact.size());
-    std::vector<char> is_new(found.contact.size(), 1);
     for (std::size_t index = 0; index < found.contact.size(); ++index) {
         RelaxationContact& contact = found.contact[index];
         const ContactLaw& law = found.law[index];
@@ -369,7 +365,6 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
         if (before != unknown) {
             memory = list_->memory[before];
             contact.gap += memory.shortened;
-            is_new[index] = 0;
         } else {
             memory.broken = !(first_ && contact.gap <= closed * shortest_);
             const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
@@ -379,9 +374,6 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
             memory.touching = !memory.broken && !memory.beneath && (law.tension > 0 || contact.gap < 0);
         }
     }
-    const double tilt = scene_.gravity.tilt;
-    choose_at_corners({bodies_, motion}, is_new, first_ ? coincident * shortest_ : 0, {std::sin(tilt), std::cos(tilt)},
-                      found);
     for (std::size_t index = 0; index < found.contact.size(); ++index) {
         const RelaxationContact& contact = found.contact[index];
         const ContactLaw& law = found.law[index];
@@ -390,7 +382,7 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
             continue;
         }
         const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
-        if (-at.gap > found.worst_overlap * shortest_ && contact_weight(law, contact, at) > 0) {
+        if (-at.gap > found.worst_overlap * shortest_ && contact_weight(law, contact, at, memory.insists) > 0) {
             found.worst_overlap = -at.gap / shortest_;
         }
     }

@@ -47,7 +47,7 @@ Response respond(const ContactLaw& law, const RelaxationContact& contact, const 
         memory.shear = 0;
         return response;
     }
-    const double weight = contact_weight(law, contact, at);
+    const double weight = contact_weight(law, contact, at, memory.insists);
     const Direction normal = direction(at.normal_x, at.normal_y, at);
     const Direction along = direction(at.along_x(), at.along_y(), at);
     const double pressing = law.normal_stiffness * std::max(overlap, 0.0);
@@ -114,13 +114,13 @@ class Preload {
         if (found.ratio > settings_.tolerance && !creeps() && !bonds_.empty() && free_blocks_.size() < few_blocks) {
             approach_in_steps(start, memory, found, motion, list);
         }
-        do {
-            // Peak strength goes one joint after the other, wherever it is reached.
-            while (found.ratio <= settings_.tolerance && break_spent(motion, list)) {
-                start = motion;
-                found = approach(start, motion, list);
-            }
-        } while (found.ratio <= settings_.tolerance && exchange(found, motion, list));
+        // Peak strength goes one joint after the other, wherever it is reached.
+        while (found.ratio <= settings_.tolerance && break_spent(motion, list)) {
+            start = motion;
+            found = approach(start, motion, list);
+        }
+        while (found.ratio <= settings_.tolerance && try_corners(found, motion, list)) {
+        }
         found.contacts_evaluated = contacts_evaluated_;
         return found;
     }
@@ -149,14 +149,22 @@ class Preload {
         motion = std::move(stepped);
     }
 
-    // What a corner on a corner holds has to be held either way (corner_choice.hpp). Returns whether there was anything
-    // to exchange.
-    bool exchange(Preloaded& found, std::vector<Motion>& motion, ContactList& list) {
-        if (exchange_at_corners({bodies_, motion}, weights(), list).empty()) {
+    // What corners on corners hold has to be held either way (corner_choice.hpp). Returns whether there was anything to
+    // try.
+    bool try_corners(Preloaded& found, std::vector<Motion>& motion, ContactList& list) {
+        MemoryArray memory_before = list.memory;
+        if (try_other_edges({bodies_, motion}, weights(), list).empty()) {
             return false;
         }
-        const std::vector<Motion> start = motion;
-        found = approach(start, motion, list);
+        const std::vector<Motion> before = motion;
+        Preloaded other = approach(before, motion, list);
+        if (other.ratio > settings_.tolerance) {
+            found = std::move(other);
+            return true;
+        }
+        note_tried(list.memory, memory_before);
+        motion = before;
+        list.memory = std::move(memory_before);
         return true;
     }
 

@@ -353,7 +353,7 @@ SceneFault check_start(const RelaxationScene& scene) {
         const RelaxationContact contact = list.contact[index];
         const ContactPosition at = locate(contact, unmoved[contact.block], unmoved[contact.other]);
         if (!list.memory[index].beneath && !list.memory[index].yields &&
-            contact_weight(list.law_of(contact), contact, at) > 0 &&
+            contact_weight(list.law_of(contact), contact, at, list.memory[index].insists) > 0 &&
             -at.gap > allowed(contact.block, contact.other, list.law_of(contact).normal_stiffness)) {
             return {SceneCheck::overlap_at_start, contact.block, contact.other};
         }

@@ -34,9 +34,9 @@ class Simulation {
     Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from);
 
     void step();
-    // At rest: exchanges what bears where balance relies on a corner on a corner, and has to be found with the other
-    // edge, too (corner_choice.hpp). Returns whether anything was exchanged: the run has to go on.
-    bool exchange_at_corners();
+    // At rest: balance that relies on corners on corners has yet to be found with the other edges (corner_choice.hpp).
+    // Returns whether a trial has begun or ended: the run has to go on.
+    bool try_corners();
     bool running() const { return outcome() == RelaxationOutcome::undecided && !out_of_time(); }
 
     RelaxationOutcome outcome() const { return static_cast<RelaxationOutcome>(state_.outcome); }

@@ -65,7 +65,7 @@ void Simulation::look() {
     } else if (farthest.rotation > settings_.collapse_rotation ||
                farthest.displacement > settings_.collapse_displacement) {
         decide(RelaxationOutcome::collapse);
-    } else if (at_rest(last && !settings_.stop_at_equilibrium ? lately : unbalanced) && !exchange_at_corners() &&
+    } else if (at_rest(last && !settings_.stop_at_equilibrium ? lately : unbalanced) && !try_corners() &&
                (last || settings_.stop_at_equilibrium)) {
         decide(RelaxationOutcome::equilibrium);
     } else if (last && state_.onset_time >= 0) {
@@ -74,14 +74,15 @@ void Simulation::look() {
     }
 }
 
-// Balance that relies on a corner on a corner has yet to be found with the other edge: the run goes on.
-bool Simulation::exchange_at_corners() {
+bool Simulation::try_corners() {
     std::vector<double> weight(bodies_.size(), std::numeric_limits<double>::infinity());
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
         weight[block] = held_[block] != 0 ? weight[block] : 1 / scales_.inverse_weight[block];
     }
-    const std::vector<std::uint32_t> concerned =
-        delabole::exchange_at_corners({bodies_, state_.motion}, weight, state_.contacts);
+    std::vector<std::uint32_t> concerned = end_trial({bodies_, state_.motion}, state_.contacts);
+    if (concerned.empty()) {
+        concerned = try_other_edges({bodies_, state_.motion}, weight, state_.contacts);
+    }
     for (const std::uint32_t block : concerned) {
         state_.calm[block] = 0;
         state_.noticed.notice(block, state_.motion[block]);

@@ -159,7 +159,7 @@ TEST(ContactWatch, KeepsEveryContactThatTouches) {
                 const double shortest = std::min(simulation.bodies().shortest_edge[contact.block],
                                                  simulation.bodies().shortest_edge[contact.other]);
                 // The last step has been taken since the list was brought up to date: a tenth of a margin at most.
-                if (at.gap > -1e-3 * shortest || contact_weight(fresh.law_of(contact), contact, at) == 0) {
+                if (at.gap > -1e-3 * shortest || contact_weight(fresh.law_of(contact), contact, at, false) == 0) {
                     continue;
                 }
                 ++touching;

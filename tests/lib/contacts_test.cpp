@@ -34,7 +34,7 @@ double weight_on(const RelaxationScene& scene, std::uint32_t corner, std::uint32
         if (contact.corner == corner && contact.edge == edge) {
             return list.memory[index].yields
                        ? 0
-                       : contact_weight(list.law_of(contact), contact, locate(contact, motion[0], motion[1]));
+                       : contact_weight(list.law_of(contact), contact, locate(contact, motion[0], motion[1]), false);
         }
     }
     return 0;
