@@ -85,7 +85,7 @@ DELABOLE_INLINED RivalPlace<Number> place_at_rival(const EdgeEndsOf<Number>& end
 }
 
 // An edge that bears in a trial does so until it is so many times as deep as its rival (corner_choice.hpp).
-constexpr double deepest_in_trial = 8;
+constexpr double deepest_in_trial = 64;
 
 template <class Number>
 DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
