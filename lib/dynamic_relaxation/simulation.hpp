@@ -91,6 +91,7 @@ class Simulation {
     void look();
     void audit();
     void look_for_crack();
+    bool holds_at_rest() const;
     bool carried_along();
     void let_calm_blocks_rest();
     void take_velocities_away_at_peaks();

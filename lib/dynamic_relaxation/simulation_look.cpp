@@ -2,6 +2,7 @@
 #include "dynamic_relaxation/corner_choice.hpp"
 #include "dynamic_relaxation/loads.hpp"
 #include "dynamic_relaxation/simulation.hpp"
+#include "dynamic_relaxation/static_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,7 @@ void Simulation::look() {
     const auto at_rest = [&](double ratio) {
         return !growing && !carried_along() && ratio < settings_.equilibrium_ratio &&
                // The last step was made under the last of the loads.
-               state_.time - state_.last_step > last_scheduled_time(scene_, settings_);
+               state_.time - state_.last_step > last_scheduled_time(scene_, settings_) && holds_at_rest();
     };
     const MotionExtremes farthest = farthest_motion(bodies_, state_);
     const auto decide = [&](RelaxationOutcome outcome) { state_.outcome = static_cast<std::uint64_t>(outcome); };
@@ -115,6 +116,14 @@ void Simulation::audit() {
         !(std::abs(energy.residual()) <= settlements_lacking * energy_of_settlements(scene_, bodies_))) {
         state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::energy_not_balanced);
     }
+}
+
+// Without dashpots, in which a motion that has yet to die out may hide.
+bool Simulation::holds_at_rest() const {
+    constexpr double yet_to_die_out = 10;
+    return check_statics(bodies_, held_, load_, scales_.inverse_weight, bonds_.list(), state_.bond, state_.motion,
+                         state_.contacts)
+        .holds(yet_to_die_out * settings_.equilibrium_ratio);
 }
 
 // A block that a belt carries at an even speed is in balance too, but not at rest.

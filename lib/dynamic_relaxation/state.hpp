@@ -50,7 +50,7 @@ struct FirstCrack {
 // Of the most balanced state that preloading met: the run starts there, unless blocks have crept on.
 struct StartBalance {
     double unbalanced_ratio = 0;  // greatest unbalanced force on a block, with moment over radius, over its load
-    bool cut_short = false;       // ended for lack of rounds, which many blocks are given fewer of
+    bool cut_short = false;       // ended for lack of linear solutions: with more there may be balance
 };
 
 struct SlipOverFace {
