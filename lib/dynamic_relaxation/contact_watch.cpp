@@ -33,9 +33,9 @@ constexpr double steps_between_searches = 64;
 // A spring that begins or ends to act between two steps does so a part of a step late or early: of the energy of an
 // impact up to 5 % were lost at 0.6 of the stable step, 3 % at 0.4 and less than 2 % at 0.3.
 constexpr double step_fraction_in_collision = 0.3;
-// An impact counts whose speed is that of a free fall over so many stable steps: slower ones turn over no more energy
-// than springs hold at rest.
-constexpr double stable_steps_of_fall = 40;
+// An impact counts from the speed of a free fall by so much of the block's radius: slower ones turn over little energy
+// beside what friction dissipates in a slope on the move, which short steps would slow down by half.
+constexpr double fall_in_radii = 0.02;
 // A block that has come by this share of its radius rests on other places of its neighbours, and has another stable
 // step.
 constexpr double way_of_same_step = 0.01;
@@ -386,7 +386,7 @@ void ContactWatch::renew_stable_steps(const MovingScene& scene, const Bonds& bon
         }
         least_has_gone |= state.stable_step[block] <= stable_step_;
         const double step = springs.stable_step();
-        const bool collides = fastest > stable_steps_of_fall * gravity_ * step;
+        const bool collides = fastest * fastest > 2 * gravity_ * fall_in_radii * bodies_.radius[block];
         state.stable_step[block] = collides ? share_in_collision_ * step : step;
         stable_step_ = std::min(stable_step_, state.stable_step[block]);
         state.step_until[block] = state.way[block] + way_of_same_step * bodies_.radius[block];
