@@ -30,9 +30,9 @@ constexpr std::array<std::string_view, 9> enum_names(RelaxationOutcome) {
             "energy_not_balanced", "motion_not_finite", "interrupted", "scene_not_valid"};
 }
 
-// Share of the energy turned over that a run's ledger may lack and its outcome still be believed: several times what
-// impacts lose. Energy that lifts the blocks by no more than so many of their settlements moves none: blocks that only
-// stand turn over no more than that.
+// Share of the energy turned over, and stored in springs at the start, that a run's ledger may lack and its outcome
+// still be believed: several times what impacts lose. Energy that lifts the blocks by no more than so many of their
+// settlements moves none: blocks that only stand turn over no more than that.
 constexpr double most_energy_lacking = 0.1;
 constexpr double settlements_lacking = 10;
 

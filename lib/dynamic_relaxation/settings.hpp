@@ -26,7 +26,7 @@ constexpr bool is_preloaded(RelaxationStart start) {
 
 struct RelaxationSettings {
     // Share of the greatest stable step of the blocks on springs and dashpots, 0.01 to 0.8: from 0.9 on standing blocks
-    // tremble for ever. Blocks that collide get at most 0.3, and those with more local damping than 0.2 less.
+    // tremble for ever. Blocks that collide get at most 0.3, and with local damping it is at most 0.96 / (1 + it).
     double step_fraction = 0.6;
     std::optional<double> time_step{};  // s; instead of the share. Divided where more than the share of the stable step
 

@@ -36,11 +36,11 @@ std::vector<double> unnoticed_ways(const RelaxationScene& scene, const Bodies& b
 }
 
 // Local damping that opposes a spring's swing acts as a stiffer spring, up to 1 + `local_damping` times: at 0.2 the
-// greatest share allowed, 0.8, is stable, and beyond that the share is less by as much. On a belt friction damps what
-// swings, and no share is taken off.
+// greatest share allowed, 0.8, is stable, and with more a share that is less by as much. On a belt friction damps what
+// swings, and any share is.
 double share_of_stable_step(const RelaxationScene& scene, const RelaxationSettings& settings) {
-    constexpr double held_at_most = 1.2;
-    return settings.step_fraction * (scene.belt ? 1 : std::min(1.0, held_at_most / (1 + settings.local_damping)));
+    constexpr double most = 0.8 * 1.2;
+    return scene.belt ? settings.step_fraction : std::min(settings.step_fraction, most / (1 + settings.local_damping));
 }
 
 Bodies bodies_of(const RelaxationScene& scene, const RelaxationSettings& settings) {

@@ -112,8 +112,9 @@ void Simulation::audit() {
         return;
     }
     const EnergyLedger energy = ledger();
-    if (!(std::abs(energy.residual_share()) <= most_energy_lacking) &&
-        !(std::abs(energy.residual()) <= settlements_lacking * energy_of_settlements(scene_, bodies_))) {
+    const double beside = energy.turnover() + energy.elastic_at_start;
+    const double settlements = settlements_lacking * energy_of_settlements(scene_, bodies_);
+    if (!(std::abs(energy.residual()) <= std::max(most_energy_lacking * beside, settlements))) {
         state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::energy_not_balanced);
     }
 }
