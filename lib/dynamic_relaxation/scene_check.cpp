@@ -263,7 +263,7 @@ SceneFault check_bonds(const RelaxationScene& scene) {
         if (bond.edge >= bodies.range[bond.block].size() || bond.other_edge >= bodies.range[bond.other].size()) {
             return {SceneCheck::unknown_edge, index};
         }
-        if (bond.material >= scene.bond_material.size()) {
+        if (bond.material && *bond.material >= scene.bond_material.size()) {
             return {SceneCheck::unknown_material, index};
         }
         if ((scene.block[bond.block].fixed && scene.block[bond.other].fixed) ||

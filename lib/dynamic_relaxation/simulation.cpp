@@ -184,12 +184,13 @@ bool Simulation::preload_under(double load_share, bool first, const PreloadSetti
         state_.start_balance = StartBalance{found.ratio, found.cut_short};
         state_.contacts_evaluated += found.contacts_evaluated;
         const bool balanced = found.ratio <= limits.tolerance;
-        const std::optional<std::size_t> worst = bonds_.worst_overloaded(state_.motion, state_.bond);
-        if (!worst || !balanced) {
-            return balanced;
+        if (!balanced) {
+            return false;
         }
-        state_.bond[*worst].state = bonds_.state_of(*worst, state_.motion);
-        just_broken_.push_back(*worst);
+        just_broken_ = bonds_.break_at_rest(state_.motion, state_.bond);
+        if (just_broken_.empty()) {
+            return true;
+        }
     }
 }
 
@@ -332,7 +333,7 @@ void Simulation::preload_within(double margin, bool first) {
     state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
                                     {margin, settings_.viscous_damping, first, bonded}, state_.contacts);
     for (const std::size_t bond : std::exchange(just_broken_, {})) {
-        hand_over(bonds_.list()[bond], bodies_, state_.motion, state_.contacts);
+        hand_over(bonds_.list()[bond], state_.bond[bond].state, bodies_, state_.motion, state_.contacts);
     }
 }
 
@@ -364,7 +365,8 @@ bool Simulation::look_at_contacts() {
         note_base_slip(bodies_, state_.motion, dropped.contact, dropped.memory, up(), state_.dropped_slip);
     }
     for (const std::size_t bond : std::exchange(just_broken_, {})) {
-        state_.ledger.bonds -= hand_over(bonds_.list()[bond], bodies_, state_.motion, state_.contacts);
+        state_.ledger.bonds -=
+            hand_over(bonds_.list()[bond], state_.bond[bond].state, bodies_, state_.motion, state_.contacts);
     }
     if (contact_watch_.list_changed()) {
         contact_forces_.renew();

@@ -65,7 +65,8 @@ TEST(Cohesion, HoldsUntilItsLengthIsSpent) {
     }
 }
 
-// The heel of a tall block, with less weight on it, slips first; where the toe cannot take over what it loses, the
+// By the law of contacts alone, without the bond that find_bonds makes of cohesion (joint_strength_test.cpp): the heel
+// of a tall block, with less weight on it, slips first; where the toe cannot take over what it loses, the
 // block goes at W sin = (W cos - (a/b) W sin) tan(phi) + c b, below what both corners could bear at once.
 TEST(Cohesion, OfATallBlockFailsFromTheHeel) {
     OnPlane plane;
