@@ -58,7 +58,9 @@ struct AnalysisWork {
     AnalysisWatch watch = {};
     std::function<void(const std::string&)> say = {};  // what the user should know before the answer
     unsigned threads = 1;
-    std::filesystem::path checkpoint = {};  // long work keeps there what it has and goes on from it; empty: it does not
+    // Long work keeps there what it has and goes on from it; OutputError where another's work stands there. Empty: it
+    // does neither.
+    std::filesystem::path checkpoint = {};
     std::chrono::duration<double> between_checkpoints{60};
 };
 

@@ -27,7 +27,8 @@ struct ReadyScene {
 
 ReadyScene ready(const BaseFrictionGeometry& geometry, const ModelMixture& mixture) {
     const RelaxationStudy study = base_friction_study(geometry, mixture);
-    return {relaxation_scene(study), relaxation_settings(study), strength_reduction_of(geometry)};
+    const RelaxationScene scene = relaxation_scene(study);
+    return {scene, relaxation_settings(study, scene), strength_reduction_of(geometry)};
 }
 
 // Share of failed slopes that a state stands for.

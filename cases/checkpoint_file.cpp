@@ -31,6 +31,13 @@ std::string_view fault_of(CheckpointCheck check) {
     return "";
 }
 
+KeptProgress refused(CheckpointCheck check) {
+    return {{},
+            false,
+            std::string(fault_of(check)),
+            check == CheckpointCheck::other_scene || check == CheckpointCheck::other_version};
+}
+
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& path, const RelaxationStudy& study, KeepFrames frames,
@@ -57,7 +64,7 @@ KeptProgress read_checkpoint(const std::filesystem::path& path, const Relaxation
     if (content.fault.empty()) {
         const CheckpointCheck beginning = check_beginning(content.bytes, content.size);
         if (beginning != CheckpointCheck::ok) {
-            return {{}, false, std::string(fault_of(beginning))};
+            return refused(beginning);
         }
         content = read_ordinary_file(path, "a checkpoint", largest_checkpoint);
     }
@@ -66,7 +73,7 @@ KeptProgress read_checkpoint(const std::filesystem::path& path, const Relaxation
     }
     RestoredProgress restored = restore_checkpoint(content.bytes, study, frames);
     if (restored.check != CheckpointCheck::ok) {
-        return {{}, false, std::string(fault_of(restored.check))};
+        return refused(restored.check);
     }
     return {std::move(restored.progress), true, {}};
 }

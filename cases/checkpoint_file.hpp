@@ -20,6 +20,7 @@ struct KeptProgress {
     StudyProgress progress = {};  // empty unless found
     bool found = false;
     std::string refusal = {};  // what is wrong with what stands there; empty: nothing, or nothing stands there
+    bool of_other = false;     // what stands there is work of another case or of another version, not to be lost
 };
 
 // See restore_checkpoint.

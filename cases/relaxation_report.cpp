@@ -8,6 +8,7 @@
 #include "cases/units.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
 #include "fitting/words.hpp"
+#include "plots/atomic_file.hpp"
 #include "plots/text.hpp"
 
 #include <algorithm>
@@ -107,6 +108,12 @@ class Keeper {
             return {};
         }
         KeptProgress kept = read_checkpoint(work_.checkpoint, study_, frames_);
+        if (kept.of_other) {
+            throw OutputError(work_.checkpoint,
+                              "what an interrupted run has left there " + kept.refusal +
+                                  ", and would be lost: run that one to its end, remove the file, or name another "
+                                  "folder (--out)");
+        }
         if (work_.say && !kept.refusal.empty()) {
             work_.say("warning: " + work_.checkpoint.string() + ' ' + kept.refusal + ": the run starts anew");
         } else if (work_.say && kept.found) {

@@ -147,7 +147,8 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     } else if (!options.quiet) {
         print(file, analysis, folder);
     }
-    if (!interrupt_flag()) {
+    // Other models have no checkpoint: what stands there is an interrupted run's, which will go on.
+    if (!interrupt_flag() && std::holds_alternative<RelaxationStudy>(file.model)) {
         remove_checkpoint(checkpoint);
     }
     if (analysis.unfinished.empty()) {

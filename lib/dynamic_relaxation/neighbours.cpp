@@ -60,8 +60,9 @@ double cell_width(const Bodies& bodies, const std::vector<char>& removed) {
 
 std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vector<Motion>& motion,
                                            const std::vector<char>& removed, const std::vector<double>& reach) {
-    // A block that covers more cells than this is compared with all others instead.
+    // A block that covers more cells than this is compared with all others instead; so are all where they are few.
     constexpr double most_cells = 4096;
+    constexpr std::size_t few_blocks = 16;
     const double width = cell_width(bodies, removed);
     const auto cell = [&](double coordinate) { return static_cast<std::int64_t>(std::floor(coordinate / width)); };
     const auto may_touch = [&](std::uint32_t first, std::uint32_t second) {
@@ -76,7 +77,8 @@ std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vect
             continue;
         }
         const Box& box = boxes[block] = box_of(bodies, motion, block, reach[block]);
-        if ((box.right - box.left + width) / width * ((box.top - box.bottom + width) / width) > most_cells) {
+        if (bodies.size() <= few_blocks ||
+            (box.right - box.left + width) / width * ((box.top - box.bottom + width) / width) > most_cells) {
             large.push_back(block);
             continue;
         }

@@ -318,7 +318,7 @@ void add_joint_water(RelaxationScene& scene, const std::vector<WaterInJoint>& jo
     }
 }
 
-void apply_crack_opening(const RelaxationStudy& study, RelaxationSettings& settings) {
+void apply_crack_opening(const RelaxationStudy& study, const RelaxationScene& scene, RelaxationSettings& settings) {
     constexpr double of_columns = 0.01;
     std::optional<double> share = study.settings.value_or(RelaxationNumerics{}).crack_opening;
     if (!share && !std::holds_alternative<RelaxationPolygons>(study.model.scene)) {
@@ -326,7 +326,7 @@ void apply_crack_opening(const RelaxationStudy& study, RelaxationSettings& setti
     }
     if (share) {
         double shortest = std::numeric_limits<double>::infinity();
-        for (const RelaxationBlock& block : drawn_scene(study).block) {
+        for (const RelaxationBlock& block : scene.block) {
             for (std::size_t vertex = 0; vertex < block.outline.size(); ++vertex) {
                 const PlanePoint<> edge = block.outline[(vertex + 1) % block.outline.size()] - block.outline[vertex];
                 shortest = block.fixed ? shortest : std::min(shortest, edge.norm());
@@ -397,6 +397,10 @@ RelaxationScene relaxation_scene(const RelaxationStudy& study) {
 }
 
 RelaxationSettings relaxation_settings(const RelaxationStudy& study) {
+    return relaxation_settings(study, drawn_scene(study));
+}
+
+RelaxationSettings relaxation_settings(const RelaxationStudy& study, const RelaxationScene& scene) {
     const RelaxationNumerics numerics = study.settings.value_or(RelaxationNumerics{});
     const Quality quality = quality_of(study);
     RelaxationSettings settings;
@@ -427,7 +431,7 @@ RelaxationSettings relaxation_settings(const RelaxationStudy& study) {
     take(settings.duration, numerics.duration);
     take(settings.most_steps, numerics.most_steps);
     take(settings.overlap_limit, numerics.overlap_limit);
-    apply_crack_opening(study, settings);
+    apply_crack_opening(study, scene, settings);
     return settings;
 }
 

@@ -74,7 +74,7 @@ class PathSearch {
           whole_(whole),
           progress_(progress),
           scene_(relaxation_scene(study)),
-          settings_(settings_for(study, work, scene_.block.size())) {
+          settings_(settings_for(study, work, scene_)) {
         // What happens after onset does not matter to a search, nor how long it takes until then.
         settings_.stop_at_onset = true;
         settings_.creep = true;

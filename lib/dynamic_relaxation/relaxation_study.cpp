@@ -20,11 +20,12 @@ SceneFault check(const RelaxationScene& scene, const RelaxationSettings& setting
     return fault.check == SceneCheck::valid ? check_start(scene) : fault;
 }
 
-RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work, std::size_t blocks) {
-    RelaxationSettings settings = relaxation_settings(study);
+RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work, const RelaxationScene& scene) {
+    RelaxationSettings settings = relaxation_settings(study, scene);
     // Fewer blocks are done before another thread has woken up.
     constexpr std::size_t blocks_worth_a_thread = 500;
-    settings.threads = std::clamp<std::size_t>(blocks / blocks_worth_a_thread, 1, std::max(work.threads, 1U));
+    settings.threads =
+        std::clamp<std::size_t>(scene.block.size() / blocks_worth_a_thread, 1, std::max(work.threads, 1U));
     return settings;
 }
 
@@ -170,12 +171,13 @@ void find_early_failure(const RelaxationStudy& study, const std::vector<MotionFr
 }  // namespace
 
 SceneFault check(const RelaxationStudy& study) {
-    return check(relaxation_scene(study), relaxation_settings(study));
+    const RelaxationScene scene = relaxation_scene(study);
+    return check(scene, relaxation_settings(study, scene));
 }
 
 RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress) {
     RelaxationRun made{relaxation_scene(study), {}, {}, {}};
-    made.settings = settings_for(study, work, made.scene.block.size());
+    made.settings = settings_for(study, work, made.scene);
     made.ends_with_duration = ends_with_duration(study);
     made.result.fault = check(made.scene, made.settings);
     if (made.result.fault.check != SceneCheck::valid) {

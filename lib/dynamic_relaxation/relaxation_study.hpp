@@ -132,6 +132,8 @@ RelaxationScene relaxation_scene(const RelaxationStudy& study);
 // Of the scene, fixed ones among them. Values may be out of their ranges; a slope that cannot be cut has none.
 std::size_t number_of_blocks(const RelaxationStudy& study);
 RelaxationSettings relaxation_settings(const RelaxationStudy& study);
+// Likewise, with the scene of the study, so that a slope is not cut again.
+RelaxationSettings relaxation_settings(const RelaxationStudy& study, const RelaxationScene& scene);
 // That of the settings, or of their quality. Joints that give their own stiffness do not follow it.
 double stiffness_ratio_of(const RelaxationStudy& study);
 

@@ -10,9 +10,10 @@ namespace delabole {
 namespace {
 
 std::uint64_t hash_of(const RelaxationStudy& study, KeepFrames frames) {
+    const RelaxationScene scene = relaxation_scene(study);
     CheckpointWriter writer;
-    writer.put(relaxation_scene(study));
-    writer.put(relaxation_settings(study));
+    writer.put(scene);
+    writer.put(relaxation_settings(study, scene));
     writer.put(study.critical ? std::optional(critical_plan(study)) : std::nullopt);
     writer.put(study.history);
     writer.put(frames == KeepFrames::yes);

@@ -12,7 +12,7 @@ namespace delabole {
 SceneFault check(const RelaxationScene& scene, const RelaxationSettings& settings);
 
 // With as many threads as are worth their while.
-RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work, std::size_t blocks);
+RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work, const RelaxationScene& scene);
 
 // Runs to the end, or until the watch says false, and returns whether it was the end. What is `seen` does not depend on
 // where a run was stopped: a state is seen once, before the step that leaves it.

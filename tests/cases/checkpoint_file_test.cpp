@@ -36,6 +36,8 @@ class CheckpointFile : public testing::Test {
     std::string refusal(const RelaxationStudy& other) const {
         const KeptProgress kept = read_checkpoint(path, other, KeepFrames::no);
         EXPECT_FALSE(kept.found);
+        // Whatever it refuses, it does not overwrite another's work.
+        EXPECT_EQ(kept.of_other, kept.refusal.starts_with("belongs to") || kept.refusal.starts_with("was written by"));
         return kept.refusal;
     }
 

@@ -138,6 +138,13 @@ bool of_any_model(const std::string& path) {
                                [&](std::string_view begin) { return path.starts_with(begin); });
 }
 
+// Fuzzing changes what it has changed before. At a bracket of the other kind in a list it went on for ever.
+TEST(WrongValues, AreFoundInWhatIsNoTomlAsFarAsItCanBeFollowed) {
+    EXPECT_EQ(CaseValues("a = [1, }\nb = 2\n").found().size(), 3U);
+    EXPECT_EQ(CaseValues("a = {b = ]}\n").found().size(), 2U);
+    EXPECT_LE(CaseValues("a = " + std::string(100'000, '[')).found().size(), 100U);
+}
+
 TEST(WrongValues, AreRefusedInWordsOrAnsweredInNumbers) {
     const bool all = std::getenv("DELABOLE_ALL_VALUES") != nullptr;
     std::set<std::string> seen;

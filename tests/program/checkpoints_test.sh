@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A dynamic relaxation killed at any moment goes on by the same command and ends with the same bytes; Ctrl-C leaves a
-# checkpoint and says how to go on; a checkpoint that does not belong to the case is said so and left unused.
+# checkpoint and says how to go on; a case that a checkpoint does not belong to is refused rather than to lose it.
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 checkpoint=relaxation.checkpoint
@@ -77,10 +77,28 @@ delabole run case.toml "${settings[@]}" --out stopped
 expect_status 0
 expect "the same bytes" same_answers whole stopped
 
-title "a checkpoint of another case is not used"
+title "a checkpoint of another case is neither used nor lost"
+cp "other/$checkpoint" kept
 delabole run case.toml "${settings[@]}" --set scene.density="2500 kg/m3" --out other
+expect_status 5
+expect_error "other/$checkpoint: what an interrupted run has left there belongs to another case, or to this one with other values, and would be lost"
+expect "it is as it was" cmp kept "other/$checkpoint"
+expect "so is the report" contains other/report.html Interrupted
+"$program" init plane_failure --out plane.toml
+delabole run plane.toml --out other
 expect_status 0
-expect_error "relaxation.checkpoint belongs to another case, or to this one with other values: the run starts anew"
+expect "a model without checkpoints leaves it" cmp kept "other/$checkpoint"
+delabole run case.toml "${settings[@]}" --out other
+expect_status 0
+expect_error "going on from other/$checkpoint"
+expect "the same bytes" same_answers whole other
+expect "it is gone in the end" test ! -e "other/$checkpoint"
+
+title "what is no checkpoint is said so, and the run starts anew"
+printf 'no checkpoint\n' >"other/$checkpoint"
+delabole run case.toml "${settings[@]}" --out other
+expect_status 0
+expect_error "$checkpoint is not a checkpoint of dynamic relaxation: the run starts anew"
 expect "it is gone in the end" test ! -e "other/$checkpoint"
 
 finish

@@ -79,9 +79,11 @@ class CaseValues {
     }
 
     bool read_value(const std::string& path, std::size_t key_begin, bool has_line) {
-        if (!skip_blank(true)) {
+        constexpr int deepest = 100;  // of a stack that ends
+        if (!skip_blank(true) || depth_ == deepest) {
             return false;
         }
+        ++depth_;
         const std::size_t index = found_.size();
         found_.push_back({path, key_begin, at_, at_, text_[at_] == '[', has_line});
         bool whole = true;
@@ -92,9 +94,12 @@ class CaseValues {
         } else if (text_[at_] == '{') {
             whole = read_members('}', [&] { return read_entry(path, false); });
         } else {
-            at_ = std::min(text_.find_first_of(",]}# \t\r\n", at_), text_.size());
+            const std::size_t end = std::min(text_.find_first_of(",]}# \t\r\n", at_), text_.size());
+            whole = end > at_;  // or a list would be read for ever
+            at_ = end;
         }
         found_[index].end = at_;
+        --depth_;
         return whole;
     }
 
@@ -130,6 +135,7 @@ class CaseValues {
 
     std::string_view text_;
     std::size_t at_ = 0;
+    int depth_ = 0;
     std::vector<CaseValue> found_ = {};
 };
 
