@@ -230,52 +230,6 @@ std::vector<PublishedFactors> published_rows() {
     return parse_table<PublishedFactors>(thesis_published_factors, "published_factors.csv");
 }
 
-PublishedFactors published_factors_of(const std::string& name) {
-    for (const PublishedFactors& row : published_rows()) {
-        if (row.name == name) {
-            return row;
-        }
-    }
-    throw std::logic_error("no row is of the case " + name);
-}
-
-// What moves at failure: faster than a tenth of the fastest block.
-struct Moving {
-    double area = 0;          // m2
-    double leaning_back = 0;  // share of it that turns into the slope
-};
-
-Moving moving_in(const PathValue& answer) {
-    Moving moving;
-    if (!answer.failed || !answer.failed->end) {
-        return moving;
-    }
-    const Bodies bodies = make_bodies(answer.failed->scene);
-    const std::vector<Motion>& motion = answer.failed->end->motion;
-    const auto speed = [&](std::size_t block) { return std::hypot(motion[block].vx, motion[block].vy); };
-    double fastest = 0;
-    for (std::size_t block = 0; block < bodies.size(); ++block) {
-        fastest = std::max(fastest, speed(block));
-    }
-    double back = 0;
-    for (std::size_t block = 0; block < bodies.size(); ++block) {
-        if (bodies.fixed[block] == 0 && fastest > 0 && speed(block) > fastest / 10) {
-            const double area = bodies.mass[block] / answer.failed->scene.block[block].density;
-            moving.area += area;
-            back += motion[block].spin < 0 ? area : 0;
-        }
-    }
-    moving.leaning_back = moving.area > 0 ? back / moving.area : 0;
-    return moving;
-}
-
-constexpr std::string_view on_paths =
-    "A slab of 10 m between two level joints leans into the slope: its weight acts 7.9 m behind the rear corner of its "
-    "base. Where it bears there and at the upper end of the joint behind it, 48.8 m up, that joint carries 0.162 of "
-    "its "
-    "weight and the base needs friction of no more than 8.3 deg. Other states in balance need more, and friction lets "
-    "many of them exist at once: which one the blocks come to, and so the factor, is decided by how they were loaded.";
-
 Reproduction reproduce_factors(const ResultFolder& folder, Report& report) {
     std::vector<Problem> problems;
     for (const PublishedFactors& row : published_rows()) {
@@ -297,54 +251,14 @@ Reproduction reproduce_factors(const ResultFolder& folder, Report& report) {
     return result;
 }
 
-// The mechanisms of one problem on all loading paths, from the consolidated state to the sudden load.
-Reproduction reproduce_paths(const ResultFolder& folder, Report& report) {
-    const std::string name = "rj_5";
-    CaseFile file = published_case(name);
-    std::get<ReductionSearch>(*std::get<RelaxationStudy>(file.model).critical).paths = PathChoice::all;
-    Problem problem{.published = published_factors_of(name), .file = std::move(file)};
-    run_part(folder, {"RJ-5 on several paths", 0, 0.9}, 1, [&](std::size_t) { solve(problem); });
-    std::vector<const PathValue*> answers{&problem.answer};
-    for (const PathValue& other : problem.answer.other) {
-        answers.push_back(&other);
-    }
-    Table table{
-        "Factor of safety by the path on which the blocks come to each strength, and the slope that has begun to "
-        "fail at the nearest value that fails.",
-        {{"path"}, {"factor", true}, {"bracket", true}, {"moving, m2", true}, {"lean back, % of it", true}},
-        {}};
-    Reproduction result;
-    for (const PathValue* answer : answers) {
-        const Moving moving = moving_in(*answer);
-        const std::string path = human_name(word_of(answer->path));
-        table.rows.push_back({path, found_in_words(problem, *answer), bracket_in_words(problem, *answer),
-                              human_number(moving.area, 3), human_number(100 * moving.leaning_back, 2)});
-        result.json[std::string(word_of(answer->path))] = {{"status", word_of(answer->status)},
-                                                           {"stands", answer->stands},
-                                                           {"fails", answer->fails},
-                                                           {"moving_area_m2", moving.area},
-                                                           {"leaning_back_share", moving.leaning_back}};
-        result.rows.push_back({"RJ-5, path " + path, "1.65 to 1.86", found_in_words(problem, *answer), "", ""});
-    }
-    report.blocks.emplace_back(Heading{"RJ-5: what the loading path does"});
-    report.blocks.emplace_back(Paragraph{std::string(on_paths)});
-    report.blocks.emplace_back(table);
-    for (const PathValue* answer : answers) {
-        append_mechanism(folder, report, problem, *answer, name + "_" + std::string(word_of(answer->path)));
-    }
-    return result;
-}
-
 }  // namespace
 
 ReproductionChapter published_problems() {
-    return {
-        "published",
-        "published problems of jointed slopes, RJ-1 to RJ-20",
-        "Published problems of jointed slopes",
-        {{"factors", "factors of safety by strength reduction beside those of other codes", reproduce_factors,
-          ReproductionCost::minutes},
-         {"paths", "RJ-5, backward toppling, on several loading paths", reproduce_paths, ReproductionCost::minutes}}};
+    return {"published",
+            "fifteen published problems of jointed slopes, of RJ-1 to RJ-20",
+            "Published problems of jointed slopes",
+            {{"factors", "factors of safety by strength reduction beside those of other codes", reproduce_factors,
+              ReproductionCost::minutes}}};
 }
 
 }  // namespace delabole
