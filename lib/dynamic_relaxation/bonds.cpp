@@ -62,11 +62,13 @@ Bond make_bond(const SharedFace& face, const BondMaterial& material, const Joint
 }
 
 // Convex blocks touch along one line: all of it along which the joint of a part of it runs, whatever corners divide it.
+// What another joint runs along between does not count.
 SharedFace whole_face(const RelaxationScene& scene, const Bodies& bodies, const SharedFace& part) {
     const CornerRange& range = bodies.range[part.block];
     const CornerRange& others = bodies.range[part.other];
     double begin = -part.length / 2;
     double end = part.length / 2;
+    double length = part.length;
     for (std::size_t edge = range.begin; edge < range.end; ++edge) {
         for (std::size_t other = others.begin; other < others.end; ++other) {
             const std::optional<SharedFace> face = shared_face(bodies, edge, other);
@@ -75,6 +77,7 @@ SharedFace whole_face(const RelaxationScene& scene, const Bodies& bodies, const 
                 const double middle = part.along.dot(face->other_arm - part.other_arm);
                 begin = std::min(begin, middle - face->length / 2);
                 end = std::max(end, middle + face->length / 2);
+                length += face->length;
             }
         }
     }
@@ -83,7 +86,7 @@ SharedFace whole_face(const RelaxationScene& scene, const Bodies& bodies, const 
         const PlanePoint<> shift = (begin + end) / 2 * part.along;
         whole.arm += shift;
         whole.other_arm += shift;
-        whole.length = end - begin;
+        whole.length = length;
     }
     return whole;
 }
@@ -175,17 +178,24 @@ std::vector<FaceBond> find_bonds(const RelaxationScene& scene) {
         return bonds;
     }
     const Bodies bodies = make_bodies(scene);
-    const JointMaterial* last_joint = nullptr;
+    BlockPair pair(0, 0);
+    std::vector<const JointMaterial*> spread;  // joints of which the pair has a bond, which is that of the whole face
     for (const SharedFace& face : find_shared_faces(bodies)) {
+        if (pair != BlockPair(face.block, face.other)) {
+            pair = BlockPair(face.block, face.other);
+            spread.clear();
+        }
         const JointMaterial& one = scene.material[bodies.material[face.edge]];
         const JointMaterial& two = scene.material[bodies.material[face.other_edge]];
         const JointMaterial& joint = joint_of(scene, bodies, face);
         const bool rock = one.bond && two.bond;
-        const bool known = last_joint == &joint && bonds.back().block == face.block && bonds.back().other == face.other;
+        const bool known = std::ranges::find(spread, &joint) != spread.end();
         if (rock || (has_strength_to_lose(joint) && !known)) {
             bonds.push_back({face.block, face.edge - bodies.range[face.block].begin, face.other,
                              face.other_edge - bodies.range[face.other].begin, rock ? joint.bond : std::nullopt});
-            last_joint = rock ? nullptr : &joint;
+            if (!rock) {
+                spread.push_back(&joint);
+            }
         }
     }
     return bonds;

@@ -153,6 +153,26 @@ TEST(JointStrength, IsThatOfTheFaceHoweverManyVerticesItHas) {
     }
 }
 
+// A base on the ground with one joint at both ends and another without strength between: W sin = c l + W cos tan(phi).
+TEST(JointStrength, IsThatOfTheLengthItRunsAlong) {
+    OnPlane plane;
+    plane.height_to_width = 0.2;
+    plane.friction = degrees(20);
+    const double cohesion = 0.3 * density * gravity * 0.2;
+    const double limit = sliding_limit(plane, 0.75 * cohesion);
+    for (const double part : {0.998, 1.002}) {
+        OnPlane tilted = plane;
+        tilted.tilt = part * limit;
+        RelaxationScene scene = scene_of(tilted, {cohesion, 0}, {3, 0});
+        scene.material.push_back(joint(scene.material[0].normal_stiffness, plane.friction - 1e-9));
+        scene.block[0].joint = {0, 1, 0, 0, 0, 0, 0};
+        scene.bond = find_bonds(scene);
+        ASSERT_EQ(scene.bond.size(), 1U);
+        EXPECT_EQ(relax(scene, until_onset()).outcome,
+                  part < 1 ? RelaxationOutcome::equilibrium : RelaxationOutcome::onset);
+    }
+}
+
 TEST(JointStrength, IsSpreadWhereItCanBeLost) {
     const auto bonds = [](const std::function<void(JointMaterial&)>& change) {
         RelaxationScene scene = relaxation_scenes::scene_of(OnPlane{});
