@@ -1,6 +1,7 @@
 // Random jointed slopes, and ways to draw the same slope that must not change whether it stands.
 #pragma once
 
+#include "dynamic_relaxation/bonds.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
 #include "tests/support/jointed_slopes.hpp"
 
@@ -161,6 +162,7 @@ inline DrawnSlope scaled(DrawnSlope slope, double by) {
 inline DrawnSlope in_another_order(DrawnSlope slope, std::uint32_t seed) {
     std::mt19937 random(seed);
     std::shuffle(slope.scene.block.begin(), slope.scene.block.end(), random);
+    slope.scene.bond = find_bonds(slope.scene);
     return slope;
 }
 
@@ -179,6 +181,7 @@ inline DrawnSlope with_more_vertices(DrawnSlope slope) {
         }
         block = std::move(more);
     }
+    slope.scene.bond = find_bonds(slope.scene);
     return slope;
 }
 
