@@ -3,6 +3,7 @@
 #include "cases/model_cases.hpp"
 #include "cases/relaxation_figures.hpp"
 #include "dynamic_relaxation/slope_scene.hpp"
+#include "dynamic_relaxation/water_table.hpp"
 #include "fitting/words.hpp"
 #include "plots/block_figures.hpp"
 #include "plots/text.hpp"

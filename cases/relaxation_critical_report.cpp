@@ -62,7 +62,8 @@ std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
     case CriticalStatus::undecided:
         return "at " + last + " the blocks neither came to rest nor failed within settings.duration";
     case CriticalStatus::run_failed:
-        return "the run at " + last + " was stopped: an overlap passed settings.overlap_limit";
+        return "the run at " + last +
+               " was stopped: an overlap passed settings.overlap_limit, or its energy did not balance";
     case CriticalStatus::interrupted:
         return "the search ended in the run at " + last;
     case CriticalStatus::not_valid:

@@ -113,8 +113,8 @@ double speed(const Motion& motion) {
     return std::hypot(motion.vx, motion.vy);
 }
 
-// Velocities of the centroids; nothing where nothing moves.
-std::optional<Figure> velocity_figure(const RelaxationRun& made, const Bodies& bodies) {
+// Velocities of the centroids at the end; false where nothing moves.
+bool add_velocities(BlockDrawing& drawing, const RelaxationRun& made, const Bodies& bodies) {
     double fastest = 0;
     double size = 0;
     for (std::size_t block = 0; block < bodies.size(); ++block) {
@@ -125,11 +125,9 @@ std::optional<Figure> velocity_figure(const RelaxationRun& made, const Bodies& b
     }
     constexpr double at_rest = 1e-6;
     if (!(fastest > at_rest)) {
-        return std::nullopt;
+        return false;
     }
     const Upright upright(made.result.tilt);
-    BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, false);
-    drawing.title = "Velocities after " + value_in_words(made.result.time, Dimension::time);
     Arrows& arrows = drawing.velocities;
     arrows.legend = "velocity, the longest " + value_in_words(fastest, Dimension::speed);
     arrows.colour = Colour::vermilion;
@@ -141,7 +139,13 @@ std::optional<Figure> velocity_figure(const RelaxationRun& made, const Bodies& b
             arrows.shafts.push_back({upright(centre), upright(PlanePoint<>(centre + way))});
         }
     }
-    return block_figure(drawing);
+    return true;
+}
+
+std::optional<Figure> velocity_figure(const RelaxationRun& made, const Bodies& bodies) {
+    BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, false);
+    drawing.title = "Velocities after " + value_in_words(made.result.time, Dimension::time);
+    return add_velocities(drawing, made, bodies) ? std::optional(block_figure(drawing)) : std::nullopt;
 }
 
 Table block_table(const RelaxationRun& made) {
@@ -166,6 +170,18 @@ Table block_table(const RelaxationRun& made) {
 }
 
 }  // namespace
+
+Figure mechanism_figure(const RelaxationRun& made, const std::string& title) {
+    const Bodies bodies = make_bodies(made.scene);
+    BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, true);
+    drawing.title = title;
+    for (DrawnBlock& block : drawing.blocks) {
+        block.label.clear();  // would hide the arrows
+    }
+    add_cracks(drawing, made, bodies, made.result.tilt);
+    add_velocities(drawing, made, bodies);
+    return block_figure(drawing);
+}
 
 void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report) {
     if (!made.end) {
@@ -195,15 +211,11 @@ void append_block_figures(const RelaxationRun& made, const ResultFolder& folder,
 }
 
 void append_failure_figure(const RelaxationRun& failed, const ResultFolder& folder, Report& report) {
-    const Bodies bodies = make_bodies(failed.scene);
-    if (bodies.size() > most_drawn_blocks) {
+    if (failed.scene.block.size() > most_drawn_blocks) {
         return;
     }
-    BlockDrawing drawing = drawing_of(failed, failed.end->motion, bodies, failed.result.tilt, true);
-    drawing.title = "At failure";
-    add_cracks(drawing, failed, bodies, failed.result.tilt);
     report.blocks.emplace_back(folder.draw(
-        block_figure(drawing), "at_failure",
+        mechanism_figure(failed, "At failure"), "at_failure",
         "The blocks at the onset of failure, at the nearest value found to fail: what each has begun to do."));
 }
 

@@ -37,6 +37,9 @@ void append_block_figures(const RelaxationRun& made, const ResultFolder& folder,
 // Blocks at the end of the run at the nearest value that fails, those marked that have begun to move.
 void append_failure_figure(const RelaxationRun& failed, const ResultFolder& folder, Report& report);
 
+// Of a run that has an end: how each block has moved, the velocities there, and what has broken.
+Figure mechanism_figure(const RelaxationRun& made, const std::string& title);
+
 // Of a jointed slope: cracks, crest and the ground left standing, as figure, tables and *.csv; nothing for other
 // scenes.
 void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, Report& report);

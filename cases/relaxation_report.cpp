@@ -47,6 +47,12 @@ std::string run_in_words(const RelaxationRun& made) {
         return "the run ended at " + value_in_words(made.result.time, Dimension::time) + " of model time";
     case RelaxationOutcome::overlap_too_large: {
         std::string text = "stopped because an overlap passed settings.overlap_limit";
+        if (made.result.overlap && made.result.overlap->share > made.settings.overlap_limit) {
+            const BlockOverlap& overlap = *made.result.overlap;
+            return text + ": " + block_name(overlap.block) + " and " + block_name(overlap.other) + " lie " +
+                   value_in_words(overlap.depth, Dimension::length) + " deep in each other, over " +
+                   value_in_words(overlap.area, Dimension::area);
+        }
         if (made.result.deepest) {
             const ContactName& contact = *made.result.deepest;
             text += ": corner " + std::to_string(contact.corner + 1) + " of " + block_name(contact.block) +
@@ -55,6 +61,10 @@ std::string run_in_words(const RelaxationRun& made) {
         }
         return text;
     }
+    case RelaxationOutcome::energy_not_balanced:
+        return "the energy ledger lacks " + number_in_words(100 * made.result.ledger.residual_share()) +
+               " % of what was turned over, more than the " + number_in_words(100 * most_energy_lacking) +
+               " % at which a run can be believed: lower settings.step_fraction";
     case RelaxationOutcome::motion_not_finite:
         return "stopped because the motion grew beyond all numbers: lower settings.step_fraction";
     default:

@@ -20,8 +20,8 @@ namespace delabole {
 namespace {
 
 const std::vector<ReproductionChapter>& chapters() {
-    static const std::vector<ReproductionChapter> all = {chapter_2(), chapter_3(), chapter_4(), chapter_5(),
-                                                         appendix_a_chapter()};
+    static const std::vector<ReproductionChapter> all = {chapter_2(), chapter_3(),          chapter_4(),
+                                                         chapter_5(), appendix_a_chapter(), published_problems()};
     return all;
 }
 

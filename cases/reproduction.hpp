@@ -48,6 +48,7 @@ ReproductionChapter chapter_3();
 ReproductionChapter chapter_4();
 ReproductionChapter chapter_5();
 ReproductionChapter appendix_a_chapter();
+ReproductionChapter published_problems();
 
 // What is being done, and of the item's work where it begins and ends, 0 to 1.
 struct PartOfWork {

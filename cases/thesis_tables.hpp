@@ -1,5 +1,5 @@
-// The text of cases/chapter_2/*.csv and cases/chapter_3/*.csv, and of cases/chapter_2/*.toml, as it was when the
-// program was built.
+// The text of cases/chapter_2/*.csv, cases/chapter_3/*.csv and cases/published/*.csv, and of cases/chapter_2/*.toml and
+// cases/published/*.toml, as it was when the program was built.
 #pragma once
 
 #include <string_view>
@@ -15,6 +15,7 @@ extern const std::string_view thesis_table_3_1;
 extern const std::string_view thesis_table_3_2;
 extern const std::string_view thesis_table_3_3;
 extern const std::string_view thesis_tilting_frame;
+extern const std::string_view thesis_published_factors;
 
 struct BuiltInCase {
     std::string_view name;  // of the file, without its ending
@@ -22,5 +23,6 @@ struct BuiltInCase {
 };
 
 const std::vector<BuiltInCase>& chapter_2_cases();
+const std::vector<BuiltInCase>& published_cases();
 
 }  // namespace delabole

@@ -177,8 +177,11 @@ class WeakeningSlope {
             fastest = std::max(fastest, speed_now);
             calm = state.time > scheduled && speed_now < reduction_.rest_speed ? calm + 1 : 0;
             if (calm == calm_looks) {
-                rests_ = true;
-                return false;
+                calm = 0;
+                if (!simulation.try_corners()) {
+                    rests_ = true;
+                    return false;
+                }
             }
         }
         return false;

@@ -56,16 +56,68 @@ Bond make_bond(const SharedFace& face, const BondMaterial& material, const Joint
     bond.tension = material.tensile_strength;
     bond.cohesion = material.cohesion;
     bond.friction = std::tan(material.friction_angle);
+    bond.of_joint = false;
     bond.stiffest = greater_of(bond, of_contacts(joint, face.length, mass, viscous_damping));
     return bond;
 }
 
+// Convex blocks touch along one line: all of it along which the joint of a part of it runs, whatever corners divide it.
+// What another joint runs along between does not count.
+SharedFace whole_face(const RelaxationScene& scene, const Bodies& bodies, const SharedFace& part) {
+    const CornerRange& range = bodies.range[part.block];
+    const CornerRange& others = bodies.range[part.other];
+    double begin = -part.length / 2;
+    double end = part.length / 2;
+    double length = part.length;
+    for (std::size_t edge = range.begin; edge < range.end; ++edge) {
+        for (std::size_t other = others.begin; other < others.end; ++other) {
+            const std::optional<SharedFace> face = shared_face(bodies, edge, other);
+            if (face && (edge != part.edge || other != part.other_edge) &&
+                &joint_of(scene, bodies, *face) == &joint_of(scene, bodies, part)) {
+                const double middle = part.along.dot(face->other_arm - part.other_arm);
+                begin = std::min(begin, middle - face->length / 2);
+                end = std::max(end, middle + face->length / 2);
+                length += face->length;
+            }
+        }
+    }
+    SharedFace whole = part;
+    if (end - begin > part.length) {
+        const PlanePoint<> shift = (begin + end) / 2 * part.along;
+        whole.arm += shift;
+        whole.other_arm += shift;
+        whole.length = length;
+    }
+    return whole;
+}
+
+// As stiff as the two contacts, so that they take over where it opens as if they had been there before.
+Bond make_joint_bond(const SharedFace& face, const JointMaterial& joint, const Bodies& bodies, double viscous_damping) {
+    const double mass = 1 / (bodies.inverse_mass[face.block] + bodies.inverse_mass[face.other]);
+    Bond bond{};
+    bond.stiffest = of_contacts(joint, face.length, mass, viscous_damping);
+    static_cast<FaceStiffness&>(bond) = bond.stiffest;
+    bond.face = face;
+    bond.tension = joint.tensile_strength;
+    bond.cohesion = joint.cohesion;
+    bond.friction = std::tan(joint.friction_angle);
+    bond.of_joint = true;
+    return bond;
+}
+
+bool has_strength_to_lose(const JointMaterial& joint) {
+    return joint.tensile_strength > 0 || joint.cohesion > joint.residual_cohesion;
+}
+
 // What it breaks by, if it is overloaded.
-BondState state_under(const BondLoading& loading) {
+BondState state_under(const Bond& bond, const BondLoading& loading) {
     if (loading.worst() <= 1) {
         return BondState::whole;
     }
-    return loading.tension >= loading.shear ? BondState::broken_in_tension : BondState::broken_in_shear;
+    if (loading.tension < loading.shear) {
+        return BondState::broken_in_shear;
+    }
+    return bond.of_joint && bond.tension == 0 ? BondState::handed_over : BondState::broken_in_tension;
 }
 
 // Dashpots act half a step on both sides of their moment: the books count half with each velocity. Velocities are those
@@ -84,7 +136,7 @@ ForceOnCorner advance_bond(const Bond& bond, BondMemory& memory, const Motion& b
     };
     book();
     memory.normal_drag = memory.shear_drag = memory.bending_drag = 0;
-    memory.state = state_under(loading_of(bond, at));
+    memory.state = state_under(bond, loading_of(bond, at));
     if (memory.state != BondState::whole) {
         return {};
     }
@@ -111,21 +163,39 @@ std::vector<Bond> make_bonds(const RelaxationScene& scene, const Bodies& bodies,
     for (const FaceBond& bond : scene.bond) {
         const std::optional<SharedFace> face = shared_face(bodies, bodies.range[bond.block].begin + bond.edge,
                                                            bodies.range[bond.other].begin + bond.other_edge);
-        bonds.push_back(make_bond(*face, scene.bond_material[bond.material], joint_of(scene, bodies, *face), bodies,
-                                  viscous_damping));
+        const JointMaterial& joint = joint_of(scene, bodies, *face);
+        bonds.push_back(bond.material
+                            ? make_bond(*face, scene.bond_material[*bond.material], joint, bodies, viscous_damping)
+                            : make_joint_bond(whole_face(scene, bodies, *face), joint, bodies, viscous_damping));
     }
     return bonds;
 }
 
 std::vector<FaceBond> find_bonds(const RelaxationScene& scene) {
-    const Bodies bodies = make_bodies(scene);
     std::vector<FaceBond> bonds;
+    if (std::ranges::none_of(scene.material,
+                             [](const JointMaterial& joint) { return joint.bond || has_strength_to_lose(joint); })) {
+        return bonds;
+    }
+    const Bodies bodies = make_bodies(scene);
+    BlockPair pair(0, 0);
+    std::vector<const JointMaterial*> spread;  // joints of which the pair has a bond, which is that of the whole face
     for (const SharedFace& face : find_shared_faces(bodies)) {
+        if (pair != BlockPair(face.block, face.other)) {
+            pair = BlockPair(face.block, face.other);
+            spread.clear();
+        }
         const JointMaterial& one = scene.material[bodies.material[face.edge]];
         const JointMaterial& two = scene.material[bodies.material[face.other_edge]];
-        if (one.bond && two.bond) {
+        const JointMaterial& joint = joint_of(scene, bodies, face);
+        const bool rock = one.bond && two.bond;
+        const bool known = std::ranges::find(spread, &joint) != spread.end();
+        if (rock || (has_strength_to_lose(joint) && !known)) {
             bonds.push_back({face.block, face.edge - bodies.range[face.block].begin, face.other,
-                             face.other_edge - bodies.range[face.other].begin, *joint_of(scene, bodies, face).bond});
+                             face.other_edge - bodies.range[face.other].begin, rock ? joint.bond : std::nullopt});
+            if (!rock) {
+                spread.push_back(&joint);
+            }
         }
     }
     return bonds;
@@ -139,7 +209,11 @@ double elastic_energy(const Bond& bond, const FacePosition& at) {
 
 BondLoading loading_of(const Bond& bond, const FacePosition& at) {
     const double length = bond.face.length;
-    const double tension = bond.normal_stiffness * at.widest(length) / length;
+    // The stress of a section under this force and moment; springs over the face have it of themselves.
+    const double tension =
+        bond.of_joint
+            ? (bond.normal_stiffness * at.opening + 6 * bond.bending_stiffness * std::abs(at.turn) / length) / length
+            : bond.normal_stiffness * at.widest(length) / length;
     const double compression = -bond.normal_stiffness * at.opening / length;
     const double shear = bond.shear_stiffness * std::abs(at.slide) / length;
     const double strength = std::max(bond.cohesion + compression * bond.friction, 0.0);
@@ -147,7 +221,9 @@ BondLoading loading_of(const Bond& bond, const FacePosition& at) {
     const auto share = [](double stress, double most) {
         return stress <= 0 ? 0 : most > 0 ? stress / most : std::numeric_limits<double>::infinity();
     };
-    return {share(tension, bond.tension), share(shear, strength)};
+    // Both corners would be pressed: N / 2 >= M / L.
+    const bool closed = bond.of_joint && at.widest(length) <= 0;
+    return {closed ? 0 : share(tension, bond.tension), share(shear, strength)};
 }
 
 Bonds::Bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping, Team& team)
@@ -233,30 +309,77 @@ double Bonds::elastic_energy(const std::vector<Motion>& motion, const std::vecto
     return sum;
 }
 
-BondState Bonds::state_of(std::size_t bond, const std::vector<Motion>& motion) const {
-    const SharedFace& face = bond_[bond].face;
-    return state_under(loading_of(bond_[bond], locate(face, motion[face.block], motion[face.other])));
-}
-
-std::optional<std::size_t> Bonds::worst_overloaded(const std::vector<Motion>& motion,
-                                                   const std::vector<BondMemory>& memory) const {
+std::vector<std::size_t> Bonds::break_at_rest(const std::vector<Motion>& motion,
+                                              std::vector<BondMemory>& memory) const {
+    std::vector<std::size_t> changed;
     std::optional<std::size_t> worst;
     double most = 1;
     for (std::size_t index = 0; index < bond_.size(); ++index) {
+        const Bond& bond = bond_[index];
         if (memory[index].state != BondState::whole) {
             continue;
         }
-        const SharedFace& face = bond_[index].face;
-        const double loading = loading_of(bond_[index], locate(face, motion[face.block], motion[face.other])).worst();
-        if (loading > most) {
-            most = loading;
+        const BondLoading loading =
+            loading_of(bond, locate(bond.face, motion[bond.face.block], motion[bond.face.other]));
+        if (bond.of_joint && bond.tension == 0 && loading.worst() > 1) {
+            memory[index].state = BondState::handed_over;
+            changed.push_back(index);
+        } else if (loading.worst() > most) {
+            most = loading.worst();
             worst = index;
         }
     }
-    return worst;
+    if (changed.empty() && worst) {
+        const Bond& bond = bond_[*worst];
+        const FacePosition at = locate(bond.face, motion[bond.face.block], motion[bond.face.other]);
+        memory[*worst].state = state_under(bond, loading_of(bond, at));
+        changed.push_back(*worst);
+    }
+    return changed;
 }
 
-double hand_over(const Bond& bond, const Bodies& bodies, const std::vector<Motion>& motion, ContactList& list) {
+namespace {
+
+// Contacts as they were if they had borne all the time. The straight face of either block may have several edges.
+double hand_over_joint(const Bond& bond, BondState state, const Bodies& bodies, const std::vector<Motion>& motion,
+                       ContactList& list) {
+    const SharedFace& face = bond.face;
+    const bool keeps_cohesion = state == BondState::handed_over;
+    double held = 0;
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const RelaxationContact contact = list.contact[index];
+        constexpr double straight = 0.9999;  // cosine; faces that lie on each other lean by less
+        const double along = bodies.along[contact.edge].dot(face.along);
+        if (!(contact.block == face.block && contact.other == face.other && along > straight) &&
+            !(contact.block == face.other && contact.other == face.block && along < -straight)) {
+            continue;
+        }
+        const ContactLaw law = list.law_of(contact);
+        const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
+        ContactMemory memory = list.memory[index];
+        memory.beneath = false;
+        memory.broken = !keeps_cohesion;
+        // An end that has just lifted off opens with the next step, and loses its cohesion.
+        memory.touching = place.gap < 0 || keeps_cohesion;
+        memory.place = place.slide;
+        const double pressing = law.normal_stiffness * std::max(-place.gap, 0.0);
+        const double most = memory.broken ? pressing * law.residual_friction + law.residual_cohesion
+                                          : pressing * law.friction + law.cohesion;
+        memory.shear =
+            memory.touching ? std::clamp(place.slide, -most / law.shear_stiffness, most / law.shear_stiffness) : 0;
+        held += elastic_energy(law, contact, memory, motion[contact.block], motion[contact.other]);
+        list.memory.set(index, memory);
+    }
+    return held;
+}
+
+}  // namespace
+
+double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const std::vector<Motion>& motion,
+                 ContactList& list) {
+    if (bond.of_joint) {
+        return hand_over_joint(bond, state, bodies, motion, list);
+    }
     const SharedFace& face = bond.face;
     const FacePosition at = locate(face, motion[face.block], motion[face.other]);
     const PlanePoint<> along(at.along_x(), at.along_y());
@@ -284,7 +407,7 @@ double hand_over(const Bond& bond, const Bodies& bodies, const std::vector<Motio
         const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
         ContactPosition level = place;
         level.gap = 0;
-        const double weight = contact_weight(list.law_of(contact), contact, level);
+        const double weight = contact_weight(list.law_of(contact), contact, level, false);
         if (weight > 0) {
             const bool at_end = along.dot(moved_corner(bodies, motion, contact.corner) - middle) > 0;
             takers.push_back({index, at_end ? std::size_t{1} : std::size_t{0}});

@@ -17,6 +17,18 @@
 // and the shear (as far as friction holds it) that the bond had there: what the rock has shortened stays shortened. The
 // rest of the bond's energy is set free.
 //
+// A joint with cohesion that a slip takes away, or with tensile strength, has a bond of its own where there is no rock
+// across it. It is as stiff as the two contacts in whose place it stands, so that they set its time step. At two
+// corners tensile strength would bear three times the moment that it bears over a section, and cohesion would be lost
+// at the corner that is pressed less before the other is spent. Strength of the face, with N the force and M the moment
+// on it:
+//   shear   cohesion L + N tan(friction), the joint's peak: limit equilibrium
+//   moment  (N + t L) L / 6, the elastic section with a tensile strength t; or N L / 2, if that is more: as long as
+//           both ends would be pressed without it, the joint stays closed.
+// Without tensile strength such a bond does not break where an end lifts off: the contacts that take its place still
+// have their cohesion, each half of it, until they slip or open. They take its place as well where it is overloaded in
+// shear while static equilibrium is sought: without inertia joints give way one to the other before they break.
+//
 // While a pair of blocks has a whole bond, it has no contacts. Reference: Kawai, T. (1978) New discrete models and
 // their application to seismic response analysis of structures. Nucl. Eng. Des. 48, 207-229.
 #pragma once
@@ -50,15 +62,17 @@ struct Bond : FaceStiffness {
     double tension;   // Pa
     double cohesion;  // Pa
     double friction;  // tangent
+    bool of_joint;    // the joint's own strength, no rock
     // Of the bond, or of the contacts that take its place, whichever is more: a time step that was too long for them
     // would throw the blocks apart in the moment of breaking.
     FaceStiffness stiffest;
 };
 
-enum class BondState { whole, broken_in_tension, broken_in_shear, block_removed };
+// Handed over: only of a joint; its contacts bear in the bond's place, with all of the strength of theirs.
+enum class BondState { whole, broken_in_tension, broken_in_shear, block_removed, handed_over };
 
-constexpr std::array<std::string_view, 4> enum_names(BondState) {
-    return {"whole", "broken_in_tension", "broken_in_shear", "block_removed"};
+constexpr std::array<std::string_view, 5> enum_names(BondState) {
+    return {"whole", "broken_in_tension", "broken_in_shear", "block_removed", "handed_over"};
 }
 
 constexpr bool is_broken(BondState state) {
@@ -77,8 +91,9 @@ struct BondMemory {
 // The scene must be valid: one for each of its bonds.
 std::vector<Bond> make_bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping);
 
-// Bonds across all faces that lie on each other in the drawing and whose joints both have a bond; the material is that
-// of the joint with less friction, whose contacts act once it has broken.
+// Bonds across all faces that lie on each other in the drawing. Of rock where the joints of both have a bond; the
+// material is that of the joint with less friction, whose contacts act once it has broken. Of that joint itself where
+// it has strength to lose: tensile strength, or more cohesion than remains.
 std::vector<FaceBond> find_bonds(const RelaxationScene& scene);
 
 // J/m
@@ -116,11 +131,9 @@ class Bonds {
     double elastic_energy(std::size_t bond, const std::vector<Motion>& motion) const;
     // Of the whole bonds.
     double elastic_energy(const std::vector<Motion>& motion, const std::vector<BondMemory>& memory) const;
-    // Whole, or how the load of the moment breaks it.
-    BondState state_of(std::size_t bond, const std::vector<Motion>& motion) const;
-    // The most overloaded of the whole bonds.
-    std::optional<std::size_t> worst_overloaded(const std::vector<Motion>& motion,
-                                                const std::vector<BondMemory>& memory) const;
+    // Of whole bonds that are overloaded at rest, those go first that hand over to contacts, all at once; where there
+    // are none, the most overloaded one breaks. Returns which; none where all bear.
+    std::vector<std::size_t> break_at_rest(const std::vector<Motion>& motion, std::vector<BondMemory>& memory) const;
 
   private:
     void sum();
@@ -135,8 +148,9 @@ class Bonds {
     std::vector<std::uint32_t> of_block_ = {};
 };
 
-// Contacts of the bond's face that have come in its place take over what it carried, as far as they can. Returns the
-// elastic energy that they hold then, J/m.
-double hand_over(const Bond& bond, const Bodies& bodies, const std::vector<Motion>& motion, ContactList& list);
+// Contacts of the bond's face that have come in its place take over what it carried, as far as they can. `state`: its,
+// no longer whole. Returns the elastic energy that they hold then, J/m.
+double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const std::vector<Motion>& motion,
+                 ContactList& list);
 
 }  // namespace delabole

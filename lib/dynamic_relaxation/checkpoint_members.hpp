@@ -24,7 +24,8 @@ concept IsMaybeConst = std::same_as<std::remove_const_t<T>, Struct>;
     }
 
 DELABOLE_MEMBERS(Motion, x, y, sine, versine, vx, vy, spin, angle)
-DELABOLE_MEMBERS(EdgeEnds, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, residual_cohesion)
+DELABOLE_MEMBERS(EdgeEnds, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, alone,
+                 residual_cohesion)
 DELABOLE_MEMBERS(JointLaw, normal_stiffness, shear_stiffness, normal_dashpot, shear_dashpot, friction,
                  residual_friction, cohesion, tension)
 DELABOLE_MEMBERS(ContactBlocks, block, other, twin, ends, joint)
@@ -32,7 +33,7 @@ DELABOLE_MEMBERS(ContactCorner, corner, edge)
 DELABOLE_MEMBERS(ContactShapeOf<double>, arm_x, arm_y, other_arm_x, other_arm_y, along_x, along_y, gap, from_start,
                  to_end)
 DELABOLE_MEMBERS(ContactNumbersOf<double>, shear, place, damping, normal_drag, shear_drag, slip, friction)
-DELABOLE_MEMBERS(ContactFlagsOf<bool>, touching, sliding, broken, beneath)
+DELABOLE_MEMBERS(ContactFlagsOf<bool>, touching, sliding, broken, beneath, yields, insists, tried)
 // Of structs that have others as bases: these.
 template <class Object, class... Bases>
 auto bases_of(Object& object) {
@@ -53,7 +54,9 @@ static_assert(sizeof(RelaxationContact) == 9 * sizeof(double) + 8 * sizeof(std::
 
 DELABOLE_MEMBERS(ForceOnCorner, x, y, moment, other_moment)
 DELABOLE_MEMBERS(ContactList, contact, ends, joint, memory, force, open_until)
-DELABOLE_MEMBERS(WatchedPair, first, second, begin, x, y, first_angle, second_angle, holds)
+DELABOLE_MEMBERS(PairPose, x, y, first_angle, second_angle)
+DELABOLE_MEMBERS(WatchedPair, first, second, begin, pose, distance, holds)
+DELABOLE_MEMBERS(BlockOverlap, block, other, depth, share, area)
 DELABOLE_MEMBERS(WatchState, pair, way, due, neighbours_until, step_until, stable_step, step, searches, looks)
 DELABOLE_MEMBERS(NoticedMotion, moved, x, y, angle)
 DELABOLE_MEMBERS(BondMemory, state, time, damping, normal_drag, shear_drag, bending_drag)
@@ -64,7 +67,8 @@ DELABOLE_MEMBERS(StartBalance, unbalanced_ratio, cut_short)
 DELABOLE_MEMBERS(SlipOverFace, upward, slip)
 DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluated, motion, origin, start_balance,
                  noticed, calm, removed, base_slip, dropped_slip, contacts, watch, bond, ledger, unbalanced,
-                 unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, outcome)
+                 unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, overlap,
+                 outcome)
 
 DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,
                  tensile_strength, bond, residual_cohesion)

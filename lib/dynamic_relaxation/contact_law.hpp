@@ -69,9 +69,27 @@ DELABOLE_INLINED ContactPosition locate(const RelaxationContact& contact, const 
     return locate<double>(contact, block, other);
 }
 
+// Beside the edge's rival: its overlap, and the way along it from the end that they have in common.
+template <class Number>
+struct RivalPlace {
+    Number overlap;
+    Number way;
+};
+
+template <class Number>
+DELABOLE_INLINED RivalPlace<Number> place_at_rival(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
+                                                   const ContactPositionOf<Number>& at) {
+    const Number overlap = -at.gap;
+    const Number t = select(ends.rival > Number{}, at.position, length_to_end - at.slide);
+    return {t * ends.rival_sine - overlap * ends.rival_cosine, t * ends.rival_cosine + overlap * ends.rival_sine};
+}
+
+// An edge that bears in a trial does so until it is so many times as deep as its rival (corner_choice.hpp).
+constexpr double deepest_in_trial = 64;
+
 template <class Number>
 DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
-                                       const ContactPositionOf<Number>& at) {
+                                       const ContactPositionOf<Number>& at, const MaskOf<Number>& insists) {
     const Number overlap = -at.gap;
     // A ramp is no steeper than the overlap allows: a weight that changed faster would be a stiffer spring. Where a
     // corner does not bear at an end, it begins to bear half as far from it as it is deep: a point on a point holds.
@@ -88,20 +106,37 @@ DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Num
     Number weight = lesser(at_start, at_end);
     const auto has_rival = ends.rival != Number{};
     if (any(has_rival)) {
-        // With t the way from the common end, the rival's overlap and the way along it.
-        const Number t = select(ends.rival > Number{}, at.position, to_end);
-        const Number other_overlap = t * ends.rival_sine - overlap * ends.rival_cosine;
-        const Number other_way = t * ends.rival_cosine + overlap * ends.rival_sine;
+        const auto [other_overlap, other_way] = place_at_rival<Number>(ends, length_to_end, at);
         const Number half = Number{} + 0.5;
-        const Number against =
+        Number against =
             half + ramp(lesser(overlap, other_overlap), half) * greater(other_overlap - overlap, -other_way);
+        const auto alone = ends.alone > Number{};
+        if (any(alone)) {
+            // It bears as far as the blocks overlap, which they do not where they are apart over the rival.
+            const Number one = Number{} + 1.0;
+            const Number deepest = select(insists, other_overlap * deepest_in_trial, other_overlap);
+            const Number both = select(overlap > deepest, Number{}, other_overlap * ramp(overlap, one));
+            against = select(alone, both, against);
+        }
         weight = lesser(weight, select(has_rival, against, weight));
     }
     return lesser(greater(weight, Number{}), Number{} + 1.0);
 }
 
-inline double contact_weight(const EdgeEnds& ends, const RelaxationContact& contact, const ContactPosition& at) {
-    return contact_weight<double>(ends, contact.to_end, at);
+inline double contact_weight(const EdgeEnds& ends, const RelaxationContact& contact, const ContactPosition& at,
+                             bool insists) {
+    return contact_weight<double>(ends, contact.to_end, at, insists);
+}
+
+// Whether a contact that yields in a trial no longer does.
+template <class Number>
+DELABOLE_INLINED auto takes_over(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
+                                 const ContactPositionOf<Number>& at) {
+    return place_at_rival<Number>(ends, length_to_end, at).overlap > -at.gap * deepest_in_trial;
+}
+
+inline bool takes_over(const EdgeEnds& ends, const RelaxationContact& contact, const ContactPosition& at) {
+    return takes_over<double>(ends, contact.to_end, at);
 }
 
 // How fast a corner leaves its edge and moves along it, m/s.
@@ -201,18 +236,20 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
             return {};
         }
         // A twin hands over where both are about as deep.
-        if (memory.beneath && (!twin || overlap > 1.5 * twin->overlap)) {
+        if (memory.yields ? !takes_over(law, contact, at)
+                          : memory.beneath && (!twin || overlap > 1.5 * twin->overlap)) {
             return {};
         }
-        memory.beneath = false;
+        memory.beneath = memory.yields = false;
     }
     const ContactVelocity<double> velocity = velocity_of<double>(at, block, other);
     const double damping = damping_until_now<double>(memory, velocity, step / 2);
     const bool bonded = law.tension > 0 && !memory.broken;
-    const double weight = contact_weight(law, contact, at);
+    const double weight = contact_weight(law, contact, at, memory.insists);
     const auto open = [&] {
         let_go(law, weight, damping, memory);
         memory.touching = memory.sliding = false;
+        memory.insists = memory.insists && weight > 0;
         memory.broken = true;
     };
     if (weight == 0 || (overlap <= 0 && !bonded)) {
@@ -244,7 +281,7 @@ inline double elastic_energy(const ContactLaw& law, const RelaxationContact& con
         return 0;
     }
     const ContactPosition at = locate(contact, block, other);
-    return contact_weight(law, contact, at) *
+    return contact_weight(law, contact, at, memory.insists) *
            (law.normal_stiffness * at.gap * at.gap + law.shear_stiffness * memory.shear * memory.shear) / 2;
 }
 

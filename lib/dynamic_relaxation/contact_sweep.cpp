@@ -36,7 +36,7 @@ DELABOLE_INLINED MotionOf<Lanes> gather_motion(const Rows<Lanes>& rows) {
 template <IsLanes Lanes>
 DELABOLE_INLINED EdgeEndsOf<Lanes> gather_ends(const Rows<Lanes>& rows) {
     const std::array<Lanes, 8> of = gather_eight<Lanes>(rows);
-    return {of[0], of[1], of[2], of[3], of[4], of[5], of[6]};
+    return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]};
 }
 
 // In most groups all have the same.
@@ -101,6 +101,15 @@ struct Part {
     }
 };
 
+template <IsLanes Lanes>
+DELABOLE_INLINED EdgeEndsOf<Lanes> ends_of(const ContactSweep& sweep, const Part<Lanes>& part) {
+    Rows<Lanes> rows;
+    for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
+        rows[lane] = &sweep.ends[part.contact[lane].ends].start_weight;
+    }
+    return gather_ends<Lanes>(rows);
+}
+
 // What the contacts of a part have to do. A bit for each.
 struct Duty {
     unsigned bear = 0;       // those that touch and whose blocks have moved
@@ -149,7 +158,8 @@ void open_up(const ContactSweep& sweep, std::size_t index, double weight, double
     ContactNumbersOf<double> kept = taken_from(numbers, place);
     let_go(sweep.joint[sweep.contact[index].joint], weight, damping, kept);
     put_into<ContactNumbersOf>(numbers, place, kept);
-    put_into<ContactFlagsOf>(flags, place, {false, false, true, beneath});
+    put_into<ContactFlagsOf>(
+        flags, place, {false, false, true, beneath, false, flags.insists[place] && weight > 0, flags.tried[place]});
     sweep.force[index] = {};
     sweep.open_until[index] = not_open;
 }
@@ -157,15 +167,17 @@ void open_up(const ContactSweep& sweep, std::size_t index, double weight, double
 // Of contacts that begin to touch. Those in none of these take over what another has, if it then touches.
 struct Beginning {
     unsigned simply = 0;   // with nothing to take over
-    unsigned not_yet = 0;  // they are beneath their edges
+    unsigned not_yet = 0;  // they are beneath their edges, or yield
     unsigned before = 0;   // they take over what another of the part has before it is evaluated
 };
 
 template <IsLanes Lanes>
-DELABOLE_INLINED Beginning beginning_of(const ContactSweep& sweep, const Part<Lanes>& part, unsigned begins) {
+DELABOLE_INLINED Beginning beginning_of(const ContactSweep& sweep, const Part<Lanes>& part, unsigned begins,
+                                        unsigned yields) {
     Beginning beginning;
     const unsigned beneath = part.of(part.flags.beneath);
-    for (unsigned left = begins; left != 0; left &= left - 1) {
+    beginning.not_yet = begins & yields;
+    for (unsigned left = begins & ~beginning.not_yet; left != 0; left &= left - 1) {
         const unsigned lane = left & -left;
         const std::uint32_t twin = part.contact[std::countr_zero(left)].twin;
         if (twin != no_twin) {
@@ -203,8 +215,13 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     meanwhile();
     const unsigned apart = bits(at.gap >= 0.0);
     Beginning begins;
+    unsigned take_over = 0;
     if (duty.may_begin != 0) {
-        begins = beginning_of<Lanes>(sweep, part, duty.may_begin & ~apart);
+        const unsigned yields = part.of(part.flags.yields) & duty.may_begin & ~apart;
+        if (yields != 0) {
+            take_over = yields & bits(takes_over<Lanes>(ends_of<Lanes>(sweep, part), shape.to_end, at));
+        }
+        begins = beginning_of<Lanes>(sweep, part, duty.may_begin & ~apart & ~take_over, yields);
         // Before what they take over changes below.
         for (unsigned left = begins.before; left != 0; left &= left - 1) {
             evaluate_contact(sweep, part.first + static_cast<std::size_t>(std::countr_zero(left)));
@@ -220,12 +237,8 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     if (acting == 0) {
         return one_by_one;
     }
-    Rows<Lanes> ends_rows;
-    for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
-        ends_rows[lane] = &sweep.ends[part.contact[lane].ends].start_weight;
-    }
-    const EdgeEndsOf<Lanes> ends = gather_ends<Lanes>(ends_rows);
-    const Lanes weight = contact_weight<Lanes>(ends, shape.to_end, at);
+    const EdgeEndsOf<Lanes> ends = ends_of<Lanes>(sweep, part);
+    const Lanes weight = contact_weight<Lanes>(ends, shape.to_end, at, mask_of<Lanes>(part.of(part.flags.insists)));
     const unsigned without_weight = bits(weight == 0.0);
     const unsigned bearing = acting & ~apart & ~without_weight;
     const unsigned opening = acting & ~bearing;
@@ -235,7 +248,7 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     const ContactMemoryOf<Lanes> before{
         {part.of(kept.shear), part.of(kept.place), part.of(kept.damping), part.of(kept.normal_drag),
          part.of(kept.shear_drag), part.of(kept.slip), part.of(kept.friction)},
-        {{}, {}, mask_of<Lanes>(broken), {}}};
+        {{}, {}, mask_of<Lanes>(broken), {}, {}, {}, {}}};
     ContactMemoryOf<Lanes> memory = before;
     const double half_step = sweep.step / 2;
     const Lanes damping = damping_until_now<Lanes>(memory, velocity, half_step);

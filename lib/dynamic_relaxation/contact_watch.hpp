@@ -15,6 +15,7 @@
 #include "dynamic_relaxation/contact_list.hpp"
 #include "dynamic_relaxation/contacts.hpp"
 #include "dynamic_relaxation/pair_search.hpp"
+#include "dynamic_relaxation/settings.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,11 +29,11 @@ struct WatchedPair {
     std::uint32_t second;
     std::uint32_t begin;  // of its contacts in the list, which go up to those of the next pair
     // When last looked at:
-    double x;  // m, displacement of the first block against the second
-    double y;
-    double first_angle;
-    double second_angle;
-    double holds;  // m, motion of the blocks against each other up to which the contacts then found are all
+    PairPose pose;
+    double distance;  // m, as in PairContacts
+    // m, motion of the blocks against each other up to which the contacts then found are all; negative before the first
+    // look.
+    double holds;
 };
 
 struct WatchState {
@@ -55,12 +56,12 @@ struct MovingScene {
 
 class ContactWatch {
   public:
-    ContactWatch(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping);
+    ContactWatch(const RelaxationScene& scene, const Bodies& bodies, const RelaxationSettings& settings);
 
     // Everything is to be looked at, as before the first step.
     static void start(std::size_t blocks, WatchState& state);
-    // For a longer step, all pairs have to be asked.
-    static void prepare_for(double step, WatchState& state);
+    // For a longer step, all pairs have to be asked, and blocks that it takes past what they can touch searched for.
+    void prepare_for(double step, const std::vector<Motion>& motion, WatchState& state) const;
     // What is not in the state.
     void resume(const WatchState& state, const ContactList& list);
 
@@ -91,6 +92,7 @@ class ContactWatch {
     void list_due_blocks(const WatchState& state);
     double margin_of(const WatchedPair& pair, const MovingScene& scene, double step) const;
     double used_up(const WatchedPair& pair, const std::vector<Motion>& motion) const;
+    static double turned_since(const WatchedPair& pair, const std::vector<Motion>& motion);
     void search(const MovingScene& scene, const std::vector<BlockPair>& bonded, WatchState& state, ContactList& list);
     void visit(std::size_t number, const MovingScene& scene, WatchState& state, const ContactList& list);
     void look(std::size_t number, double margin, const MovingScene& scene, WatchState& state, const ContactList& list);
@@ -106,6 +108,8 @@ class ContactWatch {
     PairSearch pair_search_;
     double least_margin_;
     double gravity_;
+    double overlap_limit_;
+    double share_in_collision_;               // of the stable step
     std::vector<double> reach_at_rest_ = {};  // of each block
     ContactLaws laws_ = {};
     // Pairs of each block: begin_[block] to begin_[block + 1] in of_block_.

@@ -20,7 +20,7 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
             continue;
         }
         before = next_of_pair(previous, before.end, pair);
-        search.find(pair, motion, options.margin, options.first, previous, before, found);
+        search.find(pair, motion, options.margin, options.first, previous, before, {}, found);
         append(found, {0, found.contact.size()}, laws, list);
     }
     return list;

@@ -36,11 +36,14 @@ struct alignas(8 * sizeof(double)) EdgeEndsOf {
     Number start_weight;  // weight of the contact where the corner is at the edge's start
     Number end_weight;
     Number inverse_blend;  // 1 / length over which the weight changes
-    // 1 or -1 where the corner could bear as well on the edge beyond this one's start or end: it bears on the one that
-    // it is less deep in. 0 where not.
+    // 1 or -1 where the corner could bear as well on the edge beyond this one's start or end, or that end on an edge of
+    // the corner's block: the one that is less deep bears. 0 where not.
     Number rival;
     Number rival_sine;  // of the interior angle between the two
     Number rival_cosine;
+    // 1 where not both may bear at a time; 2 where moreover no other edge of the block may bear at that end, and the
+    // rival is the edge of the corner's own block on which the edge's end may: see corner_choice.hpp. 0 where not.
+    Number alone;
     Number residual_cohesion;  // N/m, over half the shared length: here because the row of JointLaw is full
 
     bool operator==(const EdgeEndsOf&) const = default;
@@ -124,6 +127,10 @@ struct ContactFlagsOf {
     // Below the line of the edge without having come there over the edge, for instance past its end: no overlap of this
     // edge, and none to bear with, until the corner has been above.
     Flag beneath{};
+    // Of corners on corners (corner_choice.hpp):
+    Flag yields{};   // does not bear in a trial
+    Flag insists{};  // bears in a trial though it is the deeper one
+    Flag tried{};    // whether balance is found without it has been tried
 };
 
 template <class Number>

@@ -26,10 +26,10 @@ std::vector<BrokenBond> broken_bonds(const RelaxationScene& scene, const Bodies&
     std::vector<BrokenBond> broken;
     for (std::size_t index = 0; index < scene.bond.size(); ++index) {
         const BondMemory& memory = state.bond[index];
-        if (!is_broken(memory.state)) {
+        const FaceBond& bond = scene.bond[index];
+        if (!is_broken(memory.state) || !bond.material) {
             continue;
         }
-        const FaceBond& bond = scene.bond[index];
         const std::optional<SharedFace> face =
             shared_face(bodies, edge_of(bodies, bond.block, bond.edge), edge_of(bodies, bond.other, bond.other_edge));
         if (face && state.removed[bond.other] == 0) {
@@ -45,6 +45,9 @@ std::vector<OpenJoint> open_joints(const RelaxationScene& scene, const Bodies& b
                                    double least) {
     std::set<std::pair<std::size_t, std::size_t>> bonded;
     for (const FaceBond& bond : scene.bond) {
+        if (!bond.material) {
+            continue;
+        }
         bonded.emplace(edge_of(bodies, bond.block, bond.edge), edge_of(bodies, bond.other, bond.other_edge));
         bonded.emplace(edge_of(bodies, bond.other, bond.other_edge), edge_of(bodies, bond.block, bond.edge));
     }

@@ -17,12 +17,12 @@ struct BrokenBond {
     PlanePoint<> to;
 };
 
-// The bonds that broke, in the order of the scene's bonds; not those whose blocks were taken away.
+// The bonds of rock that broke, in the order of the scene's bonds; not those whose blocks were taken away.
 std::vector<BrokenBond> broken_bonds(const RelaxationScene& scene, const Bodies& bodies, const RelaxationState& state);
 
 // Where faces that lay on each other have parted by more than `least`, m, somewhere along them, and still lie side by
-// side: the face of one of the blocks, in the drawing's frame, moved. Faces with a bond, whole or broken, and those of
-// fixed blocks are left out.
+// side: the face of one of the blocks, in the drawing's frame, moved. Faces with a bond of rock, whole or broken, and
+// those of fixed blocks are left out.
 struct OpenJoint {
     PlanePoint<> from;
     PlanePoint<> to;

@@ -17,6 +17,7 @@ std::optional<CriticalStatus> no_answer(RelaxationOutcome outcome) {
     case RelaxationOutcome::undecided:
         return CriticalStatus::undecided;
     case RelaxationOutcome::overlap_too_large:
+    case RelaxationOutcome::energy_not_balanced:
     case RelaxationOutcome::motion_not_finite:
         return CriticalStatus::run_failed;
     case RelaxationOutcome::interrupted:

@@ -14,7 +14,7 @@ std::vector<CornerForce> corner_forces(const Bodies& bodies, const RelaxationSta
         const ContactLaw law = state.contacts.law_of(contact);
         const ContactMemory memory = state.contacts.memory[index];
         const ContactPosition at = locate(contact, state.motion[contact.block], state.motion[contact.other]);
-        const double weight = contact_weight(law, contact, at);
+        const double weight = contact_weight(law, contact, at, memory.insists);
         if (!memory.touching || !(weight > 0)) {
             continue;
         }

@@ -159,7 +159,8 @@ std::optional<ContactName> deepest_contact(const Bodies& bodies, const Relaxatio
     for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
         const RelaxationContact contact = state.contacts.contact[index];
         const ContactPosition at = locate(contact, state.motion[contact.block], state.motion[contact.other]);
-        if (!state.contacts.memory[index].beneath && contact_weight(state.contacts.law_of(contact), contact, at) > 0 &&
+        if (!state.contacts.memory[index].beneath && !state.contacts.memory[index].yields &&
+            contact_weight(state.contacts.law_of(contact), contact, at, state.contacts.memory[index].insists) > 0 &&
             -at.gap > (deepest ? deepest->overlap : 0)) {
             deepest = ContactName{contact.block, contact.corner - bodies.range[contact.block].begin, contact.other,
                                   contact.edge - bodies.range[contact.other].begin, -at.gap};

@@ -14,20 +14,27 @@
 namespace delabole {
 
 enum class RelaxationOutcome {
-    undecided,    // neither at rest nor failed when time ran out
-    equilibrium,  // unbalanced forces and kinetic energy have died away
-    onset,        // blocks moved past the threshold of onset; the run was told to stop there
-    collapse,     // blocks moved past the threshold of collapse
-    overlap_too_large,
+    undecided,            // neither at rest nor failed when time ran out
+    equilibrium,          // unbalanced forces and kinetic energy have died away
+    onset,                // blocks moved past the threshold of onset; the run was told to stop there
+    collapse,             // blocks moved past the threshold of collapse
+    overlap_too_large,    // of a contact, or of two blocks as they lie: one has got into the other
+    energy_not_balanced,  // at the end, the ledger lacks more than `most_energy_lacking`
     motion_not_finite,
     interrupted,
     scene_not_valid,
 };
 
-constexpr std::array<std::string_view, 8> enum_names(RelaxationOutcome) {
-    return {"undecided",         "equilibrium",       "onset",       "collapse",
-            "overlap_too_large", "motion_not_finite", "interrupted", "scene_not_valid"};
+constexpr std::array<std::string_view, 9> enum_names(RelaxationOutcome) {
+    return {"undecided",           "equilibrium",       "onset",       "collapse",       "overlap_too_large",
+            "energy_not_balanced", "motion_not_finite", "interrupted", "scene_not_valid"};
 }
+
+// Share of the energy turned over, and stored in springs at the start, that a run's ledger may lack and its outcome
+// still be believed: several times what impacts lose. Energy that lifts the blocks by no more than so many of their
+// settlements moves none: blocks that only stand turn over no more than that.
+constexpr double most_energy_lacking = 0.1;
+constexpr double settlements_lacking = 10;
 
 enum class BlockMovement {
     stays,
@@ -94,6 +101,7 @@ struct RelaxationResult {
     double unbalanced_ratio = 0;                     // greatest unbalanced force over the block's weight of late
     EnergyLedger ledger = {};
     std::optional<ContactName> deepest = {};
+    std::optional<BlockOverlap> overlap = {};  // the greatest share measured, every 5000 steps and at the end
     RelaxationCost cost = {};
     std::vector<BlockOutcome> block = {};
 };

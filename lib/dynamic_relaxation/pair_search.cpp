@@ -1,6 +1,7 @@
 #include "dynamic_relaxation/pair_search.hpp"
 
 #include "dynamic_relaxation/contact_law.hpp"
+#include "dynamic_relaxation/corner_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -127,17 +128,20 @@ double PairSearch::measure(const Side& block, const Side& other, Gaps& gaps) {
 }
 
 void PairSearch::find(const BlockPair& pair, const std::vector<Motion>& motion, double margin, bool first,
-                      const ContactList& list, const ContactRange& before, PairContacts& found) {
+                      const ContactList& list, const ContactRange& before, const std::optional<PairPose>& then,
+                      PairContacts& found) {
     found.clear();
     margin_ = margin;
     shortest_ = std::min(bodies_.shortest_edge[pair.first], bodies_.shortest_edge[pair.second]);
     first_ = first;
     list_ = &list;
     before_ = before;
+    then_ = then;
     place(pair.first, motion, side_[0]);
     place(pair.second, motion, side_[1]);
     const double distance = std::max(measure(side_[0], side_[1], gaps_[0]), measure(side_[1], side_[0], gaps_[1]));
-    found.distance = std::max(0.0, distance);
+    found.distance = distance;
+    found.worst_overlap = std::max(0.0, -distance / shortest_);
     if (distance > margin + 3 * blend_way * shortest_) {
         return;
     }
@@ -180,8 +184,9 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
     const bool at_start = start_is_near != far_counts;
     const std::size_t beyond = other.begin + (far_counts ? far : near);
     bool rival = far_counts || near_bears;
+    const bool alone = rival && bodies_.along[edge_number].dot(bodies_.along[beyond]) < one_face;
     const double from_end = at_start ? position : length - position;
-    if (rival && std::abs(from_end) < at_tip * shortest_) {
+    if (rival && !alone && std::abs(from_end) < at_tip * shortest_) {
         const double excess = dip_beyond_that_of(corner_number, edge_number, beyond, at_start);
         if (excess > clearly_less) {
             return;
@@ -195,9 +200,37 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
         law.rival = at_start ? 1 : -1;
         law.rival_sine = std::abs(one.x() * two.y() - one.y() * two.x());
         law.rival_cosine = -one.dot(two);
+        law.alone = alone ? 1 : 0;
+    }
+    add_twin_as_rival(block, corner, other, edge, at_start, law);
+    if (law.alone > 0) {
+        // How far the blocks overlap is all that the weight depends on at this end.
+        (at_start ? law.start_weight : law.end_weight) = 1;
     }
     found.contact.push_back(contact_of(corner_number, edge_number));
     found.law.push_back(law);
+}
+
+// Beyond the edge's end the end itself may bear on a face of the corner's block. Between edges of two blocks the angle
+// changes as they turn: it is rounded, so that the law stays the same from search to search.
+void PairSearch::add_twin_as_rival(const Side& block, std::size_t corner, const Side& other, std::size_t edge,
+                                   bool at_start, ContactLaw& law) const {
+    const std::size_t end = at_start ? edge : other.after(edge);
+    const std::size_t face = at_start ? block.before(corner) : corner;
+    const PlanePoint<> inward = at_start ? other.along[edge] : PlanePoint<>(-other.along[edge]);
+    const PlanePoint<> along_face = at_start ? PlanePoint<>(-block.along[face]) : block.along[face];
+    const double cosine = inward.dot(along_face);
+    // The one nearer in its normal is the neighbour on the outline of all differences.
+    const bool farther = law.alone > 0 && cosine < -law.rival_cosine;
+    if (cosine > one_face || farther || !can_bear(other, end, block, face)) {
+        return;
+    }
+    constexpr double round_to = 1.0 / 64;
+    const double angle = std::round(std::acos(std::max(cosine, -1.0)) / round_to) * round_to;
+    law.rival = at_start ? 1 : -1;
+    law.rival_sine = std::sin(angle);
+    law.rival_cosine = -std::cos(angle);
+    law.alone = law.alone > 0 ? 1 : 2;
 }
 
 bool PairSearch::can_bear(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const {
@@ -334,20 +367,45 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
             contact.gap += memory.shortened;
         } else {
             memory.broken = !(first_ && contact.gap <= closed * shortest_);
-            memory.beneath = first_
-                                 ? beside(bodies_, contact, shortest_)
-                                 : law.rival == 0 && locate(contact, motion[contact.block], motion[contact.other]).gap <
-                                                         -came_over * margin_;
+            const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
+            memory.beneath = first_ ? beside(bodies_, contact, shortest_)
+                                    : law.rival == 0 && at.gap < -came_over * margin_ && !came_over_edge(contact, at);
             memory.touching = !memory.broken && !memory.beneath && (law.tension > 0 || contact.gap < 0);
         }
-        if (memory.beneath) {
+    }
+    for (std::size_t index = 0; index < found.contact.size(); ++index) {
+        const RelaxationContact& contact = found.contact[index];
+        const ContactLaw& law = found.law[index];
+        const ContactMemory& memory = found.memory[index];
+        if (memory.beneath || memory.yields) {
             continue;
         }
         const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
-        if (-at.gap > found.worst_overlap * shortest_ && contact_weight(law, contact, at) > 0) {
+        if (-at.gap > found.worst_overlap * shortest_ && contact_weight(law, contact, at, memory.insists) > 0) {
             found.worst_overlap = -at.gap / shortest_;
         }
     }
+}
+
+// Whether the corner has crossed the line of the edge between the edge's ends since the pair was last looked at.
+bool PairSearch::came_over_edge(const RelaxationContact& contact, const ContactPosition& now) const {
+    if (!then_) {
+        return false;
+    }
+    Motion first;
+    first.x = then_->x;
+    first.y = then_->y;
+    first.set_angle(then_->first_angle);
+    Motion second;
+    second.set_angle(then_->second_angle);
+    const bool of_first = contact.block == side_[0].block;
+    const ContactPosition before = locate(contact, of_first ? first : second, of_first ? second : first);
+    if (before.gap < 0) {
+        return false;
+    }
+    const double share = before.gap / (before.gap - now.gap);
+    const double position = before.position + share * (now.position - before.position);
+    return position >= 0 && position <= contact.edge_length();
 }
 
 std::size_t PairSearch::known(std::size_t corner, std::size_t edge) const {

@@ -1,115 +1,38 @@
 #include "dynamic_relaxation/preload.hpp"
 
 #include "dynamic_relaxation/contact_law.hpp"
-
-#include <Eigen/LU>
-#include <Eigen/SparseLU>
+#include "dynamic_relaxation/corner_choice.hpp"
+#include "dynamic_relaxation/static_equations.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace delabole {
 
 namespace {
 
-constexpr Eigen::Index none = -1;
+// Above so many free blocks rounds go astray: too many contacts change in each of them.
+constexpr std::size_t few_blocks = 100;
 
-// What a contact does in a given state, and how that changes with the motion of its two blocks.
-struct Response {
-    Eigen::Matrix<double, 6, 1> force = Eigen::Matrix<double, 6, 1>::Zero();
-    Eigen::Matrix<double, 6, 6> stiffness = Eigen::Matrix<double, 6, 6>::Zero();
-};
-
-using Direction = Eigen::Matrix<double, 6, 1>;
-
-template <class Position>
-Direction direction(double x, double y, const Position& at) {
-    Direction row;
-    row << x, y, at.arm_x * y - at.arm_y * x, -x, -y, -(at.other_arm_x * y - at.other_arm_y * x);
-    return row;
-}
-
-// The law of contact_law.hpp without velocities. A contact that has opened by a hair still counts in the tangent:
-// without it, blocks that touch without pressure would have nothing to stand on.
-Response respond(const ContactLaw& law, const RelaxationContact& contact, const ContactPosition& at,
-                 ContactMemory& memory, double hair) {
-    Response response;
-    const double overlap = -at.gap;
-    const bool bonded = law.tension > 0 && !memory.broken && memory.touching;
-    memory.shear += at.slide - memory.place;
-    memory.place = at.slide;
-    memory.touching = (overlap > 0 && !memory.beneath) || bonded;
-    memory.sliding = false;
-    if (memory.beneath || (overlap < -hair && !bonded)) {
-        memory.shear = 0;
-        return response;
-    }
-    const double weight = contact_weight(law, contact, at);
-    const Direction normal = direction(at.normal_x, at.normal_y, at);
-    const Direction along = direction(at.along_x(), at.along_y(), at);
-    const double pressing = law.normal_stiffness * std::max(overlap, 0.0);
-    const double friction = memory.broken ? law.residual_friction : law.friction;
-    const double strength = pressing * friction + (memory.broken ? law.residual_cohesion : law.cohesion);
-    response.stiffness = weight * law.normal_stiffness * normal * normal.transpose();
-    const double trial = -law.shear_stiffness * memory.shear;
-    const double shear = std::clamp(trial, -strength, strength);
-    memory.sliding = std::abs(trial) > strength;
-    memory.shear = -shear / law.shear_stiffness;
-    if (memory.sliding) {
-        response.stiffness +=
-            weight * law.normal_stiffness * std::copysign(friction, trial) * along * normal.transpose();
-    } else {
-        response.stiffness += weight * law.shear_stiffness * along * along.transpose();
-    }
-    response.force = weight * ((bonded ? law.normal_stiffness * overlap : pressing) * normal + shear * along);
-    return response;
-}
-
-Response respond(const Bond& bond, const FacePosition& at) {
-    const Direction normal = direction(at.normal_x, at.normal_y, at);
-    const Direction along = direction(at.along_x(), at.along_y(), at);
-    Direction bending;
-    bending << 0, 0, 1, 0, 0, -1;
-    Response response;
-    response.force = -bond.normal_stiffness * at.opening * normal - bond.shear_stiffness * at.slide * along -
-                     bond.bending_stiffness * at.turn * bending;
-    response.stiffness = bond.normal_stiffness * normal * normal.transpose() +
-                         bond.shear_stiffness * along * along.transpose() +
-                         bond.bending_stiffness * bending * bending.transpose();
-    return response;
-}
-
-// Rotations and moments are counted at the block's radius: all unknowns are lengths, so that scenes of every size lead
-// to the same equations.
 class Preload {
   public:
-    Preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
-            const PreloadSettings& settings, const Bonds& bonds, const std::vector<BondMemory>& bond_memory)
-        : bodies_(bodies),
-          loads_(loads),
-          settings_(settings),
-          bonds_(bonds),
-          bond_memory_(bond_memory),
-          unknown_(bodies.size(), none) {
-        for (std::size_t block = 0; block < bodies.size(); ++block) {
-            if (held[block] == 0) {
-                unknown_[block] = 3 * static_cast<Eigen::Index>(free_blocks_.size());
-                free_blocks_.push_back(block);
-            }
-        }
-    }
+    Preload(const Bodies& bodies, const PreloadSettings& settings, const Bonds& bonds, StaticEquations& equations)
+        : bodies_(bodies), settings_(settings), bonds_(bonds), equations_(equations) {}
 
     Preloaded solve(std::vector<Motion>& motion, ContactList& list) {
-        if (free_blocks_.empty()) {
+        if (equations_.free_blocks().empty()) {
             return {0, false, motion, 0};
         }
+        forget_tried(list.memory);
         const MemoryArray memory = list.memory;
         std::vector<Motion> start = motion;
         Preloaded found = approach(start, motion, list);
-        constexpr std::size_t few_blocks = 400;  // many settle in the run for less
-        if (found.ratio > settings_.tolerance && !creeps() && !bonds_.empty() && free_blocks_.size() < few_blocks) {
+        constexpr std::size_t few_enough = 400;  // many settle in the run for less
+        if (found.ratio > settings_.tolerance && !creeps() && !bonds_.empty() &&
+            equations_.free_blocks().size() < few_enough) {
             approach_in_steps(start, memory, found, motion, list);
         }
         // Peak strength goes one joint after the other, wherever it is reached.
@@ -117,7 +40,9 @@ class Preload {
             start = motion;
             found = approach(start, motion, list);
         }
-        found.contacts_evaluated = contacts_evaluated_;
+        while (found.ratio <= settings_.tolerance && try_corners(found, motion, list)) {
+        }
+        found.contacts_evaluated = equations_.contacts_evaluated();
         return found;
     }
 
@@ -133,16 +58,35 @@ class Preload {
         MemoryArray memory_found = std::exchange(list.memory, memory);
         Preloaded last{0, false, start, 0};
         for (int step = 1; step <= steps && last.ratio <= astray; ++step) {
-            load_share_ = static_cast<double>(step) / steps;
+            equations_.set_load_share(static_cast<double>(step) / steps);
             last = approach(start, stepped, list);
         }
-        load_share_ = 1;
+        equations_.set_load_share(1);
         if (last.ratio > settings_.tolerance) {
             list.memory = std::move(memory_found);
             return;
         }
         found = std::move(last);
         motion = std::move(stepped);
+    }
+
+    // What corners on corners hold has to be held either way (corner_choice.hpp). Returns whether there was anything to
+    // try.
+    bool try_corners(Preloaded& found, std::vector<Motion>& motion, ContactList& list) {
+        MemoryArray memory_before = list.memory;
+        if (try_other_edges({bodies_, motion}, equations_.weights(), list).empty()) {
+            return false;
+        }
+        const std::vector<Motion> before = motion;
+        Preloaded other = approach(before, motion, list);
+        if (other.ratio > settings_.tolerance) {
+            found = std::move(other);
+            return true;
+        }
+        note_tried(list.memory, memory_before);
+        motion = before;
+        list.memory = std::move(memory_before);
+        return true;
     }
 
     // Contacts with a peak that carry all they can slip, and have their residual strength from then on.
@@ -168,6 +112,11 @@ class Preload {
 
     // `start`: where the limits of motion are measured from.
     Preloaded approach(const std::vector<Motion>& start, std::vector<Motion>& motion, ContactList& list) {
+        return equations_.free_blocks().size() < few_blocks ? approach_in_rounds(start, motion, list)
+                                                            : approach_in_motion(start, motion, list);
+    }
+
+    Preloaded approach_in_rounds(const std::vector<Motion>& start, std::vector<Motion>& motion, ContactList& list) {
         // As stiff as the joints at first, so that no contact is left behind by a leap; then thinner as long as balance
         // does not get much worse. Blocks may lose balance for a while before they jam. Leaps to where it is far worse,
         // or over half of the way that is allowed, are not made: friction would keep what they leave behind, and could
@@ -177,9 +126,8 @@ class Preload {
         constexpr double much_worse = 1.5;
         constexpr double far_worse = 4;
         constexpr double half_way = 0.5;
-        stiffest_ = stiffest_joint(list);
         double resistance = 1;
-        double ratio = assemble(motion, list);
+        double ratio = evaluate(motion, list);
         Preloaded best{ratio, false, motion, 0};
         MemoryArray best_memory = list.memory;
         bool improves = true;
@@ -188,37 +136,37 @@ class Preload {
                 break;
             }
             if (round == most_rounds()) {
-                best.cut_short = best.ratio > settings_.tolerance && most_rounds() < rounds_of_few();
+                best.cut_short = best.ratio > settings_.tolerance;
                 break;
             }
-            const Eigen::VectorXd change = solve_linear(resistance);
-            if (!change.allFinite()) {
+            const std::optional<Eigen::VectorXd> change = equations_.change({resistance, 0}, equations_.unbalanced());
+            if (!change) {
                 break;
             }
             const std::vector<Motion> motion_before = motion;
             const MemoryArray memory_before = list.memory;
             const double ratio_before = ratio;
             const double come = share_of_limits(start, best.most_balanced, motion);
-            move(change, motion);
+            equations_.move(*change, motion);
             const double gone = share_of_limits(start, best.most_balanced, motion);
             if (gone >= 1 && come > half_way) {
                 if (!creeps() || best.ratio <= settings_.tolerance) {
                     break;
                 }
                 constexpr double just_within = 0.99;  // so that the run has only to show that they move on
-                move(-std::min(1.0, (gone - just_within) / (gone - come)) * change, motion);
-                assemble(motion, list);
+                equations_.move(-std::min(1.0, (gone - just_within) / (gone - come)) * *change, motion);
+                evaluate(motion, list);
                 settle(resistance, motion, list);
                 return best;
             }
-            ratio = gone < 1 ? assemble(motion, list) : std::numeric_limits<double>::infinity();
+            ratio = gone < 1 ? evaluate(motion, list) : std::numeric_limits<double>::infinity();
             if (creeps() && gone < 1 && ratio > settings_.tolerance) {
                 ratio = settle(resistance, motion, list);
             }
             if (!(ratio < far_worse * ratio_before)) {
                 motion = motion_before;
                 list.memory = memory_before;
-                ratio = assemble(motion, list);
+                ratio = evaluate(motion, list);
                 resistance *= thicker;
                 continue;
             }
@@ -236,126 +184,134 @@ class Preload {
         return best;
     }
 
-    int most_rounds() const {
-        return std::max(8, std::min(rounds_of_few(), 40000 / static_cast<int>(1 + free_blocks_.size())));
-    }
-    int rounds_of_few() const { return creeps() ? 2000 : 300; }
+    int most_rounds() const { return creeps() ? 2000 : 300; }
 
-    double stiffest_joint(const ContactList& list) const {
-        double stiffest = 0;
-        for (const JointLaw& law : list.joint) {
-            stiffest = std::max(stiffest, law.normal_stiffness);
-        }
-        for (const Bond& bond : bonds_.list()) {
-            stiffest = std::max(stiffest, bond.normal_stiffness);
-        }
-        return stiffest;
+    double evaluate(const std::vector<Motion>& motion, ContactList& list) {
+        equations_.evaluate(motion, list.memory, list);
+        return equations_.unbalanced_ratio();
     }
 
     // A round too thick for blocks to creep: stiff joints only recover from the last one, which took a straight way.
     double settle(double resistance, std::vector<Motion>& motion, ContactList& list) {
         constexpr double thick = 1e-3;
-        move(solve_linear(std::max(resistance, thick)), motion);
-        return assemble(motion, list);
+        if (const auto change = equations_.change({std::max(resistance, thick), 0}, equations_.unbalanced())) {
+            equations_.move(*change, motion);
+        }
+        return evaluate(motion, list);
     }
 
-    // Forces and tangents; the greatest unbalanced force over its block's load.
-    double assemble(const std::vector<Motion>& motion, ContactList& list) {
-        constexpr double hair = 1e-9;  // of the shortest edge
-        const Eigen::Index count = 3 * static_cast<Eigen::Index>(free_blocks_.size());
-        unbalanced_ = Eigen::VectorXd::Zero(count);
-        for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
-            const std::size_t block = free_blocks_[index];
-            unbalanced_.segment<3>(3 * static_cast<Eigen::Index>(index)) =
-                load_share_ * loads_[block].cwiseProduct(lengths_of(block));
-        }
-        entries_.clear();
-        contacts_evaluated_ += list.contact.size();
-        for (std::size_t index = 0; index < list.contact.size(); ++index) {
-            const RelaxationContact contact = list.contact[index];
-            const double touching =
-                hair * std::min(bodies_.shortest_edge[contact.block], bodies_.shortest_edge[contact.other]);
-            ContactMemory memory = list.memory[index];
-            const Response response =
-                respond(list.law_of(contact), contact, locate(contact, motion[contact.block], motion[contact.other]),
-                        memory, memory.touching ? 0 : touching);
-            list.memory.set(index, memory);
-            add(contact.block, contact.other, response);
-        }
-        for (std::size_t index = 0; index < bonds_.list().size(); ++index) {
-            const Bond& bond = bonds_.list()[index];
-            if (bond_memory_[index].state == BondState::whole) {
-                add(bond.face.block, bond.face.other,
-                    respond(bond, locate(bond.face, motion[bond.face.block], motion[bond.face.other])));
+    // One implicit step of the motion without mass, from `motion` and the memories that contacts had before it: forces
+    // out of balance are those that pseudo-viscosity holds. Newton's method, with a line search over the root of the
+    // mean square of what they lack.
+    struct ImplicitStep {
+        Eigen::VectorXd moved;
+        int solutions = 0;      // of linear equations
+        bool balanced = false;  // with pseudo-viscosity, well enough for the next step
+        bool kept = false;      // or nearer to that than at first
+    };
+
+    ImplicitStep step_implicitly(double pseudo_viscosity, const MemoryArray& before, std::vector<Motion>& motion,
+                                 ContactList& list) {
+        constexpr double well_enough = 0.3;  // of what was lacking at first: the next step makes it good
+        constexpr double nearer = 0.5;
+        constexpr double astray = 2;
+        constexpr int most_solutions = 8;
+        constexpr int most_halvings = 3;
+        constexpr double rounding = 1e-13;
+        // What rigid motion of many blocks together meets has to fade faster than what holds contacts from changing.
+        const PseudoViscosity resisting{pseudo_viscosity * std::min(1.0, 10 * pseudo_viscosity), pseudo_viscosity};
+        ImplicitStep step{Eigen::VectorXd::Zero(equations_.unbalanced().size())};
+        Eigen::VectorXd lacking = equations_.unbalanced();
+        const double at_first = equations_.mean_ratio(lacking);
+        double lacks = at_first;
+        while (step.solutions < most_solutions && !step.balanced) {
+            ++step.solutions;
+            const std::optional<Eigen::VectorXd> change = equations_.change(resisting, lacking);
+            if (!change) {
+                return step;
+            }
+            const std::vector<Motion> from = motion;
+            const double lacked = lacks;
+            double share = 1;
+            for (int halvings = 0;; ++halvings, share /= 2) {
+                motion = from;
+                equations_.move(share * *change, motion);
+                equations_.evaluate(motion, before, list);
+                lacking = equations_.unbalanced() - equations_.resistance(resisting, step.moved + share * *change);
+                lacks = equations_.mean_ratio(lacking);
+                if (lacks < lacked || halvings == most_halvings) {
+                    break;
+                }
+            }
+            step.moved += share * *change;
+            step.balanced = lacks <= std::max(well_enough * at_first, rounding);
+            if (!(lacks < astray * at_first)) {
+                return step;
             }
         }
-        double ratio = 0;
-        for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
-            const std::size_t block = free_blocks_[index];
-            const Eigen::Vector3d net = unbalanced_.segment<3>(3 * static_cast<Eigen::Index>(index));
-            const double load = std::max(loads_[block].head<2>().norm(), std::numeric_limits<double>::min());
-            ratio = std::max(ratio, (net.head<2>().norm() + std::abs(net(2))) / load);
-        }
-        return ratio;
+        step.kept = step.balanced || lacks <= nearer * at_first;
+        return step;
     }
 
-    Eigen::Vector3d lengths_of(std::size_t block) const { return {1, 1, 1 / bodies_.radius[block]}; }
-
-    void add(std::size_t block, std::size_t other, const Response& response) {
-        const std::array<Eigen::Index, 2> at{unknown_[block], unknown_[other]};
-        Direction lengths;
-        lengths << lengths_of(block), lengths_of(other);
-        const Direction force = response.force.cwiseProduct(lengths);
-        const Eigen::Matrix<double, 6, 6> stiffness = lengths.asDiagonal() * response.stiffness * lengths.asDiagonal();
-        for (Eigen::Index row = 0; row < 2; ++row) {
-            if (at[static_cast<std::size_t>(row)] == none) {
+    Preloaded approach_in_motion(const std::vector<Motion>& start, std::vector<Motion>& motion, ContactList& list) {
+        constexpr double thinner = 2;
+        constexpr double thicker = 4;
+        constexpr double thinnest = 1e-13;
+        constexpr double thickest = 1e3;
+        constexpr int easily = 4;  // solutions
+        constexpr int most_solutions = 2000;
+        constexpr double half_way = 0.5;
+        double pseudo_viscosity = 0.3;
+        equations_.let_contacts_resist();
+        double ratio = evaluate(motion, list);
+        MemoryArray memory = list.memory;
+        Preloaded best{ratio, false, motion, 0};
+        MemoryArray best_memory = memory;
+        bool improves = true;
+        int solutions = 0;
+        while (best.ratio > settings_.finest && (best.ratio > settings_.tolerance || improves) &&
+               pseudo_viscosity <= thickest) {
+            if (solutions >= most_solutions) {
+                best.cut_short = best.ratio > settings_.tolerance;
+                break;
+            }
+            const std::vector<Motion> from = motion;
+            const double come = share_of_limits(start, best.most_balanced, from);
+            const ImplicitStep step = step_implicitly(pseudo_viscosity, memory, motion, list);
+            solutions += step.solutions;
+            const double gone = share_of_limits(start, best.most_balanced, motion);
+            if (gone >= 1 && come > half_way) {
+                if (!creeps() || best.ratio <= settings_.tolerance) {
+                    break;
+                }
+                constexpr double just_within = 0.99;  // so that the run has only to show that they move on
+                equations_.move(-std::min(1.0, (gone - just_within) / (gone - come)) * step.moved, motion);
+                equations_.evaluate(motion, memory, list);
+                return best;
+            }
+            if (!(gone < 1) || !step.kept) {
+                improves = false;
+                motion = from;
+                equations_.evaluate(motion, memory, list);
+                pseudo_viscosity *= thicker;
                 continue;
             }
-            unbalanced_.segment<3>(at[static_cast<std::size_t>(row)]) += force.segment<3>(3 * row);
-            for (Eigen::Index column = 0; column < 2; ++column) {
-                if (at[static_cast<std::size_t>(column)] == none) {
-                    continue;
-                }
-                for (Eigen::Index i = 0; i < 3; ++i) {
-                    for (Eigen::Index j = 0; j < 3; ++j) {
-                        entries_.emplace_back(at[static_cast<std::size_t>(row)] + i,
-                                              at[static_cast<std::size_t>(column)] + j,
-                                              stiffness(3 * row + i, 3 * column + j));
-                    }
-                }
+            memory = list.memory;
+            const double ratio_before = std::exchange(ratio, equations_.unbalanced_ratio());
+            improves = ratio < ratio_before / 2;
+            if (ratio < best.ratio) {
+                best.ratio = ratio;
+                best.most_balanced = motion;
+                best_memory = memory;
+            }
+            if (step.balanced && step.solutions <= easily) {
+                const double by = step.solutions == 1 ? thinner * thinner : thinner;
+                pseudo_viscosity = std::max(pseudo_viscosity / by, thinnest);
             }
         }
-    }
-
-    // `resistance`: as a share of the stiffest joint.
-    Eigen::VectorXd solve_linear(double resistance) {
-        for (Eigen::Index unknown = 0; unknown < unbalanced_.size(); ++unknown) {
-            entries_.emplace_back(unknown, unknown, resistance * stiffest_);
-        }
-        Eigen::SparseMatrix<double> matrix(unbalanced_.size(), unbalanced_.size());
-        matrix.setFromTriplets(entries_.begin(), entries_.end());
-        constexpr Eigen::Index small = 60;
-        if (unbalanced_.size() <= small) {
-            return Eigen::MatrixXd(matrix).partialPivLu().solve(unbalanced_);
-        }
-        const Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(matrix);
-        if (solver.info() != Eigen::Success) {
-            return Eigen::VectorXd::Constant(unbalanced_.size(), std::numeric_limits<double>::infinity());
-        }
-        return solver.solve(unbalanced_);
-    }
-
-    void move(const Eigen::VectorXd& change, std::vector<Motion>& motion) const {
-        for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
-            const std::size_t block = free_blocks_[index];
-            Motion& moved = motion[block];
-            const Eigen::Index at = 3 * static_cast<Eigen::Index>(index);
-            // About the centre of the turn, exact to second order: what rolls over its toe stays on it.
-            const double turn = change(at + 2) / bodies_.radius[block];
-            moved.x += change(at) - turn / 2 * change(at + 1);
-            moved.y += change(at + 1) + turn / 2 * change(at);
-            moved.set_angle(moved.angle + turn);
-        }
+        motion = best.most_balanced;
+        list.memory = best_memory;
+        return best;
     }
 
     bool creeps() const { return settings_.creep_rotation > 0; }
@@ -364,7 +320,7 @@ class Preload {
     double share_of_limits(const std::vector<Motion>& start, const std::vector<Motion>& most_balanced,
                            const std::vector<Motion>& motion) const {
         double share = 0;
-        for (const std::size_t block : free_blocks_) {
+        for (const std::size_t block : equations_.free_blocks()) {
             const double radius = bodies_.radius[block];
             const Motion& now = motion[block];
             const Motion& then = start[block];
@@ -380,17 +336,9 @@ class Preload {
     }
 
     const Bodies& bodies_;
-    const std::vector<Eigen::Vector3d>& loads_;
     const PreloadSettings& settings_;
     const Bonds& bonds_;
-    const std::vector<BondMemory>& bond_memory_;
-    std::vector<std::size_t> free_blocks_ = {};
-    double load_share_ = 1;
-    std::vector<Eigen::Index> unknown_;  // first of a block's three; none where it is held
-    std::vector<Eigen::Triplet<double>> entries_ = {};
-    Eigen::VectorXd unbalanced_ = {};
-    double stiffest_ = 0;
-    std::uint64_t contacts_evaluated_ = 0;
+    StaticEquations& equations_;
 };
 
 }  // namespace
@@ -398,7 +346,8 @@ class Preload {
 Preloaded preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
                   const PreloadSettings& settings, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
                   std::vector<Motion>& motion, ContactList& list) {
-    return Preload(bodies, held, loads, settings, bonds, bond_memory).solve(motion, list);
+    StaticEquations equations(bodies, held, loads, bonds, bond_memory, list);
+    return Preload(bodies, settings, bonds, equations).solve(motion, list);
 }
 
 }  // namespace delabole

@@ -23,7 +23,7 @@ struct PreloadSettings {
 
 struct Preloaded {
     double ratio;                       // unbalanced, of the most balanced state met
-    bool cut_short;                     // ended for lack of rounds: with more there may be an equilibrium
+    bool cut_short;                     // ended for lack of solutions: with more there may be an equilibrium
     std::vector<Motion> most_balanced;  // motion there
     std::uint64_t contacts_evaluated;
 };
@@ -31,14 +31,16 @@ struct Preloaded {
 // Lets blocks that are not held sink and lean, without inertia, to where springs and friction carry their loads (x
 // force, y force, moment of each), and sets the memories of the contacts. The laws are those of the run, over the same
 // geometry, so that what is found is an equilibrium of the run as well; where none is found within the limits, the run
-// starts from the most balanced state met, or farther on. It takes 300 rounds at most, 2000 where blocks creep. Many
-// blocks are given fewer, 40 000 over their number but no fewer than 8: they settle in the run for less than their
-// equations cost.
+// starts from the most balanced state met, or farther on.
 //
-// Method: Newton's, over the tangents of the contacts (friction makes them unsymmetric), with a resistance to the
-// change of each round that fades as balance improves. It is the implicit integration of a motion without mass through
-// a thick fluid, with growing steps: it goes to stable equilibria only. Where it finds none of bonded blocks, fewer
-// than 400 and not left to creep, it tries again with loads that grow in eight steps.
+// Method: implicit integration of a motion without mass, which a pseudo-viscosity resists that fades as balance
+// improves: it goes to stable equilibria only. Each solution takes Newton's tangents of the contacts (friction makes
+// them unsymmetric). Fewer than 100 free blocks move by one linear solution at a time, 300 at most, 2000 where they
+// creep. Of more, so many contacts begin or end to slide or to touch in one of those that balance would not improve:
+// each step is solved until pseudo-viscosity balances what is out of balance, from the memories that contacts had
+// before it, and what resists are not only the blocks themselves but also their contacts, open ones too, which do not
+// let them flutter; there are 2000 linear solutions at most. Where it finds no balance of bonded blocks, fewer than 400
+// and not left to creep, it tries again with loads that grow in eight steps.
 Preloaded preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
                   const PreloadSettings& settings, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
                   std::vector<Motion>& motion, ContactList& list);

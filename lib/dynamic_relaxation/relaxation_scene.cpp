@@ -357,7 +357,7 @@ RelaxationScene relaxation_scene(const RelaxationStudy& study) {
     RelaxationScene scene = drawn_scene(study);
     scene.gravity.acceleration = model.gravity.value_or(scene.gravity.acceleration);
     stiffen(scene, std::holds_alternative<RelaxationSlope>(model.scene), stiffness_ratio_of(study));
-    if (!scene.bond_material.empty() && all_joints_known(scene)) {
+    if (all_joints_known(scene)) {
         scene.bond = find_bonds(scene);
     }
     if (model.base_friction) {

@@ -246,6 +246,7 @@ RelaxationAnswer answer_of(const RelaxationResult& result) {
         result.start_balance ? result.start_balance->unbalanced_ratio : infinite,
         result.unbalanced_ratio,
         result.deepest ? result.deepest->overlap : 0,
+        result.overlap ? result.overlap->area : 0,
         {ledger.applied, ledger.prescribed, ledger.kinetic, ledger.elastic, ledger.friction, ledger.bonds,
          ledger.dashpots, ledger.local_damping, ledger.kinetic_damping, ledger.residual(), ledger.residual_share()},
         static_cast<double>(result.cost.steps),

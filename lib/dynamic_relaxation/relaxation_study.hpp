@@ -69,7 +69,7 @@ struct RelaxationNumerics {
                     "sets step_fraction, stiffness_ratio and equilibrium_ratio where they are absent"),
             number("stiffness_ratio", &N::stiffness_ratio, Dimension::ratio, within(1e3, 1e10),
                    "normal stiffness times width over weight of the heaviest block; absent: 1e6"),
-            number("step_fraction", &N::step_fraction, Dimension::ratio, within(0.01, 1),
+            number("step_fraction", &N::step_fraction, Dimension::ratio, within(0.01, 0.8),
                    "share of the greatest stable step; absent: 0.6"),
             number("time_step", &N::time_step, Dimension::time, more_than(0),
                    "divided where it is more than the share of the stable step; absent: the share"),
@@ -197,6 +197,7 @@ struct RelaxationAnswer {
     double unbalanced_at_start;
     double unbalanced_ratio;
     double greatest_overlap;
+    double overlap_area;
     EnergyAnswer energy;
     double steps;
     double time_step;
@@ -228,6 +229,8 @@ struct RelaxationAnswer {
                    "greatest unbalanced force on a block over its weight at the end"),
             number("greatest_overlap", &R::greatest_overlap, Dimension::length, any_number(),
                    "of a corner and an edge at the end"),
+            number("overlap_area", &R::overlap_area, Dimension::area, any_number(),
+                   "that two blocks have in common, of the two that lay deepest in each other"),
             section("energy", &R::energy, "the books of energy"),
             number("steps", &R::steps, Dimension::ratio, any_number(), "time steps made"),
             number("time_step", &R::time_step, Dimension::time, any_number(), "the last one"),

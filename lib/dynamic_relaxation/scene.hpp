@@ -25,8 +25,10 @@ struct JointMaterial {
     double friction_angle;    // peak, 0 to below 90 deg
     // After the first slip or opening, where there is a peak: Fig 5.4(c). Absent: the friction angle, as in Fig 5.4(b).
     std::optional<double> residual_friction_angle = {};
-    double cohesion = 0;          // Pa over the shared length of the faces; lost with the first slip or opening
-    double tensile_strength = 0;  // Pa over the shared length; lost likewise
+    // Pa over the shared length of the faces, lost with the first slip or opening. Half of each acts at either end;
+    // spread over the face where the joint has a bond of its own (FaceBond).
+    double cohesion = 0;
+    double tensile_strength = 0;
     // Material of the bonds that find_bonds makes across faces of this joint: intact rock. Absent: the joint is open.
     std::optional<std::size_t> bond = {};
     // Pa, what of the cohesion is not lost, at most all of it: then the joint is perfectly plastic in shear.
@@ -52,7 +54,8 @@ struct FaceBond {
     std::size_t edge;
     std::size_t other;
     std::size_t other_edge;
-    std::size_t material;
+    // Of the rock across them. Absent: there is none, the joint's own strength acts over the whole face (bonds.hpp).
+    std::optional<std::size_t> material;
 };
 
 struct RelaxationBlock {

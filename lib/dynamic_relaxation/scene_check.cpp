@@ -263,7 +263,7 @@ SceneFault check_bonds(const RelaxationScene& scene) {
         if (bond.edge >= bodies.range[bond.block].size() || bond.other_edge >= bodies.range[bond.other].size()) {
             return {SceneCheck::unknown_edge, index};
         }
-        if (bond.material >= scene.bond_material.size()) {
+        if (bond.material && *bond.material >= scene.bond_material.size()) {
             return {SceneCheck::unknown_material, index};
         }
         if ((scene.block[bond.block].fixed && scene.block[bond.other].fixed) ||
@@ -302,7 +302,7 @@ double softest_joint(const RelaxationScene& scene, const Bodies& bodies, std::si
 SceneFault check_settings(const RelaxationSettings& settings) {
     const auto within = [](double value, double least, double most) { return value >= least && value <= most; };
     const auto not_negative = [](double value) { return value >= 0 && std::isfinite(value); };
-    const bool valid = within(settings.step_fraction, 0.01, 1) &&
+    const bool valid = within(settings.step_fraction, 0.01, 0.8) &&
                        (!settings.time_step || (*settings.time_step > 0 && std::isfinite(*settings.time_step))) &&
                        within(settings.viscous_damping, 0, 2) && settings.local_damping >= 0 &&
                        settings.local_damping < 1 && not_negative(settings.ramp_time) &&
@@ -352,7 +352,8 @@ SceneFault check_start(const RelaxationScene& scene) {
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         const RelaxationContact contact = list.contact[index];
         const ContactPosition at = locate(contact, unmoved[contact.block], unmoved[contact.other]);
-        if (!list.memory[index].beneath && contact_weight(list.law_of(contact), contact, at) > 0 &&
+        if (!list.memory[index].beneath && !list.memory[index].yields &&
+            contact_weight(list.law_of(contact), contact, at, list.memory[index].insists) > 0 &&
             -at.gap > allowed(contact.block, contact.other, list.law_of(contact).normal_stiffness)) {
             return {SceneCheck::overlap_at_start, contact.block, contact.other};
         }

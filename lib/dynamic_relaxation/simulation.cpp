@@ -2,6 +2,7 @@
 
 #include "dynamic_relaxation/base_friction.hpp"
 #include "dynamic_relaxation/contact_law.hpp"
+#include "dynamic_relaxation/corner_choice.hpp"
 #include "dynamic_relaxation/loads.hpp"
 #include "dynamic_relaxation/preload.hpp"
 #include "dynamic_relaxation/time_step.hpp"
@@ -34,6 +35,14 @@ std::vector<double> unnoticed_ways(const RelaxationScene& scene, const Bodies& b
     return ways;
 }
 
+// Local damping that opposes a spring's swing acts as a stiffer spring, up to 1 + `local_damping` times: at 0.2 the
+// greatest share allowed, 0.8, is stable, and with more a share that is less by as much. On a belt friction damps what
+// swings, and any share is.
+double share_of_stable_step(const RelaxationScene& scene, const RelaxationSettings& settings) {
+    constexpr double most = 0.8 * 1.2;
+    return scene.belt ? settings.step_fraction : std::min(settings.step_fraction, most / (1 + settings.local_damping));
+}
+
 Bodies bodies_of(const RelaxationScene& scene, const RelaxationSettings& settings) {
     Bodies bodies = make_bodies(scene);
     if (settings.mass_scaling) {
@@ -55,7 +64,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
       team_(std::max<std::size_t>(settings_.threads, 1)),
       contact_forces_(bodies_, team_),
       bonds_(scene_, bodies_, settings_.viscous_damping, team_),
-      contact_watch_(scene_, bodies_, settings_.viscous_damping) {
+      contact_watch_(scene_, bodies_, settings_) {
     state_.motion.resize(bodies_.size());
     state_.removed.resize(bodies_.size(), 0);
     state_.base_slip.resize(bodies_.size(), 0);
@@ -77,7 +86,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, Relax
       team_(std::max<std::size_t>(settings_.threads, 1)),
       contact_forces_(bodies_, team_),
       bonds_(scene_, bodies_, settings_.viscous_damping, team_),
-      contact_watch_(scene_, bodies_, settings_.viscous_damping) {
+      contact_watch_(scene_, bodies_, settings_) {
     prepare();
     contact_forces_.renew();
     contact_watch_.resume(state_.watch, state_.contacts);
@@ -91,7 +100,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, const
       team_(std::max<std::size_t>(settings_.threads, 1)),
       contact_forces_(bodies_, team_),
       bonds_(scene_, bodies_, settings_.viscous_damping, team_),
-      contact_watch_(scene_, bodies_, settings_.viscous_damping) {
+      contact_watch_(scene_, bodies_, settings_) {
     settings_.start = RelaxationStart::preloaded;
     prepare();
     begin(JointsAtStart::as_left);
@@ -175,12 +184,13 @@ bool Simulation::preload_under(double load_share, bool first, const PreloadSetti
         state_.start_balance = StartBalance{found.ratio, found.cut_short};
         state_.contacts_evaluated += found.contacts_evaluated;
         const bool balanced = found.ratio <= limits.tolerance;
-        const std::optional<std::size_t> worst = bonds_.worst_overloaded(state_.motion, state_.bond);
-        if (!worst || !balanced) {
-            return balanced;
+        if (!balanced) {
+            return false;
         }
-        state_.bond[*worst].state = bonds_.state_of(*worst, state_.motion);
-        just_broken_.push_back(*worst);
+        just_broken_ = bonds_.break_at_rest(state_.motion, state_.bond);
+        if (just_broken_.empty()) {
+            return true;
+        }
     }
 }
 
@@ -189,6 +199,9 @@ void Simulation::begin(JointsAtStart joints) {
         preload_springs(joints);
     } else {
         state_.origin = state_.motion;
+    }
+    if (last_scheduled_time(scene_, settings_) > 0) {
+        forget_tried(state_.contacts.memory);
     }
     // The first step evaluates all contacts.
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
@@ -200,6 +213,8 @@ void Simulation::begin(JointsAtStart joints) {
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
         const RelaxationContact contact = state_.contacts.contact[index];
         ContactMemory memory = state_.contacts.memory[index];
+        memory.friction = 0;  // edges exchanged at corners while springs were preloaded
+        state_.contacts.memory.set(index, memory);
         if (!is_preloaded(settings_.start) && contact.gap < 0) {
             memory.touching = true;  // drawn with an overlap: its spring is compressed before the first step
         }
@@ -216,6 +231,7 @@ void Simulation::step() {
     apply_loads();
     integrate();
     look();
+    audit();
 }
 
 void Simulation::hold_blocks() {
@@ -317,7 +333,7 @@ void Simulation::preload_within(double margin, bool first) {
     state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
                                     {margin, settings_.viscous_damping, first, bonded}, state_.contacts);
     for (const std::size_t bond : std::exchange(just_broken_, {})) {
-        hand_over(bonds_.list()[bond], bodies_, state_.motion, state_.contacts);
+        hand_over(bonds_.list()[bond], state_.bond[bond].state, bodies_, state_.motion, state_.contacts);
     }
 }
 
@@ -329,7 +345,7 @@ void Simulation::find_contacts_where_due() {
     choose_step(last);
     constexpr double room_to_grow = 1.25;
     while (state_.step > state_.watch.step) {
-        ContactWatch::prepare_for(room_to_grow * state_.step, state_.watch);
+        contact_watch_.prepare_for(room_to_grow * state_.step, state_.motion, state_.watch);
         look_at_contacts();
         choose_step(last);
     }
@@ -349,7 +365,8 @@ bool Simulation::look_at_contacts() {
         note_base_slip(bodies_, state_.motion, dropped.contact, dropped.memory, up(), state_.dropped_slip);
     }
     for (const std::size_t bond : std::exchange(just_broken_, {})) {
-        state_.ledger.bonds -= hand_over(bonds_.list()[bond], bodies_, state_.motion, state_.contacts);
+        state_.ledger.bonds -=
+            hand_over(bonds_.list()[bond], state_.bond[bond].state, bodies_, state_.motion, state_.contacts);
     }
     if (contact_watch_.list_changed()) {
         contact_forces_.renew();
@@ -367,7 +384,8 @@ void Simulation::choose_step(double last) {
     const double speed = fastest();
     // While blocks are fast the step does not grow: they would not be seen coming.
     const double seen_ahead = speed > 0 ? std::max(last, margin_ / (8 * speed)) : longest_step_;
-    double largest = std::min({settings_.step_fraction * contact_watch_.stable_step(), longest_step_, seen_ahead});
+    double largest =
+        std::min({share_of_stable_step(scene_, settings_) * contact_watch_.stable_step(), longest_step_, seen_ahead});
     if (scene_.belt) {
         largest = std::min(largest, longest_step(*scene_.belt, scene_.gravity));
     }

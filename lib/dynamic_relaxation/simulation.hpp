@@ -34,6 +34,9 @@ class Simulation {
     Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from);
 
     void step();
+    // At rest: balance that relies on corners on corners has yet to be found with the other edges (corner_choice.hpp).
+    // Returns whether a trial has begun or ended: the run has to go on.
+    bool try_corners();
     bool running() const { return outcome() == RelaxationOutcome::undecided && !out_of_time(); }
 
     RelaxationOutcome outcome() const { return static_cast<RelaxationOutcome>(state_.outcome); }
@@ -86,7 +89,9 @@ class Simulation {
     void apply_loads();
     void integrate();
     void look();
+    void audit();
     void look_for_crack();
+    bool holds_at_rest() const;
     bool carried_along();
     void let_calm_blocks_rest();
     void take_velocities_away_at_peaks();

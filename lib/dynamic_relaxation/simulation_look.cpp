@@ -1,9 +1,12 @@
 // What a run looks at every so many steps: whether it is over, whether a crack has opened, which blocks rest.
+#include "dynamic_relaxation/corner_choice.hpp"
 #include "dynamic_relaxation/loads.hpp"
 #include "dynamic_relaxation/simulation.hpp"
+#include "dynamic_relaxation/static_check.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace delabole {
@@ -12,6 +15,20 @@ namespace {
 
 // Steps between two looks at the balance of forces.
 constexpr std::uint64_t steps_between_looks = 50;
+// Between two measurements of how blocks lie in each other: together they cost less than a hundredth of the run.
+constexpr std::uint64_t steps_between_audits = 5000;
+
+// J/m; what it takes to lift every free block by its settlement on the softest joint.
+double energy_of_settlements(const RelaxationScene& scene, const Bodies& bodies) {
+    const auto softest =
+        std::ranges::min_element(scene.material, {}, [](const JointMaterial& joint) { return joint.normal_stiffness; });
+    double energy = 0;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        const double weight = bodies.fixed[block] != 0 ? 0 : bodies.mass[block] * scene.gravity.acceleration;
+        energy += weight * weight / softest->normal_stiffness;
+    }
+    return energy;
+}
 
 }  // namespace
 
@@ -32,7 +49,7 @@ void Simulation::look() {
     const auto at_rest = [&](double ratio) {
         return !growing && !carried_along() && ratio < settings_.equilibrium_ratio &&
                // The last step was made under the last of the loads.
-               state_.time - state_.last_step > last_scheduled_time(scene_, settings_);
+               state_.time - state_.last_step > last_scheduled_time(scene_, settings_) && holds_at_rest();
     };
     const MotionExtremes farthest = farthest_motion(bodies_, state_);
     const auto decide = [&](RelaxationOutcome outcome) { state_.outcome = static_cast<std::uint64_t>(outcome); };
@@ -49,12 +66,65 @@ void Simulation::look() {
     } else if (farthest.rotation > settings_.collapse_rotation ||
                farthest.displacement > settings_.collapse_displacement) {
         decide(RelaxationOutcome::collapse);
-    } else if (settings_.stop_at_equilibrium ? at_rest(unbalanced) : last && at_rest(lately)) {
+    } else if (at_rest(last && !settings_.stop_at_equilibrium ? lately : unbalanced) && !try_corners() &&
+               (last || settings_.stop_at_equilibrium)) {
         decide(RelaxationOutcome::equilibrium);
     } else if (last && state_.onset_time >= 0) {
         // It has moved past the thresholds and has found no rest since.
         decide(RelaxationOutcome::onset);
     }
+}
+
+bool Simulation::try_corners() {
+    std::vector<double> weight(bodies_.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        weight[block] = held_[block] != 0 ? weight[block] : 1 / scales_.inverse_weight[block];
+    }
+    std::vector<std::uint32_t> concerned = end_trial({bodies_, state_.motion}, state_.contacts);
+    if (concerned.empty()) {
+        concerned = try_other_edges({bodies_, state_.motion}, weight, state_.contacts);
+    }
+    for (const std::uint32_t block : concerned) {
+        state_.calm[block] = 0;
+        state_.noticed.notice(block, state_.motion[block]);
+    }
+    return !concerned.empty();
+}
+
+// What the contacts do not tell: whether blocks lie in each other, and at the end whether the energy is accounted for.
+void Simulation::audit() {
+    const bool ends = !running();
+    if (!ends && state_.steps % steps_between_audits != 0) {
+        return;
+    }
+    if (!std::isfinite(kinetic_energy())) {
+        state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::motion_not_finite);
+        return;
+    }
+    const std::optional<BlockOverlap> now = greatest_overlap(bodies_, state_.motion, state_.removed);
+    if (now && now->share > (state_.overlap ? state_.overlap->share : 0)) {
+        state_.overlap = now;
+    }
+    if (now && now->share > settings_.overlap_limit) {
+        state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::overlap_too_large);
+    }
+    if (!ends || outcome() == RelaxationOutcome::overlap_too_large) {
+        return;
+    }
+    const EnergyLedger energy = ledger();
+    const double beside = energy.turnover() + energy.elastic_at_start;
+    const double settlements = settlements_lacking * energy_of_settlements(scene_, bodies_);
+    if (!(std::abs(energy.residual()) <= std::max(most_energy_lacking * beside, settlements))) {
+        state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::energy_not_balanced);
+    }
+}
+
+// Without dashpots, in which a motion that has yet to die out may hide.
+bool Simulation::holds_at_rest() const {
+    constexpr double yet_to_die_out = 10;
+    return check_statics(bodies_, held_, load_, scales_.inverse_weight, bonds_.list(), state_.bond, state_.motion,
+                         state_.contacts)
+        .holds(yet_to_die_out * settings_.equilibrium_ratio);
 }
 
 // A block that a belt carries at an even speed is in balance too, but not at rest.

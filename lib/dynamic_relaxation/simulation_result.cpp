@@ -72,10 +72,12 @@ RelaxationResult Simulation::result() const {
     result.start_balance = state_.start_balance;
     result.unbalanced_ratio = std::max(state_.unbalanced, state_.unbalanced_then);
     result.first_crack = state_.first_crack;
-    result.broken_bonds = static_cast<std::size_t>(
-        std::ranges::count_if(state_.bond, [](const BondMemory& memory) { return is_broken(memory.state); }));
+    for (std::size_t bond = 0; bond < scene_.bond.size(); ++bond) {
+        result.broken_bonds += scene_.bond[bond].material && is_broken(state_.bond[bond].state) ? 1 : 0;
+    }
     result.ledger = ledger();
     result.deepest = deepest_contact(bodies_, state_);
+    result.overlap = state_.overlap;
     result.cost = {state_.steps, state_.watch.looks, state_.contacts_evaluated, state_.step};
     result.block = block_outcomes();
     return result;

@@ -11,6 +11,7 @@ namespace {
 ContactMemory with_new_books(ContactMemory memory) {
     memory.damping = memory.friction = memory.slip = 0;
     memory.normal_drag = memory.shear_drag = 0;
+    memory.tried = false;
     return memory;
 }
 

@@ -1,9 +1,10 @@
 #include "dynamic_relaxation/slope_scene.hpp"
 
+#include "dynamic_relaxation/water_table.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -44,69 +45,6 @@ std::vector<Polygon<>> polygons_of(const auto& areas) {
     return polygons;
 }
 
-class WaterTable {
-  public:
-    explicit WaterTable(const std::vector<SectionPoint>& points) : points_(points) {}
-
-    // Negative above the table.
-    double depth(const PlanePoint<>& point) const { return water_table_height(points_, point.x()) - point.y(); }
-
-    // Where a straight face between a point above and one below meets the table.
-    PlanePoint<> crossing(PlanePoint<> one, PlanePoint<> other) const {
-        constexpr int halvings = 60;
-        const bool below = depth(one) > 0;
-        for (int count = 0; count < halvings; ++count) {
-            const PlanePoint<> middle = (one + other) / 2;
-            ((depth(middle) > 0) == below ? one : other) = middle;
-        }
-        return (one + other) / 2;
-    }
-
-  private:
-    const std::vector<SectionPoint>& points_;
-};
-
-// Puts a vertex where a face crosses the table, in both blocks that share the face; returned are the numbers from which
-// on vertices are such ones.
-std::size_t divide_at_table(JointedSection& section, const WaterTable& table) {
-    const std::size_t first = section.vertex.size();
-    std::map<std::pair<MeshIndex, MeshIndex>, MeshIndex> made;
-    const auto crossed = [&](MeshIndex a, MeshIndex b) {
-        const PlanePoint<>& one = section.vertex[a];
-        const PlanePoint<>& other = section.vertex[b];
-        if ((table.depth(one) > 0) == (table.depth(other) > 0)) {
-            return no_index;
-        }
-        const PlanePoint<> at = table.crossing(one, other);
-        // As near to a corner as a cut may not come either.
-        const bool near = std::min((at - one).norm(), (at - other).norm()) < section.snap_distance;
-        if (near) {
-            return no_index;
-        }
-        const auto [entry, is_new] =
-            made.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<MeshIndex>(section.vertex.size()));
-        if (is_new) {
-            section.vertex.push_back(at);
-        }
-        return entry->second;
-    };
-    for (SlopeBlock& block : section.block) {
-        SlopeBlock divided{{}, {}, block.rock};
-        for (std::size_t edge = 0; edge < block.vertex.size(); ++edge) {
-            const MeshIndex from = block.vertex[edge];
-            divided.vertex.push_back(from);
-            divided.joint.push_back(block.joint[edge]);
-            const MeshIndex at = crossed(from, block.vertex[(edge + 1) % block.vertex.size()]);
-            if (at != no_index) {
-                divided.vertex.push_back(at);
-                divided.joint.push_back(block.joint[edge]);
-            }
-        }
-        block = std::move(divided);
-    }
-    return first;
-}
-
 struct Bounds {
     double left = std::numeric_limits<double>::infinity();
     double right = -std::numeric_limits<double>::infinity();
@@ -144,14 +82,7 @@ class SlopeSceneMaker {
             return refused(check, index_at_fault_);
         }
         bounds_ = bounds_of(section().vertex);
-        if (slope_.water) {
-            const WaterTable table(slope_.water->vertex);
-            first_of_table_ = divide_at_table(section(), table);
-            add_blocks(&table);
-        } else {
-            first_of_table_ = section().vertex.size();
-            add_blocks(nullptr);
-        }
+        add_blocks();
         if (slope_.frame && !add_frame()) {
             return refused(SlopeCheck::frame_without_edge, 0);
         }
@@ -217,7 +148,7 @@ class SlopeSceneMaker {
         return SlopeCheck::valid;
     }
 
-    void add_blocks(const WaterTable* table) {
+    void add_blocks() {
         struct Place {
             bool fixed;
             double level;  // in snap distances: centres of one row differ by rounding
@@ -244,7 +175,7 @@ class SlopeSceneMaker {
         std::sort(order.begin(), order.end(),
                   [](const Place& one, const Place& other) { return one.key() < other.key(); });
         for (const Place& place : order) {
-            add_block(section().block[place.index], place.fixed, table);
+            add_block(section().block[place.index], place.fixed);
             for (std::size_t stage = 0; stage < slope_.stage.size(); ++stage) {
                 if (inside(stages[stage], {place.x, place.y})) {
                     used_[slope_.fixed.size() + stage] = true;
@@ -257,14 +188,14 @@ class SlopeSceneMaker {
     bool needed(const SlopeBlock& block, std::size_t vertex) const {
         const std::size_t count = block.vertex.size();
         const std::size_t before = (vertex + count - 1) % count;
-        if (block.vertex[vertex] >= first_of_table_ || block.joint[before] != block.joint[vertex]) {
+        if (block.joint[before] != block.joint[vertex]) {
             return true;
         }
         const auto at = [&](std::size_t index) { return scene_.section.vertex[block.vertex[index]]; };
         return std::abs(sine_of_turn(at(before), at(vertex), at((vertex + 1) % count))) > 10 * straight_sine;
     }
 
-    void add_block(const SlopeBlock& block, bool fixed, const WaterTable* table) {
+    void add_block(const SlopeBlock& block, bool fixed) {
         RelaxationBlock made{{}, slope_.rock[block.rock].density};
         made.fixed = fixed;
         std::vector<MeshIndex> joints;
@@ -285,17 +216,25 @@ class SlopeSceneMaker {
                                                          : joint);
             const double share =
                 joint == free_surface && !framed ? 1 : slope_.joint[made.joint.back()].water_share.value_or(1);
-            if (table != nullptr && !fixed && joint != intact_rock && share > 0) {
-                const double unit = share * slope_.water->unit_weight;
-                const double first = unit * std::max(0.0, table->depth(from));
-                const double second = unit * std::max(0.0, table->depth(to));
-                if (first > 0 || second > 0) {
-                    scene_.pressure.push_back({scene_.block.size(), edge, first, second});
-                }
+            if (slope_.water && !fixed && joint != intact_rock && share > 0) {
+                add_pressures(edge, share * slope_.water->unit_weight, depths_along(slope_.water->vertex, from, to));
             }
         }
         scene_.block.push_back(std::move(made));
         scene_.rock.push_back(block.rock);
+    }
+
+    // On an edge of the block that is being made.
+    void add_pressures(std::size_t edge, double unit_weight, const std::vector<FaceDepth>& depths) {
+        for (std::size_t piece = 1; piece < depths.size(); ++piece) {
+            const FaceDepth& from = depths[piece - 1];
+            const FaceDepth& to = depths[piece];
+            if (from.depth > 0 || to.depth > 0) {
+                const bool whole = depths.size() == 2;
+                scene_.pressure.push_back({scene_.block.size(), edge, unit_weight * from.depth, unit_weight * to.depth,
+                                           whole ? std::nullopt : std::optional(EdgePart{from.place, to.place})});
+            }
+        }
     }
 
     bool has(FrameSides side) const { return slope_.frame && slope_.frame->sides >= side; }
@@ -362,7 +301,6 @@ class SlopeSceneMaker {
     Bounds bounds_ = {};
     std::optional<std::size_t> intact_ = {};
     std::optional<std::size_t> frame_joint_ = {};
-    std::size_t first_of_table_ = 0;
     std::size_t index_at_fault_ = 0;
     std::vector<bool> used_ = {};  // areas, then stages, that hold a block
     Side below_ = {};
@@ -371,16 +309,6 @@ class SlopeSceneMaker {
 };
 
 }  // namespace
-
-double water_table_height(const std::vector<SectionPoint>& table, double x) {
-    const auto after = std::upper_bound(table.begin(), table.end(), x,
-                                        [](double at, const SectionPoint& point) { return at < point.x; });
-    if (after == table.begin() || after == table.end()) {
-        return after == table.end() ? table.back().y : table.front().y;
-    }
-    const SectionPoint& before = *(after - 1);
-    return before.y + (x - before.x) / (after->x - before.x) * (after->y - before.y);
-}
 
 SlopeScene slope_scene(const RelaxationSlope& slope) {
     return SlopeSceneMaker(slope).make();

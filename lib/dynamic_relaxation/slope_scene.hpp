@@ -2,8 +2,8 @@
 // the stages in which some of them are taken away.
 //
 // Free blocks come first, from the lowest centre up, then fixed ones likewise, then the frame. A corner of a neighbour
-// on a straight face is no corner of the block itself, unless what it is made of changes there. Where the water table
-// crosses a face, the face gets a corner.
+// on a straight face is no corner of the block itself, unless what it is made of changes there. Water presses on a face
+// in pieces, from each kink of the water table to the next (water_table.hpp).
 #pragma once
 
 #include "dynamic_relaxation/relaxation_parameters.hpp"
@@ -26,8 +26,5 @@ struct SlopeScene {
 };
 
 SlopeScene slope_scene(const RelaxationSlope& slope);
-
-// y of a table of at least one point, x increasing; level beyond its ends.
-double water_table_height(const std::vector<SectionPoint>& table, double x);
 
 }  // namespace delabole

@@ -6,6 +6,7 @@
 #include "dynamic_relaxation/bonds.hpp"
 #include "dynamic_relaxation/contact_watch.hpp"
 #include "dynamic_relaxation/contacts.hpp"
+#include "dynamic_relaxation/overlap.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -49,7 +50,7 @@ struct FirstCrack {
 // Of the most balanced state that preloading met: the run starts there, unless blocks have crept on.
 struct StartBalance {
     double unbalanced_ratio = 0;  // greatest unbalanced force on a block, with moment over radius, over its load
-    bool cut_short = false;       // ended for lack of rounds, which many blocks are given fewer of
+    bool cut_short = false;       // ended for lack of linear solutions: with more there may be balance
 };
 
 struct SlipOverFace {
@@ -84,7 +85,8 @@ struct RelaxationState {
     bool kinetic_rising = false;
     double onset_time = -1;  // s; negative: none
     std::optional<FirstCrack> first_crack = {};
-    std::uint64_t outcome = 0;  // RelaxationOutcome
+    std::optional<BlockOverlap> overlap = {};  // the greatest share that was measured so far
+    std::uint64_t outcome = 0;                 // RelaxationOutcome
 };
 
 // A state at rest for other runs to begin from: they have its motion, its springs, slip and what has broken, and its

@@ -28,4 +28,5 @@ install(FILES
     ${CMAKE_CURRENT_BINARY_DIR}/delabole-config.cmake
     ${CMAKE_CURRENT_BINARY_DIR}/delabole-config-version.cmake
     ${CMAKE_CURRENT_LIST_DIR}/find_glpk.cmake
+    ${CMAKE_CURRENT_LIST_DIR}/find_klu.cmake
     DESTINATION ${package_directory} COMPONENT library)

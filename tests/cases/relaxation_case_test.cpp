@@ -312,7 +312,7 @@ TEST(RelaxationCase, DrawsWhatAHistoryHasAndNothingEmpty) {
     std::filesystem::remove_all(path);
 }
 
-TEST(RelaxationCase, SaysThatAStartOfAThousandBricksWasCutShort) {
+TEST(RelaxationCase, HasAThousandBricksInBalanceAtTheStart) {
     CaseFile file = parse_case(blocks_text, "case");
     RelaxationStudy& study = std::get<RelaxationStudy>(file.model);
     auto& polygons = std::get<RelaxationPolygons>(study.model.scene);
@@ -329,8 +329,8 @@ TEST(RelaxationCase, SaysThatAStartOfAThousandBricksWasCutShort) {
     study.settings = RelaxationNumerics{};
     study.settings->duration = 1e-6;
     const Analysis analysis = analyse_model(file.model);
-    EXPECT_TRUE(std::ranges::any_of(analysis.warnings, [](const std::string& warning) {
-        return warning.starts_with("preloading so many blocks was ended with one of them out of balance by ");
+    EXPECT_FALSE(std::ranges::any_of(analysis.warnings, [](const std::string& warning) {
+        return warning.starts_with("preloading so many blocks");
     }));
 }
 

@@ -32,7 +32,9 @@ double weight_on(const RelaxationScene& scene, std::uint32_t corner, std::uint32
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         const RelaxationContact contact = list.contact[index];
         if (contact.corner == corner && contact.edge == edge) {
-            return contact_weight(list.law_of(contact), contact, locate(contact, motion[0], motion[1]));
+            return list.memory[index].yields
+                       ? 0
+                       : contact_weight(list.law_of(contact), contact, locate(contact, motion[0], motion[1]), false);
         }
     }
     return 0;

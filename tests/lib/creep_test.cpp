@@ -104,11 +104,12 @@ TEST(Creep, IsTheLimitOfHeavyDamping) {
     };
     const double crept = limit(for_searches(true));
     RelaxationSettings damped = for_searches(false);
-    EXPECT_GT(limit(damped), crept + degrees(0.1));
+    const double by_inertia = limit(damped) - crept;
+    EXPECT_GT(by_inertia, degrees(0.1));
     damped.local_damping = 0.95;
-    // A tenth of what inertia makes is left: onset is counted from the most balanced state met so far, and runs meet
-    // theirs at the start.
-    EXPECT_NEAR(limit(damped), crept, degrees(0.03));
+    // A tenth of what inertia makes is left, by which run it is somewhat more or less (0.8 to 0.98 of damping leave 9
+    // to 24 % of it): onset is counted from the most balanced state met so far, and runs meet theirs at the start.
+    EXPECT_NEAR(limit(damped), crept, 0.25 * by_inertia);
 }
 
 // Stiff joints lead the search for equilibrium to long leaps. One of them once left friction behind that held the

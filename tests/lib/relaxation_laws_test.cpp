@@ -65,7 +65,8 @@ TEST(Cohesion, HoldsUntilItsLengthIsSpent) {
     }
 }
 
-// The heel of a tall block, with less weight on it, slips first; where the toe cannot take over what it loses, the
+// By the law of contacts alone, without the bond that find_bonds makes of cohesion (joint_strength_test.cpp): the heel
+// of a tall block, with less weight on it, slips first; where the toe cannot take over what it loses, the
 // block goes at W sin = (W cos - (a/b) W sin) tan(phi) + c b, below what both corners could bear at once.
 TEST(Cohesion, OfATallBlockFailsFromTheHeel) {
     OnPlane plane;
@@ -634,17 +635,13 @@ TEST(Start, TellsHowFarFromBalanceItIs) {
     EXPECT_FALSE(relax(scene_of(plane), settings).start_balance);
 }
 
-// More blocks are given fewer rounds: 400 bricks find their balance in these, 1000 do not.
-TEST(Start, OfAThousandBricksIsCutShort) {
-    for (const bool many : {false, true}) {
-        RelaxationSettings settings;
-        settings.duration = 1e-6;
-        const BrickPack pack{many ? 22 : 14, many ? 45 : 28, 1e5, degrees(40), degrees(20)};
-        const RelaxationResult result = relax(brick_pack_scene(pack), settings);
-        ASSERT_TRUE(result.start_balance);
-        EXPECT_EQ(result.start_balance->cut_short, many);
-        EXPECT_EQ(result.start_balance->unbalanced_ratio > settings.equilibrium_ratio, many);
-    }
+TEST(Start, OfAThousandBricksFindsTheirBalance) {
+    RelaxationSettings settings;
+    settings.duration = 1e-6;
+    const RelaxationResult result = relax(brick_pack_scene({22, 45, 1e5, degrees(40), degrees(20)}), settings);
+    ASSERT_TRUE(result.start_balance);
+    EXPECT_FALSE(result.start_balance->cut_short);
+    EXPECT_LE(result.start_balance->unbalanced_ratio, settings.equilibrium_ratio / 10);
 }
 
 TEST(EnergyLedger, LacksNothingWhereOnlyRoundingIsTurnedOver) {

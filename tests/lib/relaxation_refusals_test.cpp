@@ -272,7 +272,7 @@ TEST(Refusals, LoadsOutOfRange) {
 TEST(Refusals, SettingsOutOfRange) {
     using Spoil = std::function<void(RelaxationSettings&)>;
     const std::vector<std::pair<std::string, Spoil>> bad{
-        {"step above critical", [](RelaxationSettings& one) { one.step_fraction = 1.2; }},
+        {"step too near critical", [](RelaxationSettings& one) { one.step_fraction = 0.81; }},
         {"no step", [](RelaxationSettings& one) { one.step_fraction = 0; }},
         {"step without number", [](RelaxationSettings& one) { one.step_fraction = nan; }},
         {"time step of zero", [](RelaxationSettings& one) { one.time_step = 0; }},

@@ -18,8 +18,6 @@ using testing::joint_set;
 using testing::line;
 using testing::square;
 
-constexpr double water_weight = 9810;
-
 RelaxationJoint strength(double friction) {
     RelaxationJoint joint{};
     joint.friction_angle = degrees(friction);
@@ -37,60 +35,6 @@ RelaxationSlope slope_of(std::vector<SectionPoint> outline, std::vector<SlopeCut
 
 std::vector<SlopeCut> bricks() {
     return {cut("upright", joint_set(degrees(90), 2, 1)), cut("level", joint_set(0, 2, 1))};
-}
-
-PlanePoint<> water_force(const SlopeScene& scene, std::size_t block) {
-    PlanePoint<> sum(0, 0);
-    const Polygon<>& outline = scene.block[block].outline;
-    for (const FacePressure& pressure : scene.pressure) {
-        if (pressure.block == block) {
-            const PlanePoint<> along = outline[(pressure.edge + 1) % outline.size()] - outline[pressure.edge];
-            sum += (pressure.at_first + pressure.at_second) / 2 * PlanePoint<>(-along.y(), along.x());
-        }
-    }
-    return sum;
-}
-
-TEST(SlopeScene, WaterLiftsEachBlockByWhatItDisplaces) {
-    RelaxationSlope slope = slope_of({{0, 0}, {20, 0}, {20, 12}, {12, 12}},
-                                     {cut("a", joint_set(degrees(70), 2)), cut("b", joint_set(degrees(-15), 1.3)),
-                                      cut("c", joint_set(degrees(-88), 3))});
-    // A pond in front of the slope: pressure on the face too.
-    slope.water = SlopeWater{water_weight, {{-5, 6.3}, {30, 6.3}}};
-    const SlopeScene scene = slope_scene(slope);
-    ASSERT_EQ(scene.check, SlopeCheck::valid) << word_of(scene.check);
-    const HalfPlane<> wet{{30, 6.3}, {-5, 6.3}};
-    std::size_t partly = 0;
-    for (std::size_t block = 0; block < scene.block.size(); ++block) {
-        const double displaced = area_properties(clip(scene.block[block].outline, wet)).area;
-        const double whole = area_properties(scene.block[block].outline).area;
-        const PlanePoint<> force = water_force(scene, block);
-        partly += displaced > 0.01 * whole && displaced < 0.99 * whole ? 1 : 0;
-        // Where the table passes nearer than the snap distance to a corner it is taken to pass through it.
-        const double near = water_weight * 12 * scene.section.snap_distance;
-        EXPECT_NEAR(force.x(), 0, near);
-        EXPECT_NEAR(force.y(), water_weight * displaced, near);
-    }
-    EXPECT_GT(partly, 10U);
-}
-
-TEST(SlopeScene, WaterActsByTheShareOfTheJoint) {
-    RelaxationSlope slope = slope_of(square(6), bricks());
-    slope.water = SlopeWater{water_weight, {{-1, 10}, {10, 10}}};
-    const auto total = [](const RelaxationSlope& of) {
-        double sum = 0;
-        for (const FacePressure& pressure : slope_scene(of).pressure) {
-            sum += pressure.at_first + pressure.at_second;
-        }
-        return sum;
-    };
-    RelaxationSlope dry = slope;
-    dry.joint[0].water_share = 0;
-    RelaxationSlope half = slope;
-    half.joint[0].water_share = 0.5;
-    // The surface, which is under water too, keeps its whole pressure.
-    EXPECT_GT(total(dry), 0);
-    EXPECT_NEAR(total(half), (total(dry) + total(slope)) / 2, 1e-9 * total(slope));
 }
 
 TEST(SlopeScene, FrameHoldsTheSidesAsked) {

@@ -42,7 +42,8 @@ bool same_memory(const ContactList& one, const ContactList& other) {
         const auto bits = [](const ContactMemory& memory) {
             const std::array<double, 8> numbers{memory.shear,      memory.place, memory.damping,  memory.normal_drag,
                                                 memory.shear_drag, memory.slip,  memory.friction, memory.shortened};
-            return std::pair(numbers, std::array{memory.touching, memory.sliding, memory.broken, memory.beneath});
+            return std::pair(numbers,
+                             std::array{memory.touching, memory.sliding, memory.broken, memory.beneath, memory.yields});
         };
         const auto [numbers, flags] = bits(one.memory[index]);
         const auto [other_numbers, other_flags] = bits(other.memory[index]);
@@ -243,7 +244,7 @@ TEST_P(ContactLoops, GiveTheSameBitsBesideABlockThatIsLost) {
                 const ContactMemory one = list.memory[index];
                 const ContactMemory other = one_by_one.memory[index];
                 const auto flags = [](const ContactMemory& memory) {
-                    return std::array{memory.touching, memory.sliding, memory.broken, memory.beneath};
+                    return std::array{memory.touching, memory.sliding, memory.broken, memory.beneath, memory.yields};
                 };
                 ASSERT_EQ(flags(one), flags(other)) << lost << " " << round;
                 if (blocks.block != 12 && blocks.other != 12) {

@@ -11,7 +11,7 @@ rooms=(lib fitting plots cases tests)
 # What each room may include between angle brackets beside the standard library and POSIX; in lib/ only pages of memory
 # and the processor's own lanes of those.
 declare -A libraries=(
-    [lib]='(unsupported/)?Eigen/|gsl/|glpk\.h$|sys/mman\.h$|emmintrin\.h$'
+    [lib]='(unsupported/)?Eigen/|gsl/|(glpk|klu)\.h$|sys/mman\.h$|emmintrin\.h$'
     [fitting]='(unsupported/)?Eigen/|gsl/|nlopt\.hp?p?$|(sqlite3|mpi)\.h$'
     [plots]='(unsupported/)?Eigen/|gsl/|gnuplot-iostream\.h$'
     [cases]='(unsupported/)?Eigen/|gsl/|toml\+\+/|udunits2\.h$|CLI/|nlohmann/'
@@ -28,8 +28,9 @@ declare -A rooms_below=(
 )
 posix='^(sys/[a-z]+|unistd|fcntl|signal|poll|spawn|termios)\.h$'
 # The one file that may include it: a library whose types nobody else should see.
-declare -A only_file=([glpk.h]=lib/limit_equilibrium/lp_bound.cpp [sqlite3.h]=fitting/evaluation_store.cpp
-    [mpi.h]=fitting/ranks.cpp [sys/mman.h]=lib/dynamic_relaxation/large_array.hpp
+declare -A only_file=([glpk.h]=lib/limit_equilibrium/lp_bound.cpp [klu.h]=lib/numerics/sparse_system.cpp
+    [sqlite3.h]=fitting/evaluation_store.cpp [mpi.h]=fitting/ranks.cpp
+    [sys/mman.h]=lib/dynamic_relaxation/large_array.hpp
     [emmintrin.h]=lib/dynamic_relaxation/lanes.hpp)
 forbidden_in_lib='^(iostream|fstream|ostream|istream|iomanip|cstdio|stdio\.h|filesystem|syncstream|print)$'
 

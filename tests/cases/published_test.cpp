@@ -1,0 +1,48 @@
+// The published problems of jointed slopes: all are read, and the quick ones have the factors that they expect.
+#include "cases/case_file.hpp"
+#include "cases/thesis_tables.hpp"
+#include "dynamic_relaxation/relaxation_study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace delabole {
+namespace {
+
+CaseFile published_case(std::string_view name) {
+    for (const BuiltInCase& built_in : published_cases()) {
+        if (built_in.name == name) {
+            return parse_case(built_in.text, name);
+        }
+    }
+    throw std::logic_error("no such case");
+}
+
+TEST(PublishedProblems, AreReadAndSayWhatTheyExpect) {
+    EXPECT_EQ(published_cases().size(), 15U);  // RJ-1 has four
+    for (const BuiltInCase& built_in : published_cases()) {
+        const CaseFile file = published_case(built_in.name);
+        const auto& study = std::get<RelaxationStudy>(file.model);
+        ASSERT_TRUE(study.critical) << built_in.name;
+        EXPECT_EQ(check(study).check, SceneCheck::valid) << built_in.name;
+        ASSERT_EQ(file.expectations.size(), 1U) << built_in.name;
+        EXPECT_EQ(file.expectations.front().quantity, name_of_critical(parameter_of(*study.critical)));
+        EXPECT_NE(std::string(thesis_published_factors).find("," + std::string(built_in.name) + ","), std::string::npos)
+            << built_in.name << " is not in the table of published factors";
+    }
+}
+
+// Those whose search takes less than a second or two of processor time.
+TEST(PublishedProblems, QuickOnesHaveTheFactorsThatTheyExpect) {
+    for (const std::string_view name : {"rj_1a", "rj_1b", "rj_1d", "rj_2"}) {
+        const CaseFile file = published_case(name);
+        const Expectation& expected = file.expectations.front();
+        const CriticalAnswer answer = find_critical(std::get<RelaxationStudy>(file.model));
+        ASSERT_EQ(answer.status, CriticalStatus::found) << name;
+        EXPECT_NEAR(answer.value(), std::get<double>(expected.value), std::get<double>(*expected.tolerance)) << name;
+    }
+}
+
+}  // namespace
+}  // namespace delabole

@@ -1,0 +1,208 @@
+// Corners that meet corners: nothing is held that cannot be, and nothing falls that is held.
+#include "dynamic_relaxation/corner_choice.hpp"
+
+#include "dynamic_relaxation/relaxation_study.hpp"
+#include "relaxation_scenes.hpp"
+#include "tests/support/jointed_slopes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delabole {
+namespace {
+
+using namespace relaxation_scenes;
+
+PlanePoint<> at(double angle, double distance) {
+    return distance * PlanePoint<>(std::cos(degrees(angle)), std::sin(degrees(angle)));
+}
+
+// A face of 60 deg, 12 m high, and a plane that comes out at its toe.
+RelaxationStudy toe(const SlopeCut& plane, double friction, std::vector<SectionPoint> in_front) {
+    RelaxationSlope slope{};
+    std::vector<SectionPoint> outline{{-15, -8}, {35, -8}, {35, 12}, {12 / std::tan(degrees(60)), 12}, {0, 0}};
+    outline.insert(outline.end(), in_front.begin(), in_front.end());
+    slope.geometry = testing::section(std::move(outline), {plane});
+    slope.geometry.intact_joint = "intact";
+    slope.rock = {{"rock", 2600}};
+    RelaxationJoint open{};
+    open.friction_angle = friction;
+    RelaxationJoint intact{};
+    intact.friction_angle = degrees(45);
+    intact.bond = RelaxationBond{20e9, 8e9, 5e6, 5e6, degrees(45), {}};
+    slope.joint = {{"joint", {}, open}, {"intact", {}, intact}};
+    slope.frame = SlopeFrame{FrameSides::all_around, 5, {}, "joint"};
+    RelaxationStudy study{};
+    study.model.scene = slope;
+    RelaxationNumerics settings{};
+    settings.stop = RelaxationStop::onset;
+    study.settings = settings;
+    return study;
+}
+
+SlopeCut plane_from(double dip, double begin) {
+    const PlanePoint<> from = at(dip, begin);
+    const PlanePoint<> to = at(dip, 60);
+    return testing::cut("plane", testing::line({{from.x(), from.y()}, {to.x(), to.y()}}));
+}
+
+SlopeCut plane_through(double dip, SectionPoint point) {
+    JointSetCut set = testing::joint_set(degrees(dip), 100);
+    set.through = point;
+    return testing::cut("plane", set);
+}
+
+// tan(friction) at which the wedge above the plane moves: with its tip over the level ground and the upper end of its
+// base down the plane, for the toe cannot go down into the ground in front. Equilibrium of forces and, about the toe,
+// moments of a rigid block.
+double limit(double dip) {
+    const double base = 12 / std::sin(degrees(dip));
+    const double centroid = 12 * (1 / std::tan(degrees(dip)) + 1 / std::tan(degrees(60))) / 3;
+    const double above = centroid / base;  // normal force on the plane, of the weight
+    double low = 0;
+    double high = 2;
+    for (int halving = 0; halving < 60; ++halving) {
+        const double friction = (low + high) / 2;
+        const double toe = 1 - above * (std::cos(degrees(dip)) + friction * std::sin(degrees(dip)));
+        const double driving = above * (std::sin(degrees(dip)) - friction * std::cos(degrees(dip)));
+        (driving > friction * toe ? low : high) = friction;
+    }
+    return std::atan(low);
+}
+
+TEST(Toe, SlidesAndStandsTheSameHoweverItsPlaneIsDrawn) {
+    for (const double dip : {20.0, 35.0, 50.0}) {
+        const std::vector<std::pair<std::string, SlopeCut>> drawings{
+            {"from the toe", plane_from(dip, 0)},
+            {"on below the ground", plane_from(dip, -8)},
+            {"through the section", plane_from(dip, -40)},
+            {"a set", plane_through(dip, {0, 0})},
+            {"a set by another point", plane_through(dip, {2, 2 * std::tan(degrees(dip))})}};
+        for (const auto& [name, plane] : drawings) {
+            // deg; what joints of finite stiffness cost is 0.03.
+            for (const double beyond : {-3.0, -0.1, 0.1, 3.0}) {
+                EXPECT_EQ(run(toe(plane, limit(dip) + degrees(beyond), {{-15, 0}})).result.outcome,
+                          beyond > 0 ? RelaxationOutcome::equilibrium : RelaxationOutcome::onset)
+                    << name << ", " << dip << ", " << beyond;
+            }
+        }
+    }
+}
+
+TEST(Toe, SlidesHoweverItIsLoaded) {
+    for (const RelaxationStart start :
+         {RelaxationStart::preloaded, RelaxationStart::dropped, RelaxationStart::ramped}) {
+        for (const double begin : {0.0, -40.0}) {
+            RelaxationStudy study = toe(plane_from(35, begin), degrees(10), {{-15, 0}});
+            study.settings->start = start;
+            if (start == RelaxationStart::ramped) {
+                study.settings->ramp_time = 0.2;
+            }
+            EXPECT_EQ(run(study).result.outcome, RelaxationOutcome::onset) << begin << ", " << word_of(start);
+        }
+    }
+}
+
+// Where the plane comes out in the face, above the toe, nothing is in its way.
+TEST(Toe, AboveTheGroundHoldsByFrictionAlone) {
+    for (const double beyond : {-0.1, 0.1}) {
+        EXPECT_EQ(run(toe(plane_through(35, {0, 0.2}), degrees(35 + beyond), {{-15, 0}})).result.outcome,
+                  beyond > 0 ? RelaxationOutcome::equilibrium : RelaxationOutcome::onset);
+    }
+}
+
+TEST(Toe, AgainstAWallIsHeld) {
+    for (const double begin : {0.0, -8.0}) {
+        EXPECT_EQ(run(toe(plane_from(35, begin), degrees(10), {{0, 6}, {-15, 6}})).result.outcome,
+                  RelaxationOutcome::equilibrium)
+            << begin;
+    }
+}
+
+RelaxationScene on_floor(std::vector<Polygon<>> outlines, double friction, double tilt = 0) {
+    RelaxationScene scene;
+    for (Polygon<>& outline : outlines) {
+        scene.block.push_back({std::move(outline), density});
+    }
+    scene.block.push_back(fixed_block(rectangle(-20, -2, 40, 2)));
+    scene.material = {joint(1e6 * density * gravity, degrees(friction))};
+    scene.gravity.tilt = scene.gravity.final_tilt = degrees(tilt);
+    return scene;
+}
+
+Polygon<> diamond(double x, double y) {
+    const double half = std::sqrt(0.5);
+    return {{x, y}, {x + half, y + half}, {x, y + 2 * half}, {x - half, y + half}};
+}
+
+TEST(CornerOnCorner, HoldsNothingThatEitherEdgeLetsGo) {
+    // A brick on the very corner of another; and edges like knives, on which a block slides off to either side.
+    EXPECT_EQ(relax(on_floor({rectangle(0, 0, 1, 1), rectangle(1, 1, 1, 1)}, 30), until_onset()).outcome,
+              RelaxationOutcome::onset);
+    RelaxationScene knives = on_floor({diamond(0, 0), diamond(0, 2 * std::sqrt(0.5))}, 30);
+    knives.block[0].fixed = true;
+    EXPECT_EQ(relax(knives, until_onset()).outcome, RelaxationOutcome::onset);
+}
+
+// Two layers of two bricks, with joints that cross in one point; and a third joint through it.
+TEST(CornerOnCorner, CrossingJointsHoldByTheirFriction) {
+    const std::vector<Polygon<>> two{rectangle(0, 0, 2, 1), rectangle(2, 0, 2, 1), rectangle(0, 1, 2, 1),
+                                     rectangle(2, 1, 2, 1)};
+    const std::vector<Polygon<>> three{rectangle(0, 0, 2, 1),
+                                       {{2, 0}, {3, 0}, {2, 1}},
+                                       {{3, 0}, {4, 0}, {4, 1}, {2, 1}},
+                                       {{0, 1}, {2, 1}, {1, 2}, {0, 2}},
+                                       {{2, 1}, {2, 2}, {1, 2}},
+                                       rectangle(2, 1, 2, 1)};
+    for (const double tilt : {20.0, -20.0}) {
+        EXPECT_EQ(relax(on_floor(two, 19.9, tilt), until_onset()).outcome, RelaxationOutcome::onset);
+        EXPECT_EQ(relax(on_floor(two, 20.1, tilt), until_onset()).outcome, RelaxationOutcome::equilibrium);
+    }
+    // The third joint dips 25 deg against the slope.
+    EXPECT_EQ(relax(on_floor(three, 19.9, 20), until_onset()).outcome, RelaxationOutcome::onset);
+    EXPECT_EQ(relax(on_floor(three, 26, 20), until_onset()).outcome, RelaxationOutcome::equilibrium);
+}
+
+TEST(CornerOnCorner, BlockSlidesOffAnEndAndFalls) {
+    RelaxationScene scene = on_floor({rectangle(-1.2, 0, 1, 1)}, 5, -20);
+    scene.block[1].outline = rectangle(-4, -1, 4, 1);
+    scene.block.push_back(fixed_block(rectangle(-4, -9, 30, 1)));
+    Simulation simulation(scene, unlimited(1.7));
+    while (simulation.running()) {
+        simulation.step();
+    }
+    EXPECT_EQ(simulation.outcome(), RelaxationOutcome::undecided);
+    EXPECT_LT(simulation.state().motion[0].y, -1);
+    EXPECT_LT(energy_error(simulation.result(), density * gravity), 0.01);
+}
+
+TEST(CornerOnCorner, ShearReversesOverCrossingJoints) {
+    RelaxationScene scene =
+        on_floor({rectangle(0, 0, 2, 1), rectangle(2, 0, 2, 1), rectangle(0, 1, 2, 1), rectangle(2, 1, 2, 1)}, 25);
+    PrescribedMotion shaken{4, {}};
+    for (int time = 0; time <= 10; ++time) {
+        // 0.6 g: bricks slide, and corners pass each other by some centimetres, to and fro.
+        shaken.velocity.push_back({0.05 + 0.1 * time, {time % 2 == 0 ? 0.3 : -0.3, 0}});
+    }
+    shaken.velocity.push_back({1.2, {0, 0}});
+    scene.motion = {shaken};
+    RelaxationSettings settings = unlimited(3);
+    settings.stop_at_equilibrium = true;
+    Simulation simulation(scene, settings);
+    while (simulation.running()) {
+        simulation.step();
+    }
+    const RelaxationResult result = simulation.result();
+    EXPECT_EQ(result.outcome, RelaxationOutcome::equilibrium);
+    EXPECT_LT(energy_error(result, density * gravity), 0.01);
+    for (std::size_t block = 0; block < 4; ++block) {
+        EXPECT_NEAR(simulation.state().motion[block].y, 0, 1e-3) << block;
+    }
+}
+
+}  // namespace
+}  // namespace delabole
