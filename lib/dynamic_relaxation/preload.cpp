@@ -136,7 +136,6 @@ class Preload {
                 break;
             }
             if (round == most_rounds()) {
-                best.cut_short = best.ratio > settings_.tolerance;
                 break;
             }
             const std::optional<Eigen::VectorXd> change = equations_.change({resistance, 0}, equations_.unbalanced());

@@ -329,7 +329,7 @@ std::vector<Quantity> outputs_of_search(const CriticalPlan& plan) {
     std::vector<Quantity> outputs{{name, dimension, "between standing and failing"}};
     for (std::size_t index = 1; index < plan.path.size(); ++index) {
         const std::string path(word_of(plan.path[index]));
-        outputs.push_back({name + '_' + path, dimension, "likewise, on the path " + path});
+        outputs.push_back({std::string(name + '_').append(path), dimension, "likewise, on the path " + path});
     }
     if (plan.path.size() > 1) {
         outputs.push_back(

@@ -63,8 +63,9 @@ void Simulation::look() {
     }
     if (state_.onset_time >= 0 && settings_.stop_at_onset) {
         decide(RelaxationOutcome::onset);
-    } else if (farthest.rotation > settings_.collapse_rotation ||
-               farthest.displacement > settings_.collapse_displacement) {
+        return;
+    }
+    if (farthest.rotation > settings_.collapse_rotation || farthest.displacement > settings_.collapse_displacement) {
         decide(RelaxationOutcome::collapse);
     } else if (at_rest(last && !settings_.stop_at_equilibrium ? lately : unbalanced) && !try_corners() &&
                (last || settings_.stop_at_equilibrium)) {
