@@ -320,8 +320,10 @@ void ContactWatch::search(const MovingScene& scene, const std::vector<BlockPair>
 }
 
 void ContactWatch::assemble(WatchState& state, ContactList& list) {
-    std::sort(replacement_.begin(), replacement_.end(),
-              [](const Replacement& one, const Replacement& two) { return one.pair < two.pair; });
+    // Blocks that lie too deep in each other, or whose motion is not a number, were looked at once from each of them.
+    std::ranges::stable_sort(replacement_, {}, &Replacement::pair);
+    const auto of_one_pair = [](const Replacement& one, const Replacement& two) { return one.pair == two.pair; };
+    replacement_.erase(std::unique(replacement_.begin(), replacement_.end(), of_one_pair), replacement_.end());
     ContactList renewed = list_like(list);
     renewed.ends = std::move(list.ends);
     renewed.joint = std::move(list.joint);

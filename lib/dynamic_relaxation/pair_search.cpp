@@ -220,8 +220,10 @@ void PairSearch::add_twin_as_rival(const Side& block, std::size_t corner, const 
     const PlanePoint<> inward = at_start ? other.along[edge] : PlanePoint<>(-other.along[edge]);
     const PlanePoint<> along_face = at_start ? PlanePoint<>(-block.along[face]) : block.along[face];
     const double cosine = inward.dot(along_face);
-    // The one nearer in its normal is the neighbour on the outline of all differences.
-    const bool farther = law.alone > 0 && cosine < -law.rival_cosine;
+    // The one nearer in its normal is the neighbour on the outline of all differences. Where joints of two sets cross
+    // both are as near, and a hair's turn must not change the law.
+    constexpr double clearly_nearer = 0.02;
+    const bool farther = law.alone > 0 && cosine < -law.rival_cosine + clearly_nearer;
     if (cosine > one_face || farther || !can_bear(other, end, block, face)) {
         return;
     }

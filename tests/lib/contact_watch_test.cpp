@@ -118,6 +118,27 @@ std::string after(const RelaxationScene& scene, const RelaxationSettings& settin
 }
 
 // Looks, and all that follows from them, are part of the state.
+// Where a force drives blocks deep into each other, both are due, and their contacts are replaced once.
+TEST(ContactWatch, BlocksShotIntoEachOtherEndTheRun) {
+    for (double force = 1e10; force < 1e12; force *= 1.15) {
+        RelaxationScene scene;
+        double height = 4;
+        for (int column = 0; column < 4; ++column, height += 4) {
+            scene.block.push_back({rectangle(10 * column, column, 10, height), density});
+            scene.block.push_back(fixed_block(rectangle(10 * column, column - 20, 10, 20)));
+        }
+        scene.material = {joint(1e5 * density * gravity, degrees(42))};
+        scene.force.push_back({0, PlanePoint<>(0, 4), force * PlanePoint<>(0.87, 0.5)});
+        RelaxationSettings settings = unlimited(1);
+        settings.start = RelaxationStart::dropped;
+        Simulation simulation(scene, settings);
+        while (simulation.running()) {
+            simulation.step();
+        }
+        EXPECT_EQ(simulation.outcome(), RelaxationOutcome::overlap_too_large) << force;
+    }
+}
+
 TEST(ContactWatch, LooksTheSameOnAnyThreadsAndAfterARestart) {
     const RelaxationScene scene = rubble(7);
     RelaxationSettings settings = unlimited(1e3);
