@@ -24,7 +24,7 @@ constexpr double blend_way = 1e-3;
 constexpr double closed = 1e-3;
 // A corner that is found below an edge came there over the edge if it is no deeper than this, in margins.
 constexpr double came_over = 0.01;
-// Deeper corners belong to the block's other side.
+// Deeper corners belong to the block's other side, unless they bear already.
 constexpr double deepest = 0.25;
 // Of two edges that meet in a tip, a corner at the tip is on the one into whose block its faces dip less by so much
 // (sine).
@@ -149,7 +149,8 @@ void PairSearch::find(const BlockPair& pair, const std::vector<Motion>& motion, 
         const Gaps& gaps = gaps_[side];
         for (std::size_t corner = 0; corner < side_[side].corner.size(); ++corner) {
             for (std::size_t edge = 0; edge < side_[1 - side].corner.size(); ++edge) {
-                if (gaps(corner, edge) <= margin && gaps(corner, edge) >= -deepest * shortest_) {
+                const bool too_deep = gaps(corner, edge) < -deepest * shortest_;
+                if (gaps(corner, edge) <= margin && (!too_deep || bears(side_[side], corner, side_[1 - side], edge))) {
                     add_corner(side, corner, edge, found);
                 }
             }
@@ -242,6 +243,10 @@ bool PairSearch::can_bear(const Side& block, std::size_t corner, const Side& oth
     if (dips <= lean || dips > lean_while_touching) {
         return dips <= lean;
     }
+    return bears(block, corner, other, edge);
+}
+
+bool PairSearch::bears(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const {
     const std::size_t before = known(block.begin + corner, other.begin + edge);
     return before != unknown && list_->memory[before].touching;
 }

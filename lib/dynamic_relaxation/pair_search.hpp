@@ -76,6 +76,7 @@ class PairSearch {
     void add_twin_as_rival(const Side& block, std::size_t corner, const Side& other, std::size_t edge, bool at_start,
                            ContactLaw& law) const;
     bool can_bear(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;
+    bool bears(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;  // by what is known
     double dip_beyond_that_of(std::size_t corner, std::size_t edge, std::size_t beyond, bool at_start) const;
     RelaxationContact contact_of(std::size_t corner, std::size_t edge) const;
     ContactLaw law_between(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;

@@ -19,12 +19,13 @@ constexpr std::size_t few_blocks = 100;
 
 class Preload {
   public:
-    Preload(const Bodies& bodies, const PreloadSettings& settings, const Bonds& bonds, StaticEquations& equations)
-        : bodies_(bodies), settings_(settings), bonds_(bonds), equations_(equations) {}
+    Preload(const Bodies& bodies, const PreloadSettings& settings, const Preloaded* creeping, const Bonds& bonds,
+            StaticEquations& equations)
+        : bodies_(bodies), settings_(settings), creeping_(creeping), bonds_(bonds), equations_(equations) {}
 
     Preloaded solve(std::vector<Motion>& motion, ContactList& list) {
         if (equations_.free_blocks().empty()) {
-            return {0, false, motion, 0};
+            return {0, false, false, motion, 0};
         }
         forget_tried(list.memory);
         const MemoryArray memory = list.memory;
@@ -56,7 +57,7 @@ class Preload {
         constexpr double astray = 0.3;  // of a load: not to be made good by the steps after it
         std::vector<Motion> stepped = start;
         MemoryArray memory_found = std::exchange(list.memory, memory);
-        Preloaded last{0, false, start, 0};
+        Preloaded last{0, false, false, start, 0};
         for (int step = 1; step <= steps && last.ratio <= astray; ++step) {
             equations_.set_load_share(static_cast<double>(step) / steps);
             last = approach(start, stepped, list);
@@ -128,7 +129,7 @@ class Preload {
         constexpr double half_way = 0.5;
         double resistance = 1;
         double ratio = evaluate(motion, list);
-        Preloaded best{ratio, false, motion, 0};
+        Preloaded best = most_balanced_of(ratio, motion);
         MemoryArray best_memory = list.memory;
         bool improves = true;
         for (int round = 0;; ++round) {
@@ -152,8 +153,8 @@ class Preload {
                 if (!creeps() || best.ratio <= settings_.tolerance) {
                     break;
                 }
-                constexpr double just_within = 0.99;  // so that the run has only to show that they move on
-                equations_.move(-std::min(1.0, (gone - just_within) / (gone - come)) * *change, motion);
+                best.at_farthest = share_of_farthest(start, motion) >= gone;
+                equations_.move(-share_beyond(come, gone) * *change, motion);
                 evaluate(motion, list);
                 settle(resistance, motion, list);
                 return best;
@@ -264,7 +265,7 @@ class Preload {
         equations_.let_contacts_resist();
         double ratio = evaluate(motion, list);
         MemoryArray memory = list.memory;
-        Preloaded best{ratio, false, motion, 0};
+        Preloaded best = most_balanced_of(ratio, motion);
         MemoryArray best_memory = memory;
         bool improves = true;
         int solutions = 0;
@@ -283,8 +284,8 @@ class Preload {
                 if (!creeps() || best.ratio <= settings_.tolerance) {
                     break;
                 }
-                constexpr double just_within = 0.99;  // so that the run has only to show that they move on
-                equations_.move(-std::min(1.0, (gone - just_within) / (gone - come)) * step.moved, motion);
+                best.at_farthest = share_of_farthest(start, motion) >= gone;
+                equations_.move(-share_beyond(come, gone) * step.moved, motion);
                 equations_.evaluate(motion, memory, list);
                 return best;
             }
@@ -315,27 +316,51 @@ class Preload {
 
     bool creeps() const { return settings_.creep_rotation > 0; }
 
+    // Of now and of the call that this one goes on from.
+    Preloaded most_balanced_of(double ratio, const std::vector<Motion>& motion) const {
+        return creeping_ != nullptr && creeping_->ratio < ratio
+                   ? Preloaded{creeping_->ratio, false, false, creeping_->most_balanced, 0}
+                   : Preloaded{ratio, false, false, motion, 0};
+    }
+
+    // Of a change that led from within the limits to beyond them, so that the run has only to show that blocks move on.
+    static double share_beyond(double come, double gone) {
+        constexpr double just_within = 0.99;
+        return std::min(1.0, (gone - just_within) / (gone - come));
+    }
+
+    double share_of_farthest(const std::vector<Motion>& start, const std::vector<Motion>& motion) const {
+        double share = 0;
+        for (const std::size_t block : equations_.free_blocks()) {
+            const Motion& now = motion[block];
+            const Motion& then = start[block];
+            const double way =
+                std::hypot(now.x - then.x, now.y - then.y) + std::abs(now.angle - then.angle) * bodies_.radius[block];
+            share = std::max(share, way / settings_.farthest);
+        }
+        return share;
+    }
+
     // Up to 1 a motion is within the limits.
     double share_of_limits(const std::vector<Motion>& start, const std::vector<Motion>& most_balanced,
                            const std::vector<Motion>& motion) const {
-        double share = 0;
+        double share = share_of_farthest(start, motion);
+        if (!creeps()) {
+            return share;
+        }
         for (const std::size_t block : equations_.free_blocks()) {
-            const double radius = bodies_.radius[block];
             const Motion& now = motion[block];
-            const Motion& then = start[block];
-            const double way = std::hypot(now.x - then.x, now.y - then.y) + std::abs(now.angle - then.angle) * radius;
-            share = std::max(share, way / settings_.farthest);
-            if (creeps()) {
-                const Motion& best = most_balanced[block];
-                share = std::max({share, std::abs(now.angle - best.angle) / settings_.creep_rotation,
-                                  std::hypot(now.x - best.x, now.y - best.y) / (settings_.creep_slide * radius)});
-            }
+            const Motion& best = most_balanced[block];
+            share = std::max({share, std::abs(now.angle - best.angle) / settings_.creep_rotation,
+                              std::hypot(now.x - best.x, now.y - best.y) /
+                                  (settings_.creep_slide * bodies_.radius[block])});
         }
         return share;
     }
 
     const Bodies& bodies_;
     const PreloadSettings& settings_;
+    const Preloaded* creeping_;
     const Bonds& bonds_;
     StaticEquations& equations_;
 };
@@ -343,10 +368,10 @@ class Preload {
 }  // namespace
 
 Preloaded preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
-                  const PreloadSettings& settings, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
-                  std::vector<Motion>& motion, ContactList& list) {
+                  const PreloadSettings& settings, const Preloaded* creeping, const Bonds& bonds,
+                  const std::vector<BondMemory>& bond_memory, std::vector<Motion>& motion, ContactList& list) {
     StaticEquations equations(bodies, held, loads, bonds, bond_memory, list);
-    return Preload(bodies, settings, bonds, equations).solve(motion, list);
+    return Preload(bodies, settings, creeping, bonds, equations).solve(motion, list);
 }
 
 }  // namespace delabole

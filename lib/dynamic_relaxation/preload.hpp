@@ -24,6 +24,7 @@ struct PreloadSettings {
 struct Preloaded {
     double ratio;                       // unbalanced, of the most balanced state met
     bool cut_short;                     // ended for lack of solutions: with more there may be an equilibrium
+    bool at_farthest;                   // creep ended at the farthest that is allowed: it may go on from there
     std::vector<Motion> most_balanced;  // motion there
     std::uint64_t contacts_evaluated;
 };
@@ -32,6 +33,9 @@ struct Preloaded {
 // force, y force, moment of each), and sets the memories of the contacts. The laws are those of the run, over the same
 // geometry, so that what is found is an equilibrium of the run as well; where none is found within the limits, the run
 // starts from the most balanced state met, or farther on.
+//
+// `creeping`: what a call before this one has left at the farthest, from where this one goes on, with contacts found
+// anew; creep goes on being measured from the most balanced state of both. None: this is the first.
 //
 // Method: implicit integration of a motion without mass, which a pseudo-viscosity resists that fades as balance
 // improves: it goes to stable equilibria only. Each solution takes Newton's tangents of the contacts (friction makes
@@ -42,7 +46,7 @@ struct Preloaded {
 // let them flutter; there are 2000 linear solutions at most. Where it finds no balance of bonded blocks, fewer than 400
 // and not left to creep, it tries again with loads that grow in eight steps.
 Preloaded preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
-                  const PreloadSettings& settings, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
-                  std::vector<Motion>& motion, ContactList& list);
+                  const PreloadSettings& settings, const Preloaded* creeping, const Bonds& bonds,
+                  const std::vector<BondMemory>& bond_memory, std::vector<Motion>& motion, ContactList& list);
 
 }  // namespace delabole

@@ -176,17 +176,24 @@ bool Simulation::preload_under(double load_share, bool first, const PreloadSetti
     for (const BlockForce& load : load_) {
         loads.emplace_back(load_share * load.x, load_share * load.y, load_share * load.moment);
     }
-    for (;; first = false) {
+    constexpr int most_continuations = 100;
+    std::optional<Preloaded> creeping;
+    for (int continued = 0;; first = false) {
         preload_within(2 * limits.farthest, first);
-        const Preloaded found =
-            preload(bodies_, held_, loads, limits, bonds_, state_.bond, state_.motion, state_.contacts);
+        const Preloaded found = preload(bodies_, held_, loads, limits, creeping ? &*creeping : nullptr, bonds_,
+                                        state_.bond, state_.motion, state_.contacts);
         state_.origin = found.most_balanced;
         state_.start_balance = StartBalance{found.ratio, found.cut_short};
         state_.contacts_evaluated += found.contacts_evaluated;
         const bool balanced = found.ratio <= limits.tolerance;
+        if (!balanced && found.at_farthest && continued++ < most_continuations) {
+            creeping = found;
+            continue;
+        }
         if (!balanced) {
             return false;
         }
+        creeping.reset();
         just_broken_ = bonds_.break_at_rest(state_.motion, state_.bond);
         if (just_broken_.empty()) {
             return true;

@@ -46,8 +46,10 @@ std::optional<Response> respond(const ContactLaw& law, const RelaxationContact& 
                                 const Arms& arms, ContactMemory& memory, double hair, bool resists) {
     const double overlap = -at.gap;
     const bool bonded = law.tension > 0 && !memory.broken && memory.touching;
+    const double weight = contact_weight(law, contact, at, memory.insists);
     memory.shear += at.slide - memory.place;
     memory.place = at.slide;
+    memory.insists = memory.insists && (weight > 0 || !memory.touching);
     memory.touching = (overlap > 0 && !memory.beneath && !memory.yields) || bonded;
     memory.sliding = false;
     const bool open = overlap < -hair && !bonded;
@@ -59,7 +61,6 @@ std::optional<Response> respond(const ContactLaw& law, const RelaxationContact& 
         }
     }
     Response response;
-    const double weight = contact_weight(law, contact, at, memory.insists);
     const Direction normal = arms.along(at.normal_x, at.normal_y, at);
     const Direction along = arms.along(at.along_x(), at.along_y(), at);
     if (resists) {
