@@ -128,13 +128,6 @@ inline double contact_weight(const EdgeEnds& ends, const RelaxationContact& cont
     return contact_weight<double>(ends, contact.to_end, at, insists);
 }
 
-// Whether a corner without weight is past the edge's end, or overlaps the block over the rival rather. A rival that may
-// bear as well takes over by itself; of two of which one bears, overlaps as small as loads make them do not tell.
-template <class Number>
-DELABOLE_INLINED auto is_past_end(const EdgeEndsOf<Number>& ends, const Number& overlap) {
-    return (ends.rival == Number{}) | ((ends.alone > Number{}) & (overlap * ends.inverse_blend > 1.0));
-}
-
 // Whether a contact that yields in a trial no longer does.
 template <class Number>
 DELABOLE_INLINED auto takes_over(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
@@ -261,7 +254,7 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
     };
     if (weight == 0 || (overlap <= 0 && !bonded)) {
         open();
-        memory.beneath = overlap > 0 && is_past_end<double>(law, overlap);
+        memory.beneath = overlap > 0 && law.rival == 0;
         return {};
     }
     const double force_before = law.shear_stiffness * std::abs(memory.shear);

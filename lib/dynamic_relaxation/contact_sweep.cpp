@@ -295,7 +295,7 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     }
     if (opening != 0) {
         const unsigned bonded = opening & ~without_weight & ~broken & bits(joint.tension > 0.0);
-        const unsigned beneath = bits(at.gap < 0.0) & bits(is_past_end<Lanes>(ends, -at.gap));
+        const unsigned beneath = bits(at.gap < 0.0) & ~bits(ends.rival != 0.0);
         for (unsigned left = opening & ~bonded; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             open_up(sweep, part.first + lane, weight[lane], damping[lane], (beneath >> lane & 1U) != 0);

@@ -376,8 +376,7 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
             memory.broken = !(first_ && contact.gap <= closed * shortest_);
             const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
             memory.beneath = first_ ? beside(bodies_, contact, shortest_)
-                                    : (law.rival == 0 || law.alone == 2) && at.gap < -came_over * margin_ &&
-                                          !came_over_edge(contact, at);
+                                    : law.rival == 0 && at.gap < -came_over * margin_ && !came_over_edge(contact, at);
             memory.touching = !memory.broken && !memory.beneath && (law.tension > 0 || contact.gap < 0);
         }
     }

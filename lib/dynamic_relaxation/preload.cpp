@@ -21,18 +21,23 @@ class Preload {
   public:
     Preload(const Bodies& bodies, const PreloadSettings& settings, const Preloaded* creeping, const Bonds& bonds,
             StaticEquations& equations)
-        : bodies_(bodies), settings_(settings), creeping_(creeping), bonds_(bonds), equations_(equations) {}
+        : bodies_(bodies),
+          settings_(settings),
+          creeping_(creeping),
+          bonds_(bonds),
+          equations_(equations),
+          is_small_(equations.free_blocks().size() < few_blocks) {}
 
     Preloaded solve(std::vector<Motion>& motion, ContactList& list) {
         if (equations_.free_blocks().empty()) {
-            return {0, false, false, motion, 0};
+            return {0, false, false, motion, list.memory, 0};
         }
         forget_tried(list.memory);
         const MemoryArray memory = list.memory;
         std::vector<Motion> start = motion;
         Preloaded found = approach(start, motion, list);
         constexpr std::size_t few_enough = 400;  // many settle in the run for less
-        if (found.ratio > settings_.tolerance && !creeps() && !bonds_.empty() &&
+        if (found.ratio > settings_.tolerance && !settings_.leave_crept && !bonds_.empty() &&
             equations_.free_blocks().size() < few_enough) {
             approach_in_steps(start, memory, found, motion, list);
         }
@@ -42,6 +47,11 @@ class Preload {
             found = approach(start, motion, list);
         }
         while (found.ratio <= settings_.tolerance && try_corners(found, motion, list)) {
+        }
+        if (creeping_ != nullptr && found.ratio > settings_.tolerance && creeping_->ratio < found.ratio) {
+            found.ratio = creeping_->ratio;
+            found.most_balanced = creeping_->most_balanced;
+            found.memory = {};
         }
         found.contacts_evaluated = equations_.contacts_evaluated();
         return found;
@@ -57,7 +67,7 @@ class Preload {
         constexpr double astray = 0.3;  // of a load: not to be made good by the steps after it
         std::vector<Motion> stepped = start;
         MemoryArray memory_found = std::exchange(list.memory, memory);
-        Preloaded last{0, false, false, start, 0};
+        Preloaded last{0, false, false, start, {}, 0};
         for (int step = 1; step <= steps && last.ratio <= astray; ++step) {
             equations_.set_load_share(static_cast<double>(step) / steps);
             last = approach(start, stepped, list);
@@ -113,8 +123,7 @@ class Preload {
 
     // `start`: where the limits of motion are measured from.
     Preloaded approach(const std::vector<Motion>& start, std::vector<Motion>& motion, ContactList& list) {
-        return equations_.free_blocks().size() < few_blocks ? approach_in_rounds(start, motion, list)
-                                                            : approach_in_motion(start, motion, list);
+        return is_small_ ? approach_in_rounds(start, motion, list) : approach_in_motion(start, motion, list);
     }
 
     Preloaded approach_in_rounds(const std::vector<Motion>& start, std::vector<Motion>& motion, ContactList& list) {
@@ -129,8 +138,7 @@ class Preload {
         constexpr double half_way = 0.5;
         double resistance = 1;
         double ratio = evaluate(motion, list);
-        Preloaded best = most_balanced_of(ratio, motion);
-        MemoryArray best_memory = list.memory;
+        Preloaded best{ratio, false, false, motion, list.memory, 0};
         bool improves = true;
         for (int round = 0;; ++round) {
             if (best.ratio <= settings_.finest || (best.ratio <= settings_.tolerance && !improves)) {
@@ -146,11 +154,11 @@ class Preload {
             const std::vector<Motion> motion_before = motion;
             const MemoryArray memory_before = list.memory;
             const double ratio_before = ratio;
-            const double come = share_of_limits(start, best.most_balanced, motion);
+            const double come = share_of_limits(start, best, motion);
             equations_.move(*change, motion);
-            const double gone = share_of_limits(start, best.most_balanced, motion);
+            const double gone = share_of_limits(start, best, motion);
             if (gone >= 1 && come > half_way) {
-                if (!creeps() || best.ratio <= settings_.tolerance) {
+                if (!settings_.leave_crept || best.ratio <= settings_.tolerance) {
                     break;
                 }
                 best.at_farthest = share_of_farthest(start, motion) >= gone;
@@ -160,7 +168,7 @@ class Preload {
                 return best;
             }
             ratio = gone < 1 ? evaluate(motion, list) : std::numeric_limits<double>::infinity();
-            if (creeps() && gone < 1 && ratio > settings_.tolerance) {
+            if (settings_.leave_crept && gone < 1 && ratio > settings_.tolerance) {
                 ratio = settle(resistance, motion, list);
             }
             if (!(ratio < far_worse * ratio_before)) {
@@ -174,17 +182,17 @@ class Preload {
             if (ratio < best.ratio) {
                 best.ratio = ratio;
                 best.most_balanced = motion;
-                best_memory = list.memory;
+                best.memory = list.memory;
             }
             resistance =
                 std::max(ratio < much_worse * ratio_before ? resistance / thinner : resistance * thicker, 1e-13);
         }
         motion = best.most_balanced;
-        list.memory = best_memory;
+        list.memory = best.memory;
         return best;
     }
 
-    int most_rounds() const { return creeps() ? 2000 : 300; }
+    int most_rounds() const { return settings_.leave_crept ? 2000 : 300; }
 
     double evaluate(const std::vector<Motion>& motion, ContactList& list) {
         equations_.evaluate(motion, list.memory, list);
@@ -265,8 +273,7 @@ class Preload {
         equations_.let_contacts_resist();
         double ratio = evaluate(motion, list);
         MemoryArray memory = list.memory;
-        Preloaded best = most_balanced_of(ratio, motion);
-        MemoryArray best_memory = memory;
+        Preloaded best{ratio, false, false, motion, list.memory, 0};
         bool improves = true;
         int solutions = 0;
         while (best.ratio > settings_.finest && (best.ratio > settings_.tolerance || improves) &&
@@ -276,15 +283,15 @@ class Preload {
                 break;
             }
             const std::vector<Motion> from = motion;
-            const double come = share_of_limits(start, best.most_balanced, from);
+            const double come = share_of_limits(start, best, from);
             const ImplicitStep step = step_implicitly(pseudo_viscosity, memory, motion, list);
             solutions += step.solutions;
-            const double gone = share_of_limits(start, best.most_balanced, motion);
+            const double gone = share_of_limits(start, best, motion);
             if (gone >= 1 && come > half_way) {
-                if (!creeps() || best.ratio <= settings_.tolerance) {
+                best.at_farthest = creeps() && share_of_farthest(start, motion) >= gone;
+                if (best.ratio <= settings_.tolerance || !(settings_.leave_crept || best.at_farthest)) {
                     break;
                 }
-                best.at_farthest = share_of_farthest(start, motion) >= gone;
                 equations_.move(-share_beyond(come, gone) * step.moved, motion);
                 equations_.evaluate(motion, memory, list);
                 return best;
@@ -302,7 +309,7 @@ class Preload {
             if (ratio < best.ratio) {
                 best.ratio = ratio;
                 best.most_balanced = motion;
-                best_memory = memory;
+                best.memory = memory;
             }
             if (step.balanced && step.solutions <= easily) {
                 const double by = step.solutions == 1 ? thinner * thinner : thinner;
@@ -310,18 +317,12 @@ class Preload {
             }
         }
         motion = best.most_balanced;
-        list.memory = best_memory;
+        list.memory = best.memory;
         return best;
     }
 
-    bool creeps() const { return settings_.creep_rotation > 0; }
-
-    // Of now and of the call that this one goes on from.
-    Preloaded most_balanced_of(double ratio, const std::vector<Motion>& motion) const {
-        return creeping_ != nullptr && creeping_->ratio < ratio
-                   ? Preloaded{creeping_->ratio, false, false, creeping_->most_balanced, 0}
-                   : Preloaded{ratio, false, false, motion, 0};
-    }
+    // Few blocks that are not left where they crept to are not worth it: they jam sooner in the run.
+    bool creeps() const { return settings_.creep_rotation > 0 && (settings_.leave_crept || !is_small_); }
 
     // Of a change that led from within the limits to beyond them, so that the run has only to show that blocks move on.
     static double share_beyond(double come, double gone) {
@@ -342,15 +343,17 @@ class Preload {
     }
 
     // Up to 1 a motion is within the limits.
-    double share_of_limits(const std::vector<Motion>& start, const std::vector<Motion>& most_balanced,
+    double share_of_limits(const std::vector<Motion>& start, const Preloaded& met,
                            const std::vector<Motion>& motion) const {
         double share = share_of_farthest(start, motion);
         if (!creeps()) {
             return share;
         }
+        const std::vector<Motion>& from =
+            creeping_ != nullptr && creeping_->ratio < met.ratio ? creeping_->most_balanced : met.most_balanced;
         for (const std::size_t block : equations_.free_blocks()) {
             const Motion& now = motion[block];
-            const Motion& best = most_balanced[block];
+            const Motion& best = from[block];
             share = std::max({share, std::abs(now.angle - best.angle) / settings_.creep_rotation,
                               std::hypot(now.x - best.x, now.y - best.y) /
                                   (settings_.creep_slide * bodies_.radius[block])});
@@ -363,6 +366,7 @@ class Preload {
     const Preloaded* creeping_;
     const Bonds& bonds_;
     StaticEquations& equations_;
+    bool is_small_;
 };
 
 }  // namespace

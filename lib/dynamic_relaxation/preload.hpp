@@ -15,17 +15,20 @@ struct PreloadSettings {
     double tolerance;  // greatest unbalanced force over the load of its block
     double finest;     // likewise; what is found is improved up to here as long as that takes few rounds
     double farthest;   // m; moves no point of any block by more than this
-    // Where no equilibrium is found, blocks are left where they have crept to when the first of them has come this far
-    // from the most balanced state met, not in that state. 0: they do not creep.
+    // From the most balanced state met, without inertia. 0: they do not creep.
     double creep_rotation;  // rad
     double creep_slide;     // in radii
+    // Where no equilibrium is found, blocks are left where they have crept to when the first of them has come that far,
+    // not in the most balanced state met.
+    bool leave_crept;
 };
 
 struct Preloaded {
     double ratio;                       // unbalanced, of the most balanced state met
     bool cut_short;                     // ended for lack of solutions: with more there may be an equilibrium
-    bool at_farthest;                   // creep ended at the farthest that is allowed: it may go on from there
+    bool at_farthest;                   // blocks still crept at the farthest that is allowed: they may go on from there
     std::vector<Motion> most_balanced;  // motion there
+    MemoryArray memory;                 // of the contacts there; empty if the call before this one met that state
     std::uint64_t contacts_evaluated;
 };
 
@@ -35,7 +38,7 @@ struct Preloaded {
 // starts from the most balanced state met, or farther on.
 //
 // `creeping`: what a call before this one has left at the farthest, from where this one goes on, with contacts found
-// anew; creep goes on being measured from the most balanced state of both. None: this is the first.
+// anew. Creep goes on being measured from the most balanced state of both. None: this is the first.
 //
 // Method: implicit integration of a motion without mass, which a pseudo-viscosity resists that fades as balance
 // improves: it goes to stable equilibria only. Each solution takes Newton's tangents of the contacts (friction makes

@@ -140,9 +140,15 @@ PreloadSettings Simulation::preload_settings() const {
     limits.finest = rest_ratio() / 1000;
     // Blocks that only jam once they have leaned a little move farther here than between two searches of the run.
     limits.farthest = 5 * margin_;
-    if (settings_.creep && last_scheduled_time(scene_, settings_) <= state_.time) {
-        limits.creep_rotation = settings_.onset_rotation;
-        limits.creep_slide = settings_.onset_slide;
+    if (last_scheduled_time(scene_, settings_) <= state_.time) {
+        // Creep that finds no balance shows nothing but onset: it need not go as far where blocks go back after it.
+        constexpr double jammed_by_then = 0.01;
+        limits.leave_crept = settings_.creep;
+        limits.creep_rotation =
+            settings_.creep ? settings_.onset_rotation : std::min(settings_.onset_rotation, jammed_by_then);
+        limits.creep_slide = settings_.creep ? settings_.onset_slide : std::min(settings_.onset_slide, jammed_by_then);
+    }
+    if (limits.leave_crept) {
         double largest = 0;
         for (std::size_t block = 0; block < bodies_.size(); ++block) {
             largest = held_[block] != 0 ? largest : std::max(largest, bodies_.radius[block]);
@@ -160,6 +166,7 @@ void Simulation::preload_springs(JointsAtStart joints) {
         constexpr int steps = 10;
         PreloadSettings on_the_way = limits;
         on_the_way.creep_rotation = 0;
+        on_the_way.leave_crept = false;
         // What is not in balance under a part of the loads is left to all of them.
         bool balanced = true;
         for (int step = 1; step < steps && balanced; ++step, first = false) {
@@ -178,19 +185,27 @@ bool Simulation::preload_under(double load_share, bool first, const PreloadSetti
     }
     constexpr int most_continuations = 100;
     std::optional<Preloaded> creeping;
+    ContactList contacts_at_best;
     for (int continued = 0;; first = false) {
         preload_within(2 * limits.farthest, first);
-        const Preloaded found = preload(bodies_, held_, loads, limits, creeping ? &*creeping : nullptr, bonds_,
-                                        state_.bond, state_.motion, state_.contacts);
+        Preloaded found = preload(bodies_, held_, loads, limits, creeping ? &*creeping : nullptr, bonds_, state_.bond,
+                                  state_.motion, state_.contacts);
         state_.origin = found.most_balanced;
         state_.start_balance = StartBalance{found.ratio, found.cut_short};
         state_.contacts_evaluated += found.contacts_evaluated;
-        const bool balanced = found.ratio <= limits.tolerance;
-        if (!balanced && found.at_farthest && continued++ < most_continuations) {
-            creeping = found;
-            continue;
-        }
-        if (!balanced) {
+        if (found.ratio > limits.tolerance) {
+            if (found.memory.size() == state_.contacts.contact.size()) {
+                contacts_at_best = state_.contacts;
+                contacts_at_best.memory = found.memory;
+            }
+            if (found.at_farthest && continued++ < most_continuations) {
+                creeping = std::move(found);
+                continue;
+            }
+            if (!limits.leave_crept && creeping) {
+                state_.motion = found.most_balanced;
+                state_.contacts = std::move(contacts_at_best);
+            }
             return false;
         }
         creeping.reset();
