@@ -225,7 +225,14 @@ void PairSearch::add_twin_as_rival(const Side& block, std::size_t corner, const 
     // both are as near, and a hair's turn must not change the law.
     constexpr double clearly_nearer = 0.02;
     const bool farther = law.alone > 0 && cosine < -law.rival_cosine + clearly_nearer;
-    if (cosine > one_face || farther || !can_bear(other, end, block, face)) {
+    if (farther || !can_bear(other, end, block, face)) {
+        return;
+    }
+    if (cosine > one_face) {
+        // Both go on into each other as one face, and what the block has beyond the end is not beside it.
+        if (law.alone > 0) {
+            law.rival = law.rival_sine = law.rival_cosine = law.alone = 0;
+        }
         return;
     }
     constexpr double round_to = 1.0 / 64;
