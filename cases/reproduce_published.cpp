@@ -6,6 +6,7 @@
 #include "cases/reproduction.hpp"
 #include "cases/thesis_tables.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
+#include "dynamic_relaxation/strength_bound.hpp"
 #include "fitting/words.hpp"
 #include "plots/text.hpp"
 
@@ -66,6 +67,7 @@ struct Problem {
     PublishedFactors published;
     CaseFile file;
     CriticalAnswer answer = {};
+    std::optional<double> bound = {};  // by statics alone
     std::size_t blocks = 0;
     double seconds = 0;
 
@@ -90,7 +92,11 @@ void solve(Problem& problem) {
     work.watch = [](double) { return !interrupt_flag(); };
     problem.answer = find_critical(problem.study(), work);
     problem.seconds = watch.seconds();
-    problem.blocks = relaxation_scene(problem.study()).block.size();
+    const RelaxationScene scene = relaxation_scene(problem.study());
+    problem.blocks = scene.block.size();
+    if (parameter_of(*problem.study().critical) == CriticalParameter::strength_reduction) {
+        problem.bound = greatest_strength_reduction(scene, &interrupt_flag());
+    }
 }
 
 std::string value_in_table(const Problem& problem, double value) {
@@ -140,9 +146,17 @@ std::string reasons(const CaseFile& file) {
 }
 
 Table factor_table(const std::vector<Problem>& problems) {
-    Table table{"Factors of safety by strength reduction and as published; of RJ-16 critical tilts in degrees.",
-                {{"problem"}, {"factor", true}, {"bracket", true}, {"path"}, {"blocks", true}, {"seconds", true}},
-                {}};
+    Table table{
+        "Factors of safety by strength reduction and as published; of RJ-16 critical tilts in degrees. Statics: up "
+        "to this factor forces over faces exist that strength allows and that hold the blocks.",
+        {{"problem"},
+         {"factor", true},
+         {"bracket", true},
+         {"path"},
+         {"statics", true},
+         {"blocks", true},
+         {"seconds", true}},
+        {}};
     for (const Code& code : codes()) {
         table.columns.push_back({code.name, true});
     }
@@ -151,7 +165,8 @@ Table factor_table(const std::vector<Problem>& problems) {
     for (const Problem& problem : problems) {
         table.rows.push_back({problem.file.title, found_in_words(problem, problem.answer),
                               bracket_in_words(problem, problem.answer), human_name(word_of(problem.answer.path)),
-                              std::to_string(problem.blocks), human_number(problem.seconds, 2)});
+                              problem.bound ? human_number(*problem.bound, 4) : "", std::to_string(problem.blocks),
+                              human_number(problem.seconds, 2)});
         std::vector<std::string>& row = table.rows.back();
         for (const Code& code : codes()) {
             const std::optional<double>& value = problem.published.*code.value;
@@ -211,6 +226,7 @@ Json json_of(const Problem& problem) {
             {"path", word_of(problem.answer.path)},
             {"stands", problem.shown(problem.answer.stands)},
             {"fails", problem.shown(problem.answer.fails)},
+            {"statics", problem.bound ? Json(*problem.bound) : Json(nullptr)},
             {"blocks", problem.blocks},
             {"seconds", problem.seconds},
             {"verdict", verdict(problem)}};
@@ -255,7 +271,7 @@ Reproduction reproduce_factors(const ResultFolder& folder, Report& report) {
 
 ReproductionChapter published_problems() {
     return {"published",
-            "fifteen published problems of jointed slopes, of RJ-1 to RJ-20",
+            "twenty published problems of jointed slopes, of RJ-1 to RJ-20",
             "Published problems of jointed slopes",
             {{"factors", "factors of safety by strength reduction beside those of other codes", reproduce_factors,
               ReproductionCost::minutes}}};

@@ -354,9 +354,9 @@ class Preload {
         for (const std::size_t block : equations_.free_blocks()) {
             const Motion& now = motion[block];
             const Motion& best = from[block];
-            share = std::max({share, std::abs(now.angle - best.angle) / settings_.creep_rotation,
-                              std::hypot(now.x - best.x, now.y - best.y) /
-                                  (settings_.creep_slide * bodies_.radius[block])});
+            share = std::max(
+                {share, std::abs(now.angle - best.angle) / settings_.creep_rotation,
+                 std::hypot(now.x - best.x, now.y - best.y) / (settings_.creep_slide * bodies_.radius[block])});
         }
         return share;
     }

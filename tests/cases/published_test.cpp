@@ -2,10 +2,14 @@
 #include "cases/case_file.hpp"
 #include "cases/thesis_tables.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
+#include "dynamic_relaxation/strength_bound.hpp"
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace delabole {
 namespace {
@@ -20,7 +24,7 @@ CaseFile published_case(std::string_view name) {
 }
 
 TEST(PublishedProblems, AreReadAndSayWhatTheyExpect) {
-    EXPECT_EQ(published_cases().size(), 15U);  // RJ-1 has four
+    EXPECT_EQ(published_cases().size(), 20U);  // RJ-1 has four
     for (const BuiltInCase& built_in : published_cases()) {
         const CaseFile file = published_case(built_in.name);
         const auto& study = std::get<RelaxationStudy>(file.model);
@@ -35,13 +39,40 @@ TEST(PublishedProblems, AreReadAndSayWhatTheyExpect) {
 
 // Those whose search takes less than a second or two of processor time.
 TEST(PublishedProblems, QuickOnesHaveTheFactorsThatTheyExpect) {
-    for (const std::string_view name : {"rj_1a", "rj_1b", "rj_1d", "rj_2"}) {
+    for (const std::string_view name : {"rj_1a", "rj_1b", "rj_1d", "rj_2", "rj_6"}) {
         const CaseFile file = published_case(name);
         const Expectation& expected = file.expectations.front();
         const CriticalAnswer answer = find_critical(std::get<RelaxationStudy>(file.model));
         ASSERT_EQ(answer.status, CriticalStatus::found) << name;
         EXPECT_NEAR(answer.value(), std::get<double>(expected.value), std::get<double>(*expected.tolerance)) << name;
     }
+}
+
+RelaxationScene published_scene(std::string_view name) {
+    return relaxation_scene(std::get<RelaxationStudy>(published_case(name).model));
+}
+
+// Of two rigid blocks each, published with five digits; as in RJ-6 the blocks that slide are the ones drawn.
+TEST(PublishedProblems, StaticsAloneGivesTheBoundsOfRigidBlocks) {
+    const std::vector<std::pair<std::string_view, double>> bounds{
+        {"rj_6", 1.3264}, {"rj_11", 1.2148}, {"rj_12", 2.0324}, {"rj_13", 0.9988}, {"rj_14", 1.2686}};
+    for (const auto& [name, bound] : bounds) {
+        const std::optional<double> found = greatest_strength_reduction(published_scene(name));
+        ASSERT_TRUE(found) << name;
+        EXPECT_NEAR(*found, bound, 1e-4) << name;  // coordinates are printed to 0.1 mm
+    }
+}
+
+TEST(PublishedProblems, StaticsAloneSaysNothingOfRockThatBreaksOrLoadsToCome) {
+    EXPECT_FALSE(greatest_strength_reduction(published_scene("rj_19")));  // tensile strength
+    RelaxationScene scene = published_scene("rj_11");
+    scene.removal.push_back({0, 1});
+    EXPECT_FALSE(greatest_strength_reduction(scene));
+    scene = published_scene("rj_11");
+    for (JointMaterial& joint : scene.material) {
+        joint.friction_angle = 0;
+    }
+    EXPECT_EQ(greatest_strength_reduction(scene), 0);
 }
 
 }  // namespace

@@ -1,0 +1,223 @@
+# Toppling on a stepped base, water behind the blocks
+# Draw again, in this folder: gnuplot stepped_base.gp
+set encoding utf8
+set minussign
+set title 'Toppling on a stepped base, water behind the blocks'
+set border 31 linewidth 1 linecolor rgb '#666666'
+set tics nomirror scale 0.6 textcolor rgb 'black'
+set style textbox opaque fillcolor rgb 'white' noborder margins 0.4,0.2
+set size ratio -1
+set key at screen 0.5,0.00479616306954 center bottom vertical maxcols 1 Left reverse samplen 2 width 1
+set bmargin at screen 0.400479616307
+set xrange [-15:65]
+set xlabel 'distance from the toe (m)'
+set xtics 20
+set yrange [101.423542865:155.752114662]
+set ylabel 'elevation (m)'
+set ytics 10
+set label '1000 kN/m' at 49.1470967742,152.868243694 left front offset character 0,0 textcolor rgb '#000000'
+set label '▽' at 42.9818377881,138.446190181 center front offset character 0,0.45 textcolor rgb '#0072B2'
+set label '1' at 0.919947862828,114.667347442 center front offset character 0,0 textcolor rgb '#000000'
+set label '2' at 6.90698311225,121.791672802 center front offset character 0,0 textcolor rgb '#000000'
+set label '3' at 12.2449591482,128.915998162 center front offset character 0,0 textcolor rgb '#000000'
+set label '4' at 17.5829351842,136.040323523 center front offset character 0,0 textcolor rgb '#000000'
+set label '5' at 24.6032350133,135.505120033 center front offset character 0,0 textcolor rgb '#000000'
+set label '6' at 31.1706015135,139.422308698 center front offset character 0,0 textcolor rgb '#000000'
+$series_1 << EOD
+-15 107
+0 107
+0 107
+6.76148078402 108.811733316
+5.98502364872 111.709510795
+12.7465044327 113.52124411
+11.9700472974 116.419021589
+18.7315280815 118.230754905
+17.9550709461 121.128532384
+24.7165517302 122.940265699
+23.9400945949 125.838043178
+30.7015753789 127.649776494
+29.9251182436 130.547553973
+36.6865990276 132.359287289
+32.4160847834 148.297063422
+65 149.297063422
+65 101.423542865
+-15 101.423542865
+EOD
+$series_2 << EOD
+23.9400945949 125.838043178
+30.7015753789 127.649776494
+25.2663754317 147.934218846
+18.5048946477 146.12248553
+EOD
+$series_3 << EOD
+29.9251182436 130.547553973
+36.6865990276 132.359287289
+32.4160847834 148.297063422
+25.6546039994 146.485330107
+EOD
+$series_4 << EOD
+0 107
+6.76148078402 108.811733316
+3.13801415259 122.334694884
+-3.62346663144 120.522961568
+EOD
+$series_5 << EOD
+5.98502364872 111.709510795
+12.7465044327 113.52124411
+7.82894257579 131.87383481
+1.06746179177 130.062101494
+EOD
+$series_6 << EOD
+11.9700472974 116.419021589
+18.7315280815 118.230754905
+12.519870999 141.412974736
+5.75839021497 139.60124142
+EOD
+$series_7 << EOD
+17.9550709461 121.128532384
+24.7165517302 122.940265699
+17.2107994222 150.952114662
+10.4493186382 149.140381346
+EOD
+$series_8 << EOD
+0 107
+6.76148078402 108.811733316
+3.13801415259 122.334694884
+-3.62346663144 120.522961568
+0 107
+nan nan
+5.98502364872 111.709510795
+12.7465044327 113.52124411
+7.82894257579 131.87383481
+1.06746179177 130.062101494
+5.98502364872 111.709510795
+nan nan
+11.9700472974 116.419021589
+18.7315280815 118.230754905
+12.519870999 141.412974736
+5.75839021497 139.60124142
+11.9700472974 116.419021589
+nan nan
+17.9550709461 121.128532384
+24.7165517302 122.940265699
+17.2107994222 150.952114662
+10.4493186382 149.140381346
+17.9550709461 121.128532384
+nan nan
+23.9400945949 125.838043178
+30.7015753789 127.649776494
+25.2663754317 147.934218846
+18.5048946477 146.12248553
+23.9400945949 125.838043178
+nan nan
+29.9251182436 130.547553973
+36.6865990276 132.359287289
+32.4160847834 148.297063422
+25.6546039994 146.485330107
+29.9251182436 130.547553973
+nan nan
+EOD
+$series_9 << EOD
+-2.89777747887 106.223542865
+3.86370330516 108.03527618
+0.240236673721 121.558237748
+-6.5212441103 119.746504433
+-2.89777747887 106.223542865
+nan nan
+5.98502364872 111.709510795
+12.5628719942 114.103651798
+6.06448927103 131.957811593
+-0.513359074472 129.56367059
+5.98502364872 111.709510795
+nan nan
+11.9700472974 116.419021589
+18.5478956429 118.813162592
+10.3394122031 141.365785491
+3.76156385762 138.971644488
+11.9700472974 116.419021589
+nan nan
+17.9550709461 121.128532384
+24.5329192916 123.522673387
+14.6143351352 150.77375939
+8.0364867897 148.379618387
+17.9550709461 121.128532384
+nan nan
+EOD
+$series_10 << EOD
+-15 107
+0 107
+0 107
+6.76148078402 108.811733316
+5.98502364872 111.709510795
+12.7465044327 113.52124411
+11.9700472974 116.419021589
+18.7315280815 118.230754905
+17.9550709461 121.128532384
+24.7165517302 122.940265699
+23.9400945949 125.838043178
+30.7015753789 127.649776494
+29.9251182436 130.547553973
+36.6865990276 132.359287289
+32.4160847834 148.297063422
+65 149.297063422
+EOD
+$series_11 << EOD
+-15 107
+0 107
+-3.62346663144 120.522961568
+3.13801415259 122.334694884
+1.06746179177 130.062101494
+7.82894257579 131.87383481
+5.75839021497 139.60124142
+12.519870999 141.412974736
+10.4493186382 149.140381346
+17.2107994222 150.952114662
+18.5048946477 146.12248553
+25.2663754317 147.934218846
+25.6546039994 146.485330107
+32.4160847834 148.297063422
+65 149.297063422
+EOD
+$series_12 << EOD
+24.7165517302 122.940265699
+17.2107994222 150.952114662
+EOD
+$series_13 << EOD
+20.9636755762 136.946190181
+65 139.946190181
+EOD
+$series_14 << EOD
+23.4655930122 127.608907193 12.8715678206 124.770246699
+EOD
+$series_15 << EOD
+-10.8117333157 116.761480784 -1.83812627759 113.770278438
+EOD
+$series_16 << EOD
+37.8860997067 152.868243694 47.8567741935 152.868243694
+EOD
+set terminal svg size 720,834 dynamic noenhanced font 'sans-serif,19' background rgb 'white'
+set output 'stepped_base.svg'
+marker = 0.6
+set key spacing 0.92
+plot $series_1 using 1:2 with filledcurves closed fillcolor rgb '#C8B99A' fillstyle transparent solid 0.5 noborder notitle, \
+     $series_2 using 1:2 with filledcurves closed fillcolor rgb '#BDBDBD' fillstyle transparent solid 0.35 noborder title 'stays', \
+     $series_3 using 1:2 with filledcurves closed fillcolor rgb '#BDBDBD' fillstyle transparent solid 0.35 noborder notitle, \
+     $series_4 using 1:2 with filledcurves closed fillcolor rgb '#0072B2' fillstyle transparent solid 0.45 noborder title 'slides', \
+     $series_5 using 1:2 with filledcurves closed fillcolor rgb '#E69F00' fillstyle transparent solid 0.5 noborder title 'topples', \
+     $series_6 using 1:2 with filledcurves closed fillcolor rgb '#E69F00' fillstyle transparent solid 0.5 noborder notitle, \
+     $series_7 using 1:2 with filledcurves closed fillcolor rgb '#E69F00' fillstyle transparent solid 0.5 noborder notitle, \
+     $series_8 using 1:2 with lines linewidth 1.2 dashtype solid linecolor rgb '#000000' notitle, \
+     $series_9 using 1:2 with lines linewidth 1.8 dashtype (12,6) linecolor rgb '#D55E00' title 'mechanism, displacements enlarged', \
+     $series_10 using 1:2 with lines linewidth 2.5 dashtype solid linecolor rgb '#000000' notitle, \
+     $series_11 using 1:2 with lines linewidth 2.5 dashtype solid linecolor rgb '#000000' title 'ground surface', \
+     $series_12 using 1:2 with lines linewidth 4 dashtype (12,6) linecolor rgb '#CC79A7' title 'tension crack', \
+     $series_13 using 1:2 with lines linewidth 2.5 dashtype solid linecolor rgb '#0072B2' title 'water level', \
+     $series_14 using 1:2:($3-$1):($4-$2) with vectors head filled size screen 0.013,20 linewidth 2.2 linecolor rgb '#0072B2' title 'thrust', \
+     $series_15 using 1:2:($3-$1):($4-$2) with vectors head filled size screen 0.013,20 linewidth 2.2 linecolor rgb '#D55E00' title 'applied force', \
+     $series_16 using 1:2:($3-$1):($4-$2) with vectors head filled size screen 0.013,20 linewidth 2.2 linecolor rgb '#000000' notitle
+set terminal pngcairo size 1440,1668 noenhanced font 'sans,19' fontscale 1.5 linewidth 2 pointscale 2 background rgb 'white'
+set output 'stepped_base.png'
+marker = 1
+set key spacing 1.1
+replot
+set output
