@@ -220,6 +220,11 @@ struct TwinThatTouches {
     double shear;    // taken over
 };
 
+// A corner that came beneath its edge bears once its twin, which touches, is about as deep.
+inline bool twin_hands_over(double overlap, double overlap_of_twin) {
+    return overlap <= 1.5 * overlap_of_twin;
+}
+
 // Advances the memory by one step and gives the force at its end. Velocities are those that led here, half a step ago.
 // `twin`: if there is one that touches. `open_by`, m: how far the corner is from touching, where it has not touched
 // before; else it is left alone.
@@ -235,9 +240,8 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
             open_by = at.gap;
             return {};
         }
-        // A twin hands over where both are about as deep.
         if (memory.yields ? !takes_over(law, contact, at)
-                          : memory.beneath && (!twin || overlap > 1.5 * twin->overlap)) {
+                          : memory.beneath && !(twin && twin_hands_over(overlap, twin->overlap))) {
             return {};
         }
         memory.beneath = memory.yields = false;

@@ -232,10 +232,14 @@ void Simulation::begin(JointsAtStart joints) {
     find_contacts_where_due();
     state_.ledger.bonds = 0;
     state_.ledger.elastic_at_start = bonds_.elastic_energy(state_.motion, state_.bond);
+    // Slip on the way to a balance is part of where the blocks begin, that of blocks that creep is not.
+    const bool crept = settings_.creep && state_.start_balance &&
+                       state_.start_balance->unbalanced_ratio > preload_settings().tolerance;
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
         const RelaxationContact contact = state_.contacts.contact[index];
         ContactMemory memory = state_.contacts.memory[index];
         memory.friction = 0;  // edges exchanged at corners while springs were preloaded
+        memory.slip = crept ? memory.slip : 0;
         state_.contacts.memory.set(index, memory);
         if (!is_preloaded(settings_.start) && contact.gap < 0) {
             memory.touching = true;  // drawn with an overlap: its spring is compressed before the first step

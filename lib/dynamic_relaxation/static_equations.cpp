@@ -77,6 +77,7 @@ std::optional<Response> respond(const ContactLaw& law, const RelaxationContact& 
     const double trial = -law.shear_stiffness * memory.shear;
     const double shear = std::clamp(trial, -strength, strength);
     memory.sliding = std::abs(trial) > strength;
+    memory.slip += (shear - trial) / law.shear_stiffness;
     memory.shear = -shear / law.shear_stiffness;
     if (memory.sliding) {
         response.stiffness +=
@@ -214,10 +215,19 @@ void StaticEquations::evaluate(const std::vector<Motion>& motion, const MemoryAr
         const double touching =
             hair * std::min(bodies_.shortest_edge[contact.block], bodies_.shortest_edge[contact.other]);
         ContactMemory memory = before[index];
+        const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
+        if (memory.beneath && contact.twin != no_twin && before[contact.twin].touching) {
+            const ContactPosition of_twin =
+                locate(list.contact[contact.twin], motion[contact.other], motion[contact.block]);
+            if (twin_hands_over(-at.gap, -of_twin.gap)) {
+                memory.beneath = false;
+                memory.shear = before[contact.twin].shear;
+                memory.place = at.slide;
+            }
+        }
         const std::optional<Response> response =
-            respond(list.law_of(contact), contact, locate(contact, motion[contact.block], motion[contact.other]),
-                    {bodies_.radius[contact.block], bodies_.radius[contact.other]}, memory,
-                    memory.touching ? 0 : touching, !damping_.empty());
+            respond(list.law_of(contact), contact, at, {bodies_.radius[contact.block], bodies_.radius[contact.other]},
+                    memory, memory.touching ? 0 : touching, !damping_.empty());
         list.memory.set(index, memory);
         if (response) {
             add(contact.block, contact.other, places_of_contact_[index], response->force, response->stiffness,

@@ -53,7 +53,7 @@ TEST(StrengthReduction, ABlockOnAPlaneSlidesAtTheRatioOfTangents) {
         EXPECT_LE(critical.fails - critical.stands, 2 * half_bracket);
         ASSERT_TRUE(critical.failed);
         EXPECT_EQ(critical.failed->result.outcome, RelaxationOutcome::onset);
-        EXPECT_NE(critical.failed->result.block[0].movement, BlockMovement::stays);
+        EXPECT_EQ(critical.failed->result.block[0].movement, BlockMovement::slides_forward);
     }
 }
 
