@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <unordered_set>
 
 namespace delabole {
 namespace {
@@ -13,9 +14,10 @@ namespace {
 // Inputs and outputs under the names used in the case, over all mechanisms.
 std::vector<std::string> all_outputs(const std::vector<ModelNames>& models) {
     std::vector<std::string> names;
+    std::unordered_set<std::string> known;  // a section of many blocks has a million of them
     for (const ModelNames& model : models) {
         for (const std::string& name : names_in(model.outputs)) {
-            if (std::ranges::find(names, name) == names.end()) {
+            if (known.insert(name).second) {
                 names.push_back(name);
             }
         }

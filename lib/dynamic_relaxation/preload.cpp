@@ -15,7 +15,7 @@ namespace delabole {
 namespace {
 
 // Above so many free blocks rounds go astray: too many contacts change in each of them.
-constexpr std::size_t few_blocks = 30;
+constexpr std::size_t few_blocks = 24;
 
 class Preload {
   public:

@@ -42,7 +42,7 @@ struct Preloaded {
 //
 // Method: implicit integration of a motion without mass, which a pseudo-viscosity resists that fades as balance
 // improves: it goes to stable equilibria only. Each solution takes Newton's tangents of the contacts (friction makes
-// them unsymmetric). Fewer than 30 free blocks move by one linear solution at a time, 300 at most, 2000 where they
+// them unsymmetric). Fewer than 24 free blocks move by one linear solution at a time, 300 at most, 2000 where they
 // creep. Of more, so many contacts begin or end to slide or to touch in one of those that balance would not improve:
 // each step is solved until pseudo-viscosity balances what is out of balance, from the memories that contacts had
 // before it, and what resists are not only the blocks themselves but also their contacts, open ones too, which do not
