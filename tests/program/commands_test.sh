@@ -187,7 +187,7 @@ for arguments in "run good.toml --out json" "fit good_fit.toml --out json" "repr
     delabole $arguments --json --quiet
     expect "JSON when quiet, too" is_json "$scratch/out"
 done
-for arguments in "check good.toml good_fit.toml" "show good.toml" "verify$verified"; do
+for arguments in "check good.toml good_fit.toml" "show good.toml" "verify $source_folder/cases/stepped_base"; do
     # shellcheck disable=SC2086
     delabole $arguments --json
     expect_status 0
