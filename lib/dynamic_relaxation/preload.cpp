@@ -324,7 +324,8 @@ class Preload {
     // Few blocks that are not left where they crept to are not worth it: they jam sooner in the run.
     bool creeps() const { return settings_.creep_rotation > 0 && (settings_.leave_crept || !is_small_); }
 
-    // Of a change that led from within the limits to beyond them, so that the run has only to show that blocks move on.
+    // A change led from within the limits to beyond them: so much of it is taken back, so that the run has only to show
+    // that blocks move on.
     static double share_beyond(double come, double gone) {
         constexpr double just_within = 0.99;
         return std::min(1.0, (gone - just_within) / (gone - come));

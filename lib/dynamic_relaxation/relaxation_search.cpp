@@ -85,9 +85,9 @@ class PathSearch {
             }
             settings_.start = start_of_path();
         }
-        // What statics decides does not depend on inertia: light blocks need not make steps short.
-        settings_.mass_scaling = settings_.mass_scaling || path_ == LoadingPath::consolidated ||
-                                 (path_ == LoadingPath::preloaded && settings_.start == RelaxationStart::preloaded);
+        // These paths are decided by statics, which does not depend on inertia: light blocks need not make steps short.
+        settings_.mass_scaling =
+            settings_.mass_scaling || path_ == LoadingPath::consolidated || path_ == LoadingPath::preloaded;
     }
 
     PathValue find() {

@@ -288,7 +288,8 @@ void StaticEquations::add(std::size_t block, std::size_t other, const Places& pl
             continue;
         }
         for (Eigen::Index column = 0; column < 3; ++column) {
-            const auto at = static_cast<std::size_t>(place.begin + static_cast<int>(column) * place.stride);
+            const auto at = static_cast<std::size_t>(place.begin) +
+                            static_cast<std::size_t>(column) * static_cast<std::size_t>(place.stride);
             for (Eigen::Index row = 0; row < 3; ++row) {
                 const std::size_t entry = at + static_cast<std::size_t>(row);
                 tangent_[entry] += stiffness(3 * (part / 2) + row, 3 * (part % 2) + column);

@@ -1,4 +1,4 @@
-// What statics alone says of the strength that a scene needs.
+// Bounds the factor of safety of a scene by statics alone.
 #pragma once
 
 #include "dynamic_relaxation/scene.hpp"

@@ -117,8 +117,7 @@ std::string after(const RelaxationScene& scene, const RelaxationSettings& settin
     return checkpoint_of(scene, settings, rest.state());
 }
 
-// Looks, and all that follows from them, are part of the state.
-// Where a force drives blocks deep into each other, both are due, and their contacts are replaced once.
+// A force drives the blocks deep into each other: both are due, and their contacts are replaced once.
 TEST(ContactWatch, BlocksShotIntoEachOtherEndTheRun) {
     for (double force = 1e10; force < 1e12; force *= 1.15) {
         RelaxationScene scene;
@@ -139,6 +138,7 @@ TEST(ContactWatch, BlocksShotIntoEachOtherEndTheRun) {
     }
 }
 
+// Looks, and all that follows from them, are part of the state.
 TEST(ContactWatch, LooksTheSameOnAnyThreadsAndAfterARestart) {
     const RelaxationScene scene = rubble(7);
     RelaxationSettings settings = unlimited(1e3);
