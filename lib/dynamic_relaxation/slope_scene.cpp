@@ -67,13 +67,31 @@ Polygon<> rectangle(double left, double bottom, double right, double top) {
     return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
+// A section is needed several times in a row for the same geometry: to check a case, to name its outputs, for each run of
+// a fit. The last one of each thread is kept.
+const JointedSection& section_of(const SlopeGeometry& geometry, const std::vector<std::string>& rocks,
+                                 const std::vector<std::string>& joints) {
+    struct Kept {
+        SlopeGeometry geometry;
+        std::vector<std::string> rocks;
+        std::vector<std::string> joints;
+        JointedSection section;
+    };
+    thread_local std::optional<Kept> kept;
+    if (!kept || kept->rocks != rocks || kept->joints != joints || kept->geometry != geometry) {
+        kept.reset();
+        kept.emplace(Kept{geometry, rocks, joints, cut_slope(geometry, rocks, joints)});
+    }
+    return kept->section;
+}
+
 class SlopeSceneMaker {
   public:
     explicit SlopeSceneMaker(const RelaxationSlope& slope)
         : slope_(slope), joints_(names_of(slope.joint)), rocks_(names_of(slope.rock)) {}
 
     SlopeScene make() {
-        scene_.section = cut_slope(slope_.geometry, rocks_, joints_);
+        scene_.section = section_of(slope_.geometry, rocks_, joints_);
         if (section().check != SlopeCheck::valid) {
             return refused(section().check, section().cut_at_fault);
         }

@@ -27,6 +27,7 @@ struct SectionPoint {
         return std::tuple{number("x", &P::x, Dimension::length, range, "in the section"),
                           number("y", &P::y, Dimension::length, range, "in the section")};
     }
+    bool operator==(const SectionPoint&) const = default;
 };
 
 enum class SideOfLine { above, below };
@@ -84,6 +85,7 @@ struct JointSetCut {
             section("region", &S::region,
                     "corners of the polygon outside which there are no joints; absent: everywhere")};
     }
+    bool operator==(const JointSetCut&) const = default;
 };
 
 // A single joint, a fault or a boundary between rocks. A fault with a thickness has two faces that far apart, half on
@@ -105,6 +107,7 @@ struct LineCut {
             section("rock_below", &L::rock_below, "name of the rock below the line; absent: as before"),
             section("vertex", &L::vertex, "points of the line, which may run out of the section")};
     }
+    bool operator==(const LineCut&) const = default;
 };
 
 struct SlopeCut {
@@ -117,6 +120,7 @@ struct SlopeCut {
                           section("joint", &C::joint, "name of the properties along it"),
                           section("trace", &C::trace, "where it runs")};
     }
+    bool operator==(const SlopeCut&) const = default;
 };
 
 struct SlopeGeometry {
@@ -141,6 +145,7 @@ struct SlopeGeometry {
             section("outline", &G::outline, "corners of the section, either way round"),
             section("cut", &G::cut, "joints, faults and boundaries in the order of cutting")};
     }
+    bool operator==(const SlopeGeometry&) const = default;
 };
 
 }  // namespace delabole
