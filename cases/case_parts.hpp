@@ -4,6 +4,7 @@
 #include "cases/case_file.hpp"
 
 #include <filesystem>
+#include <span>
 
 namespace delabole {
 
@@ -19,7 +20,7 @@ ModelNames names_of(const CaseModel& model, const OutputsOf& outputs_of, bool in
 std::vector<std::string> names_in(const std::vector<Quantity>& quantities);
 
 // `with = { "water.filled_ratio" = 1.0 }`: inputs of any of the models. Empty when absent.
-std::vector<Condition> read_conditions(Section& section, const std::vector<ModelNames>& models,
+std::vector<Condition> read_conditions(Section& section, std::span<const ModelNames> models,
                                        std::string_view key = "with");
 
 std::vector<Expectation> read_expectations(Section& root, const ModelNames& names);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
 
 namespace delabole {
 namespace {
@@ -74,7 +76,7 @@ Expectation read_expectation(Section& section, const ModelNames& names) {
         }
     }
     read_tolerances(section, expectation);
-    expectation.conditions = read_conditions(section, {names});
+    expectation.conditions = read_conditions(section, std::span(&names, 1));
     expectation.source = read_optional_text(section, "source");
     expectation.note = read_optional_text(section, "note");
     if (section.contains("unreachable")) {
@@ -113,7 +115,7 @@ std::vector<std::string> names_in(const std::vector<Quantity>& quantities) {
     return names;
 }
 
-std::vector<Condition> read_conditions(Section& section, const std::vector<ModelNames>& models, std::string_view key) {
+std::vector<Condition> read_conditions(Section& section, std::span<const ModelNames> models, std::string_view key) {
     std::vector<Condition> conditions;
     const Node* table = take_table(section, key);
     if (table == nullptr) {
@@ -122,17 +124,15 @@ std::vector<Condition> read_conditions(Section& section, const std::vector<Model
     auto read = [&](const std::string& name, const Node& node) {
         const std::string path = section.path_of(key) + "." + name;
         const Quantity* input = nullptr;
-        bool names_known = true;
-        std::vector<std::string> candidates;
         for (const ModelNames& model : models) {
             input = input != nullptr ? input : find_quantity(model.inputs, name);
-            names_known = names_known && model.inputs_known;
-            for (const Quantity& candidate : model.inputs) {
-                candidates.push_back(candidate.name);
-            }
         }
         if (input == nullptr) {
-            if (names_known) {
+            if (std::ranges::all_of(models, &ModelNames::inputs_known)) {
+                std::vector<std::string> candidates;
+                for (const ModelNames& model : models) {
+                    std::ranges::copy(names_in(model.inputs), std::back_inserter(candidates));
+                }
                 section.reading().complain(node.key_place, path, {},
                                            "is not an input of this case" + suggestion(name, candidates));
             }

@@ -53,9 +53,9 @@ std::optional<Dimension> read_claim_of_quantity(Section& section, const Mechanis
         return std::nullopt;
     }
     const ModelNames& model = mechanisms.models[*place];
-    claim.conditions = read_conditions(section, {model});
+    claim.conditions = read_conditions(section, std::span(&model, 1));
     if (section.contains("compared_with")) {
-        claim.against = read_conditions(section, {model}, "compared_with");
+        claim.against = read_conditions(section, std::span(&model, 1), "compared_with");
     }
     const Quantity* output = find_quantity(model.outputs, claim.quantity);
     if (output == nullptr) {

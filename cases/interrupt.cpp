@@ -42,12 +42,16 @@ extern "C" void end_deaf_work(int) {
     _exit(static_cast<int>(ExitCode::not_converged));
 }
 
+std::int64_t time_now() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return std::int64_t{now.tv_sec} * second + now.tv_nsec;
+}
+
 extern "C" void note_interrupt(int signal) {
     // What passes a signal on sends it twice, to its child and to the group that the child is in: `timeout` does.
     constexpr std::int64_t together = 200'000'000;  // ns
-    timespec now{};
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    const std::int64_t time = std::int64_t{now.tv_sec} * second + now.tv_nsec;
+    const std::int64_t time = time_now();
     std::int64_t first = 0;
     if (first_interrupt.compare_exchange_strong(first, time)) {
         if (has_deadline) {
@@ -83,6 +87,10 @@ void catch_interrupts() {
 const std::atomic<bool>& interrupt_flag() {
     answer_interrupt();
     return interrupted;
+}
+
+double seconds_since_interrupt() {
+    return interrupted ? static_cast<double>(time_now() - first_interrupt) / static_cast<double>(second) : 0;
 }
 
 void answer_interrupt() {

@@ -17,6 +17,9 @@ void catch_interrupts();
 const std::atomic<bool>& interrupt_flag();
 void answer_interrupt();
 
+// Seconds by the clock since the first interrupt; 0 before it.
+double seconds_since_interrupt();
+
 // Ends work that has no use for what it has so far.
 class Interrupted : public std::exception {
   public:

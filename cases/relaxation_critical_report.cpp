@@ -79,12 +79,12 @@ std::variant<double, std::string> value_or_status(const PathValue& value) {
     return std::string(word_of(value.status));
 }
 
-// How it was decided that the blocks fail.
+// How it was decided that the blocks fail; goes on from "At".
 std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) {
     const Dimension dimension = dimension_of(plan.parameter);
     const RelaxationRun& failed = *value.failed;
     const double at = value.status == CriticalStatus::found ? value.fails : value.last;
-    std::string text = "At " + in_six_digits(at, dimension);
+    std::string text = ' ' + in_six_digits(at, dimension);
     if (failed.result.start_balance) {
         const double ratio = failed.result.start_balance->unbalanced_ratio;
         const bool balanced = ratio <= failed.settings.equilibrium_ratio;
@@ -104,16 +104,31 @@ std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) 
     return text;
 }
 
-void append_failing_blocks(const PathValue& value, const ResultFolder& folder, Report& report) {
+// How it was decided that the blocks fail, which of them do, and their drawing. Files have the name of the path where the
+// value was found on several.
+void append_failure(const CriticalPlan& plan, const PathValue& value, const ResultFolder& folder, Report& report) {
+    if (!value.failed) {
+        return;
+    }
     const RelaxationRun& failed = *value.failed;
+    const std::string path(word_of(value.path));
+    const bool several = plan.path.size() > 1;
+    const std::string suffix = several ? '_' + path : "";
+    const std::string on_path = several ? "On the path " + path + ": at" : "At";
+    report.blocks.emplace_back(Paragraph{on_path + decision_in_words(plan, value)});
     CsvTable csv({"block", "movement", "rotation_deg", "displacement_m", "base_slip_m"});
     for (const std::size_t block : failing_blocks(failed).block) {
         const BlockOutcome& outcome = failed.result.block[block];
         csv.add_row({static_cast<double>(block + 1), std::string(word_of(outcome.movement)),
                      in_display_unit(outcome.rotation, Dimension::angle), outcome.displacement, outcome.base_slip});
     }
-    folder.write("failing_blocks.csv", csv.text());
-    append_failure_figure(failed, folder, report);
+    folder.write("failing_blocks" + suffix + ".csv", csv.text());
+    std::string title = "At failure";
+    if (several && value.status == CriticalStatus::found) {
+        title += ", path " + path + ": " + human_name(name_of_critical(plan.parameter)) + ' ' +
+                 value_in_words(value.value(), dimension_of(plan.parameter));
+    }
+    append_failure_figure(failed, title, "at_failure" + suffix, folder, report);
 }
 
 void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, const ResultFolder& folder,
@@ -208,9 +223,9 @@ void append_critical_figures(const RelaxationStudy& study, const CriticalAnswer&
     const CriticalPlan plan = critical_plan(study);
     report.blocks.emplace_back(Heading{human_name(name_of_critical(plan.parameter))});
     append_paths(plan, critical, folder, report);
-    if (critical.failed) {
-        report.blocks.emplace_back(Paragraph{decision_in_words(plan, critical)});
-        append_failing_blocks(critical, folder, report);
+    append_failure(plan, critical, folder, report);
+    for (const PathValue& other : critical.other) {
+        append_failure(plan, other, folder, report);
     }
 }
 

@@ -210,12 +210,13 @@ void append_block_figures(const RelaxationRun& made, const ResultFolder& folder,
                     "for arrows, they are lines along the forces, as thick as these are great."));
 }
 
-void append_failure_figure(const RelaxationRun& failed, const ResultFolder& folder, Report& report) {
+void append_failure_figure(const RelaxationRun& failed, const std::string& title, const std::string& name,
+                           const ResultFolder& folder, Report& report) {
     if (failed.scene.block.size() > most_drawn_blocks) {
         return;
     }
     report.blocks.emplace_back(folder.draw(
-        mechanism_figure(failed, "At failure"), "at_failure",
+        mechanism_figure(failed, title), name,
         "The blocks at the onset of failure, at the nearest value found to fail: what each has begun to do."));
 }
 

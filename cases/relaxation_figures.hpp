@@ -35,7 +35,8 @@ inline std::string label_of(std::size_t block, bool fixed) {
 void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report);
 
 // Blocks at the end of the run at the nearest value that fails, those marked that have begun to move.
-void append_failure_figure(const RelaxationRun& failed, const ResultFolder& folder, Report& report);
+void append_failure_figure(const RelaxationRun& failed, const std::string& title, const std::string& name,
+                           const ResultFolder& folder, Report& report);
 
 // Of a run that has an end: how each block has moved, the velocities there, and what has broken.
 Figure mechanism_figure(const RelaxationRun& made, const std::string& title);

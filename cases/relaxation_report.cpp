@@ -1,5 +1,6 @@
 // Dynamic relaxation as the program reports it: how the run ended, the books and each block.
 #include "cases/checkpoint_file.hpp"
+#include "cases/interrupt.hpp"
 #include "cases/jointed_slope_figures.hpp"
 #include "cases/model_cases.hpp"
 #include "cases/model_reports.hpp"
@@ -7,6 +8,7 @@
 #include "cases/relaxation_figures.hpp"
 #include "cases/units.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
+#include "dynamic_relaxation/strength_bound.hpp"
 #include "fitting/words.hpp"
 #include "plots/atomic_file.hpp"
 #include "plots/text.hpp"
@@ -204,6 +206,48 @@ void append_run_warnings(const RelaxationRun& made, Analysis& analysis) {
     }
 }
 
+// With so many free blocks a linear programme of statics takes a second; ten times as many, some hours.
+constexpr std::size_t most_blocks_in_programme = 500;
+
+bool is_small_enough(const RelaxationScene& scene) {
+    return static_cast<std::size_t>(std::ranges::count(scene.block, false, &RelaxationBlock::fixed)) <=
+           most_blocks_in_programme;
+}
+
+constexpr std::string_view corners_bear =
+    "only because corners bear on corners; the forces that faces can take do not suffice for an equilibrium. "
+    "Where a joint ends in a corner of other blocks, as at the toe of a slope with level ground in front of it, blocks "
+    "cannot slide out: lower that ground a little if this is not meant";
+
+void append_corner_warning(const RelaxationRun& made, Analysis& analysis) {
+    if (made.result.outcome == RelaxationOutcome::equilibrium && is_small_enough(made.scene) &&
+        stands_on_faces(made.scene) == false) {
+        analysis.warnings.push_back("the blocks stand " + std::string(corners_bear));
+    }
+}
+
+// Only where all joints lose strength alike is the bound one of what was searched.
+void append_bound_of_statics(const CriticalPlan& plan, const CriticalAnswer& critical, const RelaxationScene& scene,
+                             Analysis& analysis) {
+    if (plan.parameter != CriticalParameter::strength_reduction || plan.material.size() < scene.material.size() ||
+        !is_small_enough(scene)) {
+        return;
+    }
+    const std::optional<double> bound = greatest_strength_reduction(scene, &interrupt_flag());
+    answer_interrupt();
+    if (!bound) {
+        return;
+    }
+    analysis.outputs.push_back({"critical.bound_of_statics",
+                                "greatest factor at which faces can take forces in equilibrium, on whatever path",
+                                Dimension::ratio, *bound, false});
+    constexpr double model_error = 0.01;  // blocks turn and joints give way before they fail
+    if (critical.status == CriticalStatus::found && critical.value() > (1 + model_error) * *bound) {
+        analysis.warnings.push_back("beyond a factor of " + number_in_words(*bound) + " the blocks stand " +
+                                    std::string(corners_bear));
+    }
+}
+
 std::string joint_key(const RelaxationStudy& study, std::size_t material) {
     if (std::holds_alternative<RelaxationPolygons>(study.model.scene) ||
         std::holds_alternative<RelaxationSlope>(study.model.scene)) {
@@ -255,9 +299,11 @@ Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
         const CriticalPlan plan = critical_plan(study);
         answers.critical = find_critical(study, how, progress);
         append_critical(analysis, plan, *answers.critical);
+        append_bound_of_statics(plan, *answers.critical, made.scene, analysis);
         leave_unfinished(word_of(answers.critical->worst_status()), search_in_words(plan, *answers.critical));
     }
     append_run_warnings(made, analysis);
+    append_corner_warning(made, analysis);
     analysis.drawn_from = std::move(answers);
     return analysis;
 }

@@ -206,13 +206,17 @@ FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name,
     if (on_interrupt_ == OnInterrupt::stop) {
         stop_if_interrupted();
     }
+    constexpr double still_drawn = 0.7;  // s; with the rest of the report, Ctrl-C ends a command within 2 s
+    if (seconds_since_interrupt() > still_drawn) {
+        gnuplot_runs_.none_because = "the work was interrupted";
+    }
     const std::string file = "figures/" + name;
     enter({file + ".gp", file + ".svg", file + ".png"});
     const FigureFiles files = write_figure(figure, path_ / "figures", name, gnuplot_runs_);
     if (files.write_error) {
         throw *files.write_error;
     }
-    if (files.status != FigureStatus::ok) {
+    if (files.status != FigureStatus::ok && seconds_since_interrupt() == 0) {
         std::cerr << "warning: figure " << name << " was not drawn: " << files.message << '\n';
     }
     return {files, caption};

@@ -82,7 +82,8 @@ class ResultFolder {
     void on_progress(std::function<void(double, const std::string&)> listener) { on_progress_ = std::move(listener); }
     void write(const std::string& name, std::string_view text) const;
     // A figure that cannot be drawn is reported inside the report and by a warning on standard error, --quiet or not: a
-    // report without its figures is not what was asked for.
+    // report without its figures is not what was asked for. After an interrupt gnuplot runs for a moment only, and the
+    // report alone says so.
     FigureInReport draw(const Figure& figure, const std::string& name, const std::string& caption) const;
     void write_report(const Report& report) const;
     // Before something else writes files here, named from the folder: they go as all others when the next result comes.

@@ -123,9 +123,9 @@ void draw(FigureFiles& files, const fs::path& folder, GnuplotRuns& runs) {
                         " was written and can be drawn later";
         return;
     }
-    if (!runs.did_not_end_on.empty()) {
+    if (!runs.none_because.empty()) {
         files.status = FigureStatus::gnuplot_failed;
-        files.message = "gnuplot was not run again after it had not ended on " + runs.did_not_end_on + "; the script " +
+        files.message = "gnuplot was not run because " + runs.none_because + "; the script " +
                         files.script.filename().string() + " was written and can be drawn later";
         return;
     }
@@ -134,7 +134,7 @@ void draw(FigureFiles& files, const fs::path& folder, GnuplotRuns& runs) {
     const ProcessResult run =
         run_program(*gnuplot, {"-d", (".." / files.script.filename()).string()}, scratch.path(), runs.time_limit);
     if (run.timed_out) {
-        runs.did_not_end_on = files.script.filename().string();
+        runs.none_because = "it had not ended on " + files.script.filename().string();
     }
     const fs::path new_svg = scratch.path() / files.svg.filename();
     const fs::path new_png = scratch.path() / files.png.filename();

@@ -168,7 +168,7 @@ void remove_abandoned_drawings(const std::filesystem::path& folder);
 // only. A command with dozens of figures would wait for each of them.
 struct GnuplotRuns {
     std::chrono::seconds time_limit{60};  // of one run, which takes a fraction of a second
-    std::string did_not_end_on = {};      // the script; empty: all have ended
+    std::string none_because = {};        // gnuplot is not run any more, in words; empty: it is
 };
 
 FigureFiles write_figure(const Figure& figure, const std::filesystem::path& folder, const std::string& name,

@@ -60,8 +60,10 @@ double cell_width(const Bodies& bodies, const std::vector<char>& removed) {
 
 std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vector<Motion>& motion,
                                            const std::vector<char>& removed, const std::vector<double>& reach) {
-    // A block that covers more cells than this is compared with all others instead; so are all where they are few.
+    // A block that covers more cells than this is compared with all others instead; so are all where they are few, and
+    // those that were shot so far away that cells cannot be numbered there.
     constexpr double most_cells = 4096;
+    constexpr double farthest = 1e15;  // cells
     constexpr std::size_t few_blocks = 16;
     const double width = cell_width(bodies, removed);
     const auto cell = [&](double coordinate) { return static_cast<std::int64_t>(std::floor(coordinate / width)); };
@@ -77,7 +79,8 @@ std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vect
             continue;
         }
         const Box& box = boxes[block] = box_of(bodies, motion, block, reach[block]);
-        if (bodies.size() <= few_blocks ||
+        const double away = std::max({-box.left, box.right, -box.bottom, box.top});
+        if (bodies.size() <= few_blocks || !(away < farthest * width) ||
             (box.right - box.left + width) / width * ((box.top - box.bottom + width) / width) > most_cells) {
             large.push_back(block);
             continue;

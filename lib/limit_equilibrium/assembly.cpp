@@ -22,7 +22,7 @@ AssemblyCheck check_contact(const Contact& contact, std::size_t bodies) {
         return AssemblyCheck::contact_of_unknown_body;
     }
     if (!contact.start.allFinite() || !contact.end.allFinite() || !std::isfinite(contact.cohesion) ||
-        !std::isfinite(contact.friction_angle)) {
+        !std::isfinite(contact.tensile_strength) || !std::isfinite(contact.friction_angle)) {
         return AssemblyCheck::input_out_of_range;
     }
     if (!(contact.length() > 0)) {
@@ -31,7 +31,8 @@ AssemblyCheck check_contact(const Contact& contact, std::size_t bodies) {
     if (!(contact.friction_angle >= 0 && contact.friction_angle < degrees(90))) {
         return AssemblyCheck::friction_not_below_90_deg;
     }
-    return contact.cohesion >= 0 ? AssemblyCheck::valid : AssemblyCheck::cohesion_negative;
+    return contact.cohesion >= 0 && contact.tensile_strength >= 0 ? AssemblyCheck::valid
+                                                                  : AssemblyCheck::cohesion_negative;
 }
 
 }  // namespace

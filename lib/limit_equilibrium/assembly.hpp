@@ -21,11 +21,11 @@ enum class AssemblyCheck {
     contact_of_unknown_body,    // index beyond the bodies, or a body against itself
     contact_without_length,     // its two ends coincide
     friction_not_below_90_deg,  // or negative
-    cohesion_negative,
-    columns_not_valid,      // the columns given were refused by their own check
-    loads_beyond_weight,    // cross joints cut columns under their own weight alone
-    cross_joints_too_near,  // spacing or offset out of range, or more blocks than `most_blocks`
-    input_out_of_range,     // not finite
+    cohesion_negative,          // or tensile strength
+    columns_not_valid,          // the columns given were refused by their own check
+    loads_beyond_weight,        // cross joints cut columns under their own weight alone
+    cross_joints_too_near,      // spacing or offset out of range, or more blocks than `most_blocks`
+    input_out_of_range,         // not finite
 };
 
 constexpr std::array<std::string_view, 13> enum_names(AssemblyCheck) {
@@ -63,7 +63,8 @@ struct Contact {
     Point start;
     Point end;
     double friction_angle;
-    double cohesion;  // Pa, over the whole face; it resists shear, not opening
+    double cohesion;              // Pa, over the whole face; it resists shear, not opening
+    double tensile_strength = 0;  // Pa; half of the face's at each end
 
     double length() const { return (end - start).norm(); }
     Point along() const { return (end - start) / length(); }

@@ -67,7 +67,8 @@ Scales scales_of(const Assembly& assembly) {
 }
 
 // Columns: the sought factor, then for every contact the edges of the cone at its start, of that at its end, and
-// where there is cohesion the shear by it. Rows: forces along x and y and moment of each body.
+// where there is cohesion the shear by it, where there is tensile strength the pull at either end. Rows: forces along x
+// and y and moment of each body.
 class Programme {
   public:
     Programme(const Assembly& assembly, const Scales& scales, const Sought& sought, double strength)
@@ -119,6 +120,10 @@ class Programme {
                 const double half = next() / 2;
                 force.at_start.shear += half;
                 force.at_end.shear += half;
+            }
+            if (contact.tensile_strength > 0) {
+                force.at_start.normal -= next();
+                force.at_end.normal -= next();
             }
             const double normal = force.normal();
             force.position = contact.length() * (normal > 0 ? force.at_end.normal / normal : 0.5);
@@ -230,6 +235,14 @@ class Programme {
                 const double most = strength_ * contact.cohesion * contact.length() / scales_.force;
                 glp_set_col_bnds(problem_.get(), column, most > 0 ? GLP_DB : GLP_FX, -most, most);
                 add_contact(contact, column, contact.start, along);
+            }
+            if (contact.tensile_strength > 0) {
+                const double most = strength_ * contact.tensile_strength * contact.length() / 2 / scales_.force;
+                for (const Point& point : {contact.start, contact.end}) {
+                    const int column = glp_add_cols(problem_.get(), 1);
+                    glp_set_col_bnds(problem_.get(), column, most > 0 ? GLP_DB : GLP_FX, 0, most);
+                    add_contact(contact, column, point, -normal);
+                }
             }
         }
     }
@@ -381,7 +394,12 @@ LpBound least_strength_factor(const Assembly& assembly, const std::atomic<bool>*
             }
             LpBound bound = solve(assembly, scales, {push, sense}, strength);
             iterations += bound.iterations;
-            const LpStatus status = bound.status;
+            LpStatus status = bound.status;
+            if (status == LpStatus::not_converged && sense == Sense::least) {
+                // The largest is known not to be below 0: whether the assembly stands without the force is enough.
+                const LpStatus without = solve(assembly, scales, {push, sense, 0, 0}, strength).status;
+                status = without == LpStatus::optimal ? LpStatus::unbounded : without;
+            }
             failed = failed || status == LpStatus::not_converged;
             double margin = status == LpStatus::unbounded ? infinity : -infinity;
             if (status == LpStatus::optimal) {

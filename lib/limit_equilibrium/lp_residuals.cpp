@@ -17,6 +17,7 @@ void set_static_residuals(const Assembly& assembly, const Scales& scales, const 
         const BoundContactForce& force = bound.forces[index];
         const double friction = std::tan(friction_of(contact, strength));
         const double cohesion = strength * contact.cohesion * contact.length() / 2;
+        const double pull = strength * contact.tensile_strength * contact.length() / 2;
         const auto add = [&](std::size_t body, const Point& point, const Point& vector) {
             sums[body].force += vector;
             sums[body].moment += cross(point - assembly.bodies[body].centroid, vector);
@@ -29,9 +30,10 @@ void set_static_residuals(const Assembly& assembly, const Scales& scales, const 
                 add(*contact.other, point, -vector);
             }
             // Measured across the cone, so that friction near 90 deg does not magnify rounding.
-            const double beyond = (std::abs(end.shear) - friction * end.normal - cohesion) / std::hypot(1, friction);
+            const double pressing = end.normal + pull;
+            const double beyond = (std::abs(end.shear) - friction * pressing - cohesion) / std::hypot(1, friction);
             bound.residuals.cone_violation =
-                std::max({bound.residuals.cone_violation, -end.normal / scales.force, beyond / scales.force});
+                std::max({bound.residuals.cone_violation, -pressing / scales.force, beyond / scales.force});
         }
     }
     for (std::size_t index = 0; index < sums.size(); ++index) {
@@ -74,7 +76,8 @@ void set_mechanism_residuals(const Assembly& assembly, const Sought& sought, dou
             const double slip = std::abs(relative.dot(contact.along()));
             const double overlap = slip * std::sin(friction) - opening * std::cos(friction);
             bound.residuals.mechanism_overlap = std::max(bound.residuals.mechanism_overlap, overlap);
-            dissipation += slip * strength * contact.cohesion * contact.length() / 2;
+            dissipation += strength * contact.length() / 2 *
+                           (slip * contact.cohesion + std::max(opening, 0.0) * contact.tensile_strength);
         }
     }
     bound.residuals.mechanism_value = (dissipation - fixed) / moving;

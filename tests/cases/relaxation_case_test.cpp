@@ -354,6 +354,62 @@ TEST(RelaxationCase, SaysThatNothingHoldsTheBlocks) {
     EXPECT_FALSE(warns(std::string(blocks_text) + shortly, "no block is fixed"));
 }
 
+// A face of 60 deg and a plane of 35 deg through its toe, or above it.
+std::string slope_over(std::string_view toe) {
+    return R"(
+schema = 1
+model = "relaxation"
+[scene]
+kind = "jointed_slope"
+outline = [{ x = "-15 m", y = "-8 m" }, { x = "35 m", y = "-8 m" }, { x = "35 m", y = "12 m" },
+           { x = "6.9282 m", y = "12 m" }, { x = "0 m", y = "0 m" }, { x = "-15 m", y = "0 m" }]
+intact_joint = "intact"
+[[scene.rock]]
+name = "rock"
+density = "2600 kg/m3"
+[[scene.joint]]
+name = "plane"
+friction_angle = "20 deg"
+[[scene.joint]]
+name = "intact"
+friction_angle = "45 deg"
+cohesion = "5 MPa"
+tensile_strength = "5 MPa"
+[[scene.cut]]
+name = "plane"
+joint = "plane"
+[scene.cut.trace]
+kind = "set"
+dip = "35 deg"
+spacing = "100 m"
+through = )" + std::string(toe) +
+           R"(
+[scene.frame]
+sides = "all_around"
+thickness = "5 m"
+joint = "plane"
+[settings]
+stop = "onset"
+)";
+}
+
+TEST(RelaxationCase, SaysThatASlopeStandsOnCornersAlone) {
+    const std::string through_toe = slope_over("{ x = \"0 m\", y = \"0 m\" }");
+    EXPECT_EQ(word(analysis_of(through_toe), "outcome"), "equilibrium");
+    EXPECT_TRUE(warns(through_toe, "the blocks stand only because corners bear on corners"));
+    const std::string above_toe = slope_over("{ x = \"0 m\", y = \"0.2 m\" }");
+    EXPECT_EQ(word(analysis_of(above_toe), "outcome"), "onset");
+    EXPECT_FALSE(warns(above_toe, "the blocks stand only"));
+
+    const std::string_view search = "[critical]\nparameter = \"strength_reduction\"\n";
+    const std::string searched = through_toe + std::string(search);
+    EXPECT_TRUE(warns(searched, "beyond a factor of 0.52 the blocks stand only"));
+    const Analysis analysis = analysis_of(searched);
+    const NamedOutput* bound = analysis.find("critical.bound_of_statics");
+    ASSERT_NE(bound, nullptr);
+    EXPECT_NEAR(std::get<double>(bound->value), std::tan(degrees(20)) / std::tan(degrees(35)), 1e-6);
+}
+
 TEST(RelaxationCase, SaysThatBlocksRestElsewhere) {
     // Two blocks that topple against a third and lean there.
     const std::string pushed = std::string(row_text) +

@@ -3,6 +3,7 @@
 
 #include "dynamic_relaxation/checkpoint.hpp"
 #include "dynamic_relaxation/contact_law.hpp"
+#include "dynamic_relaxation/neighbours.hpp"
 #include "relaxation_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -135,6 +136,25 @@ TEST(ContactWatch, BlocksShotIntoEachOtherEndTheRun) {
             simulation.step();
         }
         EXPECT_EQ(simulation.outcome(), RelaxationOutcome::overlap_too_large) << force;
+    }
+}
+
+// Cells so far away have no number: a sanitizer ended the run of a case in which a force had a lever arm of 4e9 m.
+TEST(ContactWatch, BlocksShotAwayAreNoNeighbours) {
+    RelaxationScene scene;
+    for (int block = 0; block < 20; ++block) {
+        scene.block.push_back({rectangle(block, 0, 1, 1), density});
+    }
+    scene.material = {joint(1e5 * density * gravity, degrees(30))};
+    const Bodies bodies = make_bodies(scene);
+    std::vector<Motion> motion(bodies.size());
+    const std::vector<char> removed(bodies.size(), 0);
+    const std::vector<double> reach(bodies.size(), 0.01);
+    EXPECT_EQ(neighbouring_blocks(bodies, motion, removed, reach).size(), 19U);
+    for (const double away : {1e6, 1e16, 1e28, 1e300}) {
+        motion[7].x = away;
+        motion[7].y = -away;
+        EXPECT_EQ(neighbouring_blocks(bodies, motion, removed, reach).size(), 17U) << away;
     }
 }
 

@@ -2,6 +2,7 @@
 #include "dynamic_relaxation/corner_choice.hpp"
 
 #include "dynamic_relaxation/relaxation_study.hpp"
+#include "dynamic_relaxation/strength_bound.hpp"
 #include "relaxation_scenes.hpp"
 #include "tests/support/jointed_slopes.hpp"
 
@@ -112,6 +113,21 @@ TEST(Toe, AboveTheGroundHoldsByFrictionAlone) {
     for (const double beyond : {-0.1, 0.1}) {
         EXPECT_EQ(run(toe(plane_through(35, {0, 0.2}), degrees(35 + beyond), {{-15, 0}})).result.outcome,
                   beyond > 0 ? RelaxationOutcome::equilibrium : RelaxationOutcome::onset);
+    }
+}
+
+// Statics of faces alone sees a block on a plane; it tells what stands on its corner from what stands by itself.
+TEST(Toe, StandsOnItsCornerAloneBelowTheFrictionOfItsPlane) {
+    const double plane = std::tan(degrees(35));
+    for (const double friction : {20.0, 34.0, 36.0}) {
+        for (const SlopeCut& cut : {plane_from(35, 0), plane_from(35, -8), plane_through(35, {0, 0.2})}) {
+            const RelaxationScene scene = relaxation_scene(toe(cut, degrees(friction), {{-15, 0}}));
+            EXPECT_EQ(stands_on_faces(scene), friction > 35) << friction;
+            const std::optional<double> bound = greatest_strength_reduction(scene);
+            ASSERT_TRUE(bound);
+            // Below the plane the rock is bonded and in place: nothing else can fail.
+            EXPECT_NEAR(*bound, std::tan(degrees(friction)) / plane, 1e-6) << friction;
+        }
     }
 }
 

@@ -108,6 +108,7 @@ Assembly random_assembly(RandomProblem& random) {
     Assembly assembly = assemble_row(random_row(random, 7), {degrees(random.uniform(5, 60)), degrees(25)});
     for (Contact& contact : assembly.contacts) {
         contact.cohesion = random.uniform(0, 5e3);
+        contact.tensile_strength = random.uniform(0, 1) < 0.5 ? 0 : random.uniform(0, 2e3);
     }
     for (Body& body : assembly.bodies) {
         body.load = {{random.uniform(-0.05, 0.05) * body.weight, random.uniform(-0.3, 0) * body.weight},
@@ -116,7 +117,7 @@ Assembly random_assembly(RandomProblem& random) {
     return assembly;
 }
 
-TEST(LpBound, CohesionAndLoadsKeepDuality) {
+TEST(LpBound, CohesionTensionAndLoadsKeepDuality) {
     RandomProblem random(3003);
     for (int repeat = 0; repeat < 200; ++repeat) {
         expect_proven(largest_tilt(random_assembly(random)));
@@ -143,7 +144,7 @@ TEST(LpBound, Symmetric) {
     }
 }
 
-// Lengths by l and unit weights by s: weights by s l^2, moments by s l^3, cohesion by s l.
+// Lengths by l and unit weights by s: weights by s l^2, moments by s l^3, cohesion and tensile strength by s l.
 TEST(LpBound, SimilarAssembliesFailAtOneTilt) {
     RandomProblem random(3005);
     for (int repeat = 0; repeat < 50; ++repeat) {
@@ -163,6 +164,7 @@ TEST(LpBound, SimilarAssembliesFailAtOneTilt) {
                 contact.start *= l;
                 contact.end *= l;
                 contact.cohesion *= s * l;
+                contact.tensile_strength *= s * l;
             }
             // Nothing but the rounding of the scaled numbers differs.
             EXPECT_NEAR(largest_tilt(similar).value, bound.value, 1e-12 * (1 + std::abs(bound.value)));
@@ -251,6 +253,32 @@ TEST(LpBound, CohesionOfABlockCarriesItsFace) {
     const LpBound bound = largest_tilt(block);
     expect_proven(bound);
     EXPECT_NEAR(bound.value, std::tan(degrees(30)) + 1e3 * 10 / 1e4, 1e-12);
+}
+
+// Moments about the toe: the weight, the horizontal force at half height, the pull at the heel.
+TEST(LpBound, TensionHoldsAColumnBack) {
+    constexpr double width = 2;
+    constexpr double height = 10;
+    constexpr double weight = 5e5;
+    Assembly column = assemble_row({{width, height, weight}}, {degrees(60), 0});
+    column.contacts[0].tensile_strength = 5e4;
+    const LpBound bound = largest_tilt(column);
+    expect_proven(bound);
+    EXPECT_NEAR(bound.value, (weight * width / 2 + 5e4 * width / 2 * width) / (weight * height / 2), 1e-12);
+}
+
+TEST(LpBound, TensionOfARoofCarriesWhatHangsFromIt) {
+    constexpr double width = 3;
+    constexpr double weight = 6e4;
+    Assembly hung = assemble_row({{width, 1, weight}}, {degrees(30), 0});
+    Contact& roof = hung.contacts[0];
+    std::swap(roof.start, roof.end);  // the block is below it
+    roof.start.y() = roof.end.y() = 1;
+    roof.tensile_strength = 1;
+    const LpBound bound = least_strength_factor(hung);
+    ASSERT_EQ(bound.status, LpStatus::infeasible);
+    roof.tensile_strength = 1e4;
+    EXPECT_NEAR(least_strength_factor(hung).value, weight / (1e4 * width), 1e-9);
 }
 
 TEST(LpBound, Extremes) {
@@ -342,6 +370,9 @@ TEST(LpBound, RefusesByName) {
     const Assembly block = assemble_row({{1, 2, 1e4}}, friction);
     Assembly broken = block;
     broken.contacts[0].cohesion = -1;
+    EXPECT_EQ(check(broken), AssemblyCheck::cohesion_negative);
+    broken = block;
+    broken.contacts[0].tensile_strength = -1;
     EXPECT_EQ(check(broken), AssemblyCheck::cohesion_negative);
     broken = block;
     broken.contacts[0].end = broken.contacts[0].start;

@@ -60,10 +60,19 @@ for signal in INT TERM HUP; do
     expect "marked in the report" contains "stopped_$signal/report.html" 'Interrupted'
     expect_no_leftovers "stopped_$signal"
     expect "no scratch folder" test -z "$(find "stopped_$signal" -mindepth 1 -type d ! -name figures)"
-    expect "every figure is drawn" refuse contains "$scratch/err" 'was not drawn'
+    # Figures are drawn for 0.7 s more. On a busy machine those are few.
+    left_out=0
     for script in "stopped_$signal"/figures/*.gp; do
-        expect "${script%.gp}.svg is whole" contains "${script%.gp}.svg" '</svg>'
+        if [[ -e ${script%.gp}.svg ]]; then
+            expect "${script%.gp}.svg is whole" contains "${script%.gp}.svg" '</svg>'
+        else
+            left_out=1
+        fi
     done
+    if ((left_out)); then
+        expect "said in the report" contains "stopped_$signal/report.html" 'because the work was interrupted'
+    fi
+    expect "no warning of figures" refuse contains "$scratch/err" 'was not drawn'
     expect_output "report in stopped_$signal/report.html"
 done
 
@@ -112,9 +121,10 @@ echo $$ >"$PIDS"
 exec sleep 300
 SCRIPT
 export PIDS=$scratch/sleeping
-PATH=$work/slow:$PATH start_long_fit twice
-kill -s INT "$child"
+PATH=$work/slow:$PATH setsid "$program" run good.toml --out twice >"$scratch/out" 2>"$scratch/err" </dev/null &
+child=$!
 wait_until test -s "$PIDS"
+kill -s INT "$child"
 expect "the first one did not kill" kill -0 "$child"
 sleep 0.3
 kill -s INT "$child"
