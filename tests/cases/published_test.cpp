@@ -3,6 +3,7 @@
 #include "cases/thesis_tables.hpp"
 #include "dynamic_relaxation/relaxation_study.hpp"
 #include "dynamic_relaxation/strength_bound.hpp"
+#include "tests/support/random_slopes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -45,6 +46,20 @@ TEST(PublishedProblems, QuickOnesHaveTheFactorsThatTheyExpect) {
         const CriticalAnswer answer = find_critical(std::get<RelaxationStudy>(file.model));
         ASSERT_EQ(answer.status, CriticalStatus::found) << name;
         EXPECT_NEAR(answer.value(), std::get<double>(expected.value), std::get<double>(*expected.tolerance)) << name;
+    }
+}
+
+// Two blocks that topple onto each other, and forward toppling of a whole slope.
+TEST(PublishedProblems, HaveOneFactorHoweverTheyAreDrawn) {
+    for (const std::string_view name : {"rj_2", "rj_6"}) {
+        const auto study = std::get<RelaxationStudy>(published_case(name).model);
+        const CriticalAnswer as_drawn = find_critical(study);
+        for (const RelaxationStudy& other : {testing::mirrored(study), testing::with_sets_by_another_trace(study)}) {
+            const CriticalAnswer answer = find_critical(other);
+            ASSERT_EQ(answer.status, CriticalStatus::found) << name;
+            // Rounding may take the bracket to the next one.
+            EXPECT_NEAR(answer.value(), as_drawn.value(), 1.01 * (as_drawn.fails - as_drawn.stands)) << name;
+        }
     }
 }
 

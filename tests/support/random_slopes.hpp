@@ -77,17 +77,27 @@ inline SlopeGeometry& geometry_of(RelaxationStudy& study) {
     return std::get<RelaxationSlope>(study.model.scene).geometry;
 }
 
+// Without water, stages and forces.
 inline RelaxationStudy mirrored(RelaxationStudy study) {
-    for (SectionPoint& point : geometry_of(study).outline) {
-        point.x = -point.x;
+    const auto mirror = [](std::vector<SectionPoint>& points) {
+        for (SectionPoint& point : points) {
+            point.x = -point.x;
+        }
+    };
+    auto& slope = std::get<RelaxationSlope>(study.model.scene);
+    mirror(slope.geometry.outline);
+    for (SlopeArea& area : slope.fixed) {
+        mirror(area.vertex);
     }
-    for (SlopeCut& one : geometry_of(study).cut) {
+    for (SlopeCut& one : slope.geometry.cut) {
         if (auto* set = std::get_if<JointSetCut>(&one.trace)) {
             set->dip = -set->dip;
-        } else {
-            for (SectionPoint& point : std::get<LineCut>(one.trace).vertex) {
-                point.x = -point.x;
+            mirror(set->region);
+            if (set->through) {
+                set->through->x = -set->through->x;
             }
+        } else {
+            mirror(std::get<LineCut>(one.trace).vertex);
         }
     }
     return study;
@@ -99,8 +109,9 @@ inline RelaxationStudy with_sets_by_another_trace(RelaxationStudy study) {
             // Two traces down, and some way along them.
             const double down = 2 * set->spacing + set->offset.value_or(0);
             const double along = 0.7 * set->spacing;
-            set->through = SectionPoint{down * std::sin(set->dip) + along * std::cos(set->dip),
-                                        -down * std::cos(set->dip) + along * std::sin(set->dip)};
+            const SectionPoint from = set->through.value_or(SectionPoint{0, 0});
+            set->through = SectionPoint{from.x + down * std::sin(set->dip) + along * std::cos(set->dip),
+                                        from.y - down * std::cos(set->dip) + along * std::sin(set->dip)};
             set->offset = 0;
         }
     }
