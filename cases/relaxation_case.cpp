@@ -193,9 +193,10 @@ void check_critical(Checker& checker, const RelaxationStudy& study) {
     }
     if (const auto* reduction = std::get_if<ReductionSearch>(&*study.critical)) {
         const std::vector<std::string> names = joint_names(study.model.scene);
-        for (std::size_t index = 0; index < reduction->joints.size(); ++index) {
-            if (std::ranges::find(names, reduction->joints[index]) == names.end()) {
-                checker.complain(indexed("critical.joints", index), "is no joint of the scene: " + choices(names));
+        for (const std::string& joint : reduction->joints) {
+            if (std::ranges::find(names, joint) == names.end()) {
+                checker.complain("critical.joints",
+                                 '"' + joint + "\" is no joint of the scene: must be " + choices(names));
             }
         }
     }

@@ -104,8 +104,8 @@ std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) 
     return text;
 }
 
-// How it was decided that the blocks fail, which of them do, and their drawing. Files have the name of the path where the
-// value was found on several.
+// How it was decided that the blocks fail, which of them do, and their drawing. Files have the name of the path where
+// the value was found on several.
 void append_failure(const CriticalPlan& plan, const PathValue& value, const ResultFolder& folder, Report& report) {
     if (!value.failed) {
         return;

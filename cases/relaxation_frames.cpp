@@ -1,4 +1,5 @@
 // A run as moving pictures.
+#include "cases/interrupt.hpp"
 #include "cases/relaxation_figures.hpp"
 #include "dynamic_relaxation/cracks.hpp"
 #include "fitting/words.hpp"
@@ -88,6 +89,11 @@ void append_frames(const RelaxationRun& made, const ResultFolder& folder, Report
     const Bodies bodies = make_bodies(made.scene);
     report.blocks.emplace_back(Heading{"The blocks in motion"});
     report.blocks.emplace_back(animation_of(made, bodies));
+    if (seconds_since_interrupt() > 0) {
+        // A hundred megabytes of a large slope, which the same command writes once it has gone on to its end.
+        report.blocks.emplace_back(Paragraph{"Frames for ParaView are written when the run has come to its end."});
+        return;
+    }
     FrameFolder frames(folder.path() / "frames", "run");
     std::vector<std::string> names = frames.file_names(made.frames.size());
     for (std::string& name : names) {

@@ -67,8 +67,8 @@ Polygon<> rectangle(double left, double bottom, double right, double top) {
     return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
-// A section is needed several times in a row for the same geometry: to check a case, to name its outputs, for each run of
-// a fit. The last one of each thread is kept.
+// A section is needed several times in a row for the same geometry: to check a case, to name its outputs, for each run
+// of a fit. The last one of each thread is kept.
 const JointedSection& section_of(const SlopeGeometry& geometry, const std::vector<std::string>& rocks,
                                  const std::vector<std::string>& joints) {
     struct Kept {

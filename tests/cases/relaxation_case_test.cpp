@@ -14,6 +14,8 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace delabole {
 namespace {
@@ -382,7 +384,8 @@ joint = "plane"
 kind = "set"
 dip = "35 deg"
 spacing = "100 m"
-through = )" + std::string(toe) +
+through = )" +
+           std::string(toe) +
            R"(
 [scene.frame]
 sides = "all_around"
@@ -391,6 +394,31 @@ joint = "plane"
 [settings]
 stop = "onset"
 )";
+}
+
+TEST(RelaxationCase, SearchesThatCannotBeAreRefused) {
+    const std::string reduction = "parameter = \"strength_reduction\"\n";
+    const std::vector<std::pair<std::string, std::string_view>> searches{
+        {"parameter = \"strength\"",
+         "critical.parameter = \"strength\": must be tilt, friction, strength_reduction or weight"},
+        {"parameter = \"tilt\"", "critical.lower: is required"},
+        {"parameter = \"friction\"\nlower = \"10 deg\"\nupper = \"95 deg\"",
+         "critical.upper = \"95 deg\": must be at least 0"},
+        {"parameter = \"weight\"\ntolerance = 0", "critical.tolerance = 0: must be from"},
+        {reduction + "lower = 0", "critical.lower = 0: must be more than 0"},
+        {reduction + "lower = 3\nupper = 2",
+         "critical.lower = 3: bounds are reversed: must be less than critical.upper (3 and 2)"},
+        {reduction + "joints = [\"planes\"]",
+         ":36:10: critical.joints: \"planes\" is no joint of the scene: must be plane or intact"},
+        {reduction + "path = \"slow\"",
+         "critical.path = \"slow\": must be consolidated, preloaded, gravity, sudden or stages"},
+        {reduction + "path = \"stages\"", "critical.path = \"stages\": needs stages of excavation"},
+        {reduction + "paths = \"both\"", "critical.paths = \"both\": must be one or all"}};
+    const std::string slope = slope_over("{ x = \"0 m\", y = \"0.2 m\" }");
+    for (const auto& [search, words] : searches) {
+        const std::string refusal = complaint(slope + "[critical]\n" + search + "\n");
+        EXPECT_NE(refusal.find(words), std::string::npos) << search << ": " << refusal;
+    }
 }
 
 TEST(RelaxationCase, SaysThatASlopeStandsOnCornersAlone) {

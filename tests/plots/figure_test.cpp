@@ -250,8 +250,7 @@ TEST(WriteFigure, GivesUpAfterTheFirstGnuplotThatDoesNotEnd) {
     EXPECT_NE(first.message.find("no end within 1 s"), std::string::npos) << first.message;
     const FigureFiles second = write_figure(simple_figure(), folder.path(), "second", runs);
     EXPECT_EQ(second.status, FigureStatus::gnuplot_failed);
-    EXPECT_NE(second.message.find("not run because it had not ended on first.gp"), std::string::npos)
-        << second.message;
+    EXPECT_NE(second.message.find("not run because it had not ended on first.gp"), std::string::npos) << second.message;
     EXPECT_EQ(folder.names(), (Names{"first.gp", "second.gp"}));
 }
 
