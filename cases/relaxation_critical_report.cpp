@@ -79,12 +79,14 @@ std::variant<double, std::string> value_or_status(const PathValue& value) {
     return std::string(word_of(value.status));
 }
 
-// How it was decided that the blocks fail; goes on from "At".
+// How it was decided that the blocks fail, with the path where there are several.
 std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) {
     const Dimension dimension = dimension_of(plan.parameter);
     const RelaxationRun& failed = *value.failed;
     const double at = value.status == CriticalStatus::found ? value.fails : value.last;
-    std::string text = ' ' + in_six_digits(at, dimension);
+    const std::string on_path =
+        plan.path.size() > 1 ? "On the path " + std::string(word_of(value.path)) + ": at " : "At ";
+    std::string text = on_path + in_six_digits(at, dimension);
     if (failed.result.start_balance) {
         const double ratio = failed.result.start_balance->unbalanced_ratio;
         const bool balanced = ratio <= failed.settings.equilibrium_ratio;
@@ -114,8 +116,7 @@ void append_failure(const CriticalPlan& plan, const PathValue& value, const Resu
     const std::string path(word_of(value.path));
     const bool several = plan.path.size() > 1;
     const std::string suffix = several ? '_' + path : "";
-    const std::string on_path = several ? "On the path " + path + ": at" : "At";
-    report.blocks.emplace_back(Paragraph{on_path + decision_in_words(plan, value)});
+    report.blocks.emplace_back(Paragraph{decision_in_words(plan, value)});
     CsvTable csv({"block", "movement", "rotation_deg", "displacement_m", "base_slip_m"});
     for (const std::size_t block : failing_blocks(failed).block) {
         const BlockOutcome& outcome = failed.result.block[block];

@@ -89,7 +89,7 @@ void append_frames(const RelaxationRun& made, const ResultFolder& folder, Report
     const Bodies bodies = make_bodies(made.scene);
     report.blocks.emplace_back(Heading{"The blocks in motion"});
     report.blocks.emplace_back(animation_of(made, bodies));
-    if (seconds_since_interrupt() > 0) {
+    if (interrupt_flag()) {
         // A hundred megabytes of a large slope, which the same command writes once it has gone on to its end.
         report.blocks.emplace_back(Paragraph{"Frames for ParaView are written when the run has come to its end."});
         return;

@@ -206,7 +206,7 @@ void append_run_warnings(const RelaxationRun& made, Analysis& analysis) {
     }
 }
 
-// With so many free blocks a linear programme of statics takes a second; ten times as many, some hours.
+// Statics of 478 blocks takes 4 s for one strength and 25 s for the bound: more blocks are left alone.
 constexpr std::size_t most_blocks_in_programme = 500;
 
 bool is_small_enough(const RelaxationScene& scene) {
@@ -221,7 +221,7 @@ constexpr std::string_view corners_bear =
 
 void append_corner_warning(const RelaxationRun& made, Analysis& analysis) {
     if (made.result.outcome == RelaxationOutcome::equilibrium && is_small_enough(made.scene) &&
-        stands_on_faces(made.scene) == false) {
+        stands_on_faces(made.scene, &interrupt_flag()) == false) {
         analysis.warnings.push_back("the blocks stand " + std::string(corners_bear));
     }
 }

@@ -216,7 +216,7 @@ FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name,
     if (files.write_error) {
         throw *files.write_error;
     }
-    if (files.status != FigureStatus::ok && seconds_since_interrupt() == 0) {
+    if (files.status != FigureStatus::ok && !interrupt_flag()) {
         std::cerr << "warning: figure " << name << " was not drawn: " << files.message << '\n';
     }
     return {files, caption};

@@ -97,7 +97,7 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene, 
     }
 }
 
-std::optional<bool> stands_on_faces(const RelaxationScene& scene) {
+std::optional<bool> stands_on_faces(const RelaxationScene& scene, const std::atomic<bool>* stop) {
     if (!is_static(scene)) {
         return std::nullopt;
     }
@@ -105,6 +105,9 @@ std::optional<bool> stands_on_faces(const RelaxationScene& scene) {
     constexpr double rounding = 1e-9;
     const Assembly assembly = assembly_of(scene, make_bodies(scene));
     for (const Assembly& seen : {assembly, mirrored(assembly)}) {
+        if (stop != nullptr && *stop) {
+            return std::nullopt;
+        }
         const LpBound tilt = largest_tilt(seen);
         if (tilt.status == LpStatus::infeasible || (tilt.status == LpStatus::optimal && tilt.value < -rounding)) {
             return false;

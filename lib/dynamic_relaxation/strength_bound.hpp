@@ -24,7 +24,7 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene,
 
 // Whether the scene's own strength is enough for such forces: the same at a factor of 1, for a tenth of the time.
 // False: if the blocks do stand, then because corners bear on corners. Nothing also where the linear programme has no
-// answer.
-std::optional<bool> stands_on_faces(const RelaxationScene& scene);
+// answer, or the flag was set before one of the two programmes.
+std::optional<bool> stands_on_faces(const RelaxationScene& scene, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace delabole

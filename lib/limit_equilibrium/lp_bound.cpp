@@ -397,8 +397,9 @@ LpBound least_strength_factor(const Assembly& assembly, const std::atomic<bool>*
             LpStatus status = bound.status;
             if (status == LpStatus::not_converged && sense == Sense::least) {
                 // The largest is known not to be below 0: whether the assembly stands without the force is enough.
-                const LpStatus without = solve(assembly, scales, {push, sense, 0, 0}, strength).status;
-                status = without == LpStatus::optimal ? LpStatus::unbounded : without;
+                const LpBound without = solve(assembly, scales, {push, sense, 0, 0}, strength);
+                iterations += without.iterations;
+                status = without.status == LpStatus::optimal ? LpStatus::unbounded : without.status;
             }
             failed = failed || status == LpStatus::not_converged;
             double margin = status == LpStatus::unbounded ? infinity : -infinity;
