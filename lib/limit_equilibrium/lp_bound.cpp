@@ -66,8 +66,8 @@ Scales scales_of(const Assembly& assembly) {
     return scales;
 }
 
-// Columns: the sought factor, then for every contact the edges of the cone at its start, of that at its end, and
-// where there is cohesion the shear by it, where there is tensile strength the pull at either end. Rows: forces along x
+// Columns: the sought factor, then for every contact the edges of the cone at its start, of that at its end, where
+// there is cohesion the shear by it, and where there is tensile strength the pull at either end. Rows: forces along x
 // and y and moment of each body.
 class Programme {
   public:

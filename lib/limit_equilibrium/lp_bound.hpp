@@ -5,8 +5,8 @@
 // (sin phi, cos phi) and (-sin phi, cos phi), so that N and T are two non-negative unknowns; any resultant that lies
 // within the face is a pair of end forces. Cohesion adds a shear of at most c times the length of the face, wherever
 // the face opens. Tensile strength adds a pull of at most half of the face's at each end. All are linear, whence a
-// linear programme; its dual is a mechanism, one displacement and rotation
-// of each body, in which faces that slide open by tan(phi) times the slip.
+// linear programme; its dual is a mechanism, one displacement and rotation of each body, in which faces that slide open
+// by tan(phi) times the slip.
 //
 // THE ANSWER BOUNDS FROM THE UNSAFE SIDE. That forces exist which would keep the bodies in equilibrium does not mean
 // that they arise. The theorem by which a static solution is a safe bound needs dilatant friction (associated flow);

@@ -49,7 +49,7 @@ TEST(PublishedProblems, QuickOnesHaveTheFactorsThatTheyExpect) {
     }
 }
 
-// Two blocks that topple onto each other, and forward toppling of a whole slope.
+// Columns that topple, and blocks that slide on joints which daylight.
 TEST(PublishedProblems, HaveOneFactorHoweverTheyAreDrawn) {
     for (const std::string_view name : {"rj_2", "rj_6"}) {
         const auto study = std::get<RelaxationStudy>(published_case(name).model);

@@ -47,7 +47,7 @@ TEST(RandomSlopes, StandOrFailTheSameHoweverTheyAreDrawn) {
         const bool stands = variants.front().verdict == testing::Verdict::stands;
         const std::optional<bool> faces_hold = stands_on_faces(testing::drawn(study).scene);
         ASSERT_TRUE(faces_hold) << seed;
-        // It might, for joints do not dilate as slopes do that are sure to stand then; of 200 none does.
+        // It could: forces in balance promise standing only where joints dilate as they slip. None of 200 slopes does.
         EXPECT_TRUE(stands || !*faces_hold) << seed << " fails though faces could hold it";
         stand += stands ? 1 : 0;
         stand_on_corners += stands && !*faces_hold ? 1 : 0;
