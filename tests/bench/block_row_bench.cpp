@@ -1,6 +1,6 @@
 // What a row of blocks costs: enumeration of all modes of short rows, the bounded search of long ones.
-#include "limit_equilibrium/block_row.hpp"
-#include "limit_equilibrium/single_block.hpp"
+#include "limit_equilibrium/block_row/block_row.hpp"
+#include "limit_equilibrium/block_row/single_block.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,5 +1,5 @@
 // What it costs to divide a slope into columns, and to search for its least stable base.
-#include "limit_equilibrium/critical_base.hpp"
+#include "limit_equilibrium/stepped_base/critical_base.hpp"
 #include "tests/lib/reference_recursion.hpp"
 
 #include <benchmark/benchmark.h>

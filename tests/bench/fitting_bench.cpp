@@ -1,5 +1,5 @@
 // Cost of a whole back-analysis with the default settings: three parameters, a model of a given cost.
-#include "fitting/back_analysis.hpp"
+#include "fitting/back_analysis/back_analysis.hpp"
 
 #include <benchmark/benchmark.h>
 

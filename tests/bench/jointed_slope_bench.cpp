@@ -1,5 +1,5 @@
 // What cutting a section into blocks costs, and making a scene of it.
-#include "dynamic_relaxation/slope_scene.hpp"
+#include "dynamic_relaxation/scene/slope_scene.hpp"
 #include "tests/support/jointed_slopes.hpp"
 
 #include <benchmark/benchmark.h>

@@ -1,8 +1,8 @@
 // What the bound by linear programming costs: 100 blocks within 50 ms. Run with --benchmark_repetitions=10 and read the
 // least time.
-#include "limit_equilibrium/block_assembly.hpp"
-#include "limit_equilibrium/lp_bound.hpp"
-#include "limit_equilibrium/make_columns.hpp"
+#include "limit_equilibrium/bound/block_assembly.hpp"
+#include "limit_equilibrium/bound/lp_bound.hpp"
+#include "limit_equilibrium/columns/make_columns.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,5 +1,5 @@
 // Cost of a posterior and of an evidence: without a model, and with one of a given cost.
-#include "fitting/evidence.hpp"
+#include "fitting/posterior/evidence.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,8 @@
 // What dynamic relaxation costs: a step of a pack of bricks that moves and of one at rest, a search for contacts, the
 // start, and whole bisections for a critical value.
-#include "dynamic_relaxation/neighbours.hpp"
-#include "dynamic_relaxation/scenes.hpp"
-#include "dynamic_relaxation/simulation.hpp"
+#include "dynamic_relaxation/blocks/neighbours.hpp"
+#include "dynamic_relaxation/scene/scenes.hpp"
+#include "dynamic_relaxation/step/simulation.hpp"
 #include "parameters/fields.hpp"
 #include "tests/support/brick_pack.hpp"
 

@@ -1,5 +1,5 @@
 // Samples of a limit-equilibrium model by one and two threads, and what drawing them costs without the model.
-#include "fitting/sensitivity.hpp"
+#include "fitting/sensitivity/sensitivity.hpp"
 #include "plane_failure/plane_failure.hpp"
 
 #include <benchmark/benchmark.h>

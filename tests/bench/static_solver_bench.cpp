@@ -1,6 +1,6 @@
 // What a static equilibrium solve costs, of slopes cut into more and more blocks by the three sets of Old Delabole
-// (cases/chapter_2/delabole_1500_blocks.toml), which stand at 50 deg of friction.
-#include "dynamic_relaxation/relaxation_study.hpp"
+// (cases/thesis/chapter_2/delabole_1500_blocks.toml), which stand at 50 deg of friction.
+#include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,6 +1,6 @@
 // The models of chapter 3 as scenes: cut as the tables have them, and failing where they must.
-#include "cases/base_friction_runs.hpp"
-#include "dynamic_relaxation/slope_scene.hpp"
+#include "cases/program/thesis/chapter_3/base_friction_runs.hpp"
+#include "dynamic_relaxation/scene/slope_scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Cases of single blocks and of rows of blocks: what is refused, and what the answers are called.
-#include "cases/analysis.hpp"
-#include "cases/model_cases.hpp"
+#include "cases/program/case/model_cases.hpp"
+#include "cases/program/results/analysis.hpp"
 
 #include "example_case.hpp"
 

@@ -1,8 +1,8 @@
 // The base friction models of chapter 2 in motion: parts of their runs, as short as shows what they are to show.
-#include "cases/rank_correlation.hpp"
-#include "cases/slope_models.hpp"
-#include "cases/thesis_tables.hpp"
-#include "dynamic_relaxation/slope_scene.hpp"
+#include "cases/program/thesis/chapter_2/rank_correlation.hpp"
+#include "cases/program/thesis/chapter_2/slope_models.hpp"
+#include "cases/program/thesis/thesis_tables.hpp"
+#include "dynamic_relaxation/scene/slope_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -93,7 +93,7 @@ TEST(Chapter2Models, ToppleAtTheFrictionOfSlate) {
 // The slope of 1500 blocks and its model on the belt are compared block by block.
 TEST(Chapter2Models, BeltModelIsTheSlopeAtOneTo200) {
     const auto read = [](const std::string& name) {
-        const CaseFile file = read_case(std::string(DELABOLE_CASES) + "/chapter_2/" + name + ".toml");
+        const CaseFile file = read_case(std::string(DELABOLE_CASES) + "/thesis/chapter_2/" + name + ".toml");
         return relaxation_scene(std::get<RelaxationStudy>(file.model));
     };
     const RelaxationScene slope = read("delabole_1500_blocks");

@@ -1,6 +1,6 @@
 // What `delabole reproduce chapter4` says: the numbers of the verification deck.
-#include "cases/single_block_chart.hpp"
-#include "limit_equilibrium/single_block.hpp"
+#include "cases/program/models/single_block/chart.hpp"
+#include "limit_equilibrium/block_row/single_block.hpp"
 #include "reproduction_fixture.hpp"
 
 #include <gtest/gtest.h>

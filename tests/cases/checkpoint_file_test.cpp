@@ -1,8 +1,8 @@
 // A checkpoint on the disk: taken up again, replaced, and refused by name.
-#include "cases/checkpoint_file.hpp"
+#include "cases/program/models/relaxation/checkpoint_file.hpp"
 
-#include "dynamic_relaxation/study_checkpoint.hpp"
-#include "plots/atomic_file.hpp"
+#include "dynamic_relaxation/study/study_checkpoint.hpp"
+#include "plots/drawing/atomic_file.hpp"
 #include "tests/plots/scratch_folder.hpp"
 
 #include <gtest/gtest.h>

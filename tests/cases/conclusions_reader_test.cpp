@@ -1,5 +1,5 @@
-#include "cases/case_file.hpp"
-#include "cases/case_writer.hpp"
+#include "cases/program/case/case_file.hpp"
+#include "cases/program/case/case_writer.hpp"
 #include "example_case.hpp"
 
 #include <gtest/gtest.h>

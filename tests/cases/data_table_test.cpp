@@ -1,4 +1,4 @@
-#include "cases/data_table.hpp"
+#include "cases/program/reader/data_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The back-analysis of the 1967 failure: what the README says of it.
-#include "cases/fit_problem_of_case.hpp"
-#include "fitting/back_analysis.hpp"
-#include "fitting/comparison.hpp"
-#include "fitting/conclusions.hpp"
+#include "cases/program/results/fit_problem_of_case.hpp"
+#include "fitting/back_analysis/back_analysis.hpp"
+#include "fitting/studies/comparison.hpp"
+#include "fitting/studies/conclusions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ constexpr double foot = 0.3048;
 
 const FitProblem& problem_of_1967() {
     static const FitProblem problem = [] {
-        CaseFile file = read_case(std::string(DELABOLE_CASES) + "/delabole_1967.toml");
+        CaseFile file = read_case(std::string(DELABOLE_CASES) + "/delabole_1967/delabole_1967.toml");
         leave_out_costly(*file.fit);
         return fit_problem_of(file, 1, std::nullopt);
     }();

@@ -1,7 +1,7 @@
 // A complete case to break in one place at a time.
 #pragma once
 
-#include "cases/case_file.hpp"
+#include "cases/program/case/case_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "cases/case_file.hpp"
+#include "cases/program/case/case_file.hpp"
 
-#include "cases/case_writer.hpp"
-#include "cases/spelling.hpp"
+#include "cases/program/case/case_writer.hpp"
+#include "cases/program/reader/spelling.hpp"
 #include "example_case.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "cases/analysis.hpp"
-#include "cases/case_writer.hpp"
-#include "cases/outline_file.hpp"
-#include "dynamic_relaxation/relaxation_study.hpp"
+#include "cases/program/case/case_writer.hpp"
+#include "cases/program/reader/outline_file.hpp"
+#include "cases/program/results/analysis.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include "example_case.hpp"
 

@@ -1,5 +1,5 @@
-#include "cases/analysis.hpp"
-#include "cases/model_cases.hpp"
+#include "cases/program/case/model_cases.hpp"
+#include "cases/program/results/analysis.hpp"
 #include "kinematics/kinematics.hpp"
 
 #include "example_case.hpp"

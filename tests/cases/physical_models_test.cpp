@@ -1,7 +1,7 @@
 // The tables of the thesis typed in: each against the others and against what the text says of them.
-#include "cases/physical_models.hpp"
+#include "cases/program/thesis/physical_models.hpp"
 
-#include "cases/case_error.hpp"
+#include "cases/program/reader/case_error.hpp"
 
 #include <gtest/gtest.h>
 

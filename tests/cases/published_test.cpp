@@ -1,8 +1,8 @@
 // The published problems of jointed slopes: all are read, and the quick ones have the factors that they expect.
-#include "cases/case_file.hpp"
-#include "cases/thesis_tables.hpp"
-#include "dynamic_relaxation/relaxation_study.hpp"
-#include "dynamic_relaxation/strength_bound.hpp"
+#include "cases/program/case/case_file.hpp"
+#include "cases/program/thesis/thesis_tables.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
+#include "dynamic_relaxation/study/strength_bound.hpp"
 #include "tests/support/random_slopes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "cases/case_file.hpp"
+#include "cases/program/case/case_file.hpp"
 
-#include "cases/spelling.hpp"
+#include "cases/program/reader/spelling.hpp"
 #include "example_case.hpp"
 
 #include <gtest/gtest.h>

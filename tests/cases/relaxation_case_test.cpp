@@ -1,7 +1,7 @@
-#include "cases/analysis.hpp"
-#include "cases/case_writer.hpp"
-#include "cases/model_reports.hpp"
-#include "dynamic_relaxation/relaxation_study.hpp"
+#include "cases/program/case/case_writer.hpp"
+#include "cases/program/results/analysis.hpp"
+#include "cases/program/results/model_reports.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "tests/support/brick_pack.hpp"
 
 #include "example_case.hpp"

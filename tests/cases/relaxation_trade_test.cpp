@@ -1,5 +1,5 @@
-#include "cases/relaxation_trade.hpp"
-#include "cases/case_file.hpp"
+#include "cases/program/case/case_file.hpp"
+#include "cases/program/models/relaxation/trade.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // One item of a chapter reproduced into a folder of its own.
 #pragma once
 
-#include "cases/reproduction.hpp"
+#include "cases/program/thesis/reproduction.hpp"
 
 #include <gtest/gtest.h>
 

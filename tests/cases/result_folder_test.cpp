@@ -1,8 +1,8 @@
-#include "cases/result_folder.hpp"
+#include "cases/program/results/result_folder.hpp"
 
-#include "cases/folder_claim.hpp"
-#include "cases/plain_output.hpp"
-#include "plots/atomic_file.hpp"
+#include "cases/program/results/folder_claim.hpp"
+#include "cases/program/terminal/plain_output.hpp"
+#include "plots/drawing/atomic_file.hpp"
 
 #include <gtest/gtest.h>
 

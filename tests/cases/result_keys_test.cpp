@@ -1,9 +1,9 @@
 // One convention for all models: every quantity of a model keeps its name whether or not it has a value, and no length
 // beyond what the models are sound for is read.
-#include "cases/analysis.hpp"
-#include "cases/model_cases.hpp"
-#include "cases/result_folder.hpp"
-#include "limit_equilibrium/block_row.hpp"
+#include "cases/program/case/model_cases.hpp"
+#include "cases/program/results/analysis.hpp"
+#include "cases/program/results/result_folder.hpp"
+#include "limit_equilibrium/block_row/block_row.hpp"
 #include "parameters/lengths.hpp"
 
 #include "example_case.hpp"

@@ -1,8 +1,8 @@
 // A record of shaking beside the case: read once, written out, refused with its line.
-#include "cases/shaking_file.hpp"
+#include "cases/program/models/relaxation/shaking_file.hpp"
 
-#include "cases/case_writer.hpp"
-#include "dynamic_relaxation/study_checkpoint.hpp"
+#include "cases/program/case/case_writer.hpp"
+#include "dynamic_relaxation/study/study_checkpoint.hpp"
 #include "tests/plots/scratch_folder.hpp"
 
 #include "example_case.hpp"

@@ -1,9 +1,9 @@
 // What the program says of columns on a stepped base: outcomes and warnings in the words that fit them.
-#include "cases/analysis.hpp"
-#include "cases/case_file.hpp"
-#include "cases/case_writer.hpp"
-#include "cases/stepped_base_drawing.hpp"
-#include "cases/stepped_base_sweeps.hpp"
+#include "cases/program/case/case_file.hpp"
+#include "cases/program/case/case_writer.hpp"
+#include "cases/program/models/stepped_base/drawing.hpp"
+#include "cases/program/models/stepped_base/sweeps.hpp"
+#include "cases/program/results/analysis.hpp"
 
 #include <gtest/gtest.h>
 

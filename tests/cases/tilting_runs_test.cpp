@@ -1,5 +1,5 @@
 // The tilting frame of chapter 3 in motion.
-#include "cases/tilting_runs.hpp"
+#include "cases/program/thesis/chapter_3/tilting_runs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cases/units.hpp"
+#include "cases/program/reader/units.hpp"
 
 #include <gtest/gtest.h>
 

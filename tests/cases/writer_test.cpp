@@ -1,4 +1,4 @@
-#include "cases/case_writer.hpp"
+#include "cases/program/case/case_writer.hpp"
 
 #include "example_case.hpp"
 

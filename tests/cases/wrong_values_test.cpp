@@ -3,9 +3,9 @@
 //
 // One value for each key of each model, where the case that has it is shortest, takes seconds. All of them take
 // minutes: DELABOLE_ALL_VALUES=1 program_parts_test --gtest_filter='WrongValues.*'.
-#include "cases/analysis.hpp"
-#include "cases/impossible_case.hpp"
-#include "dynamic_relaxation/relaxation_study.hpp"
+#include "cases/program/results/analysis.hpp"
+#include "cases/program/results/impossible_case.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include "tests/support/case_values.hpp"
 

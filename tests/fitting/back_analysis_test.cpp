@@ -1,6 +1,6 @@
-#include "fitting/back_analysis.hpp"
+#include "fitting/back_analysis/back_analysis.hpp"
 
-#include "fitting/misfit.hpp"
+#include "fitting/mechanism/misfit.hpp"
 #include "test_models.hpp"
 
 #include <gtest/gtest.h>

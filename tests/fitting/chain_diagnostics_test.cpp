@@ -1,7 +1,7 @@
-#include "fitting/chain_diagnostics.hpp"
+#include "fitting/probability/chain_diagnostics.hpp"
 
-#include "fitting/counted_random.hpp"
-#include "fitting/distribution.hpp"
+#include "fitting/probability/counted_random.hpp"
+#include "fitting/probability/distribution.hpp"
 
 #include <gtest/gtest.h>
 

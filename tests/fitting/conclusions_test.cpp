@@ -1,5 +1,5 @@
-#include "fitting/conclusions.hpp"
-#include "fitting/back_analysis.hpp"
+#include "fitting/studies/conclusions.hpp"
+#include "fitting/back_analysis/back_analysis.hpp"
 #include "test_models.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "fitting/dependence.hpp"
+#include "fitting/probability/dependence.hpp"
 
-#include "fitting/sampling.hpp"
+#include "fitting/probability/sampling.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fitting/distribution.hpp"
+#include "fitting/probability/distribution.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "fitting/evaluation_store.hpp"
-#include "fitting/back_analysis.hpp"
-#include "fitting/parallel.hpp"
+#include "fitting/work/evaluation_store.hpp"
+#include "fitting/back_analysis/back_analysis.hpp"
+#include "fitting/work/parallel.hpp"
 #include "tests/fitting/test_models.hpp"
 #include "tests/plots/scratch_folder.hpp"
 

@@ -1,7 +1,7 @@
-#include "fitting/evidence.hpp"
+#include "fitting/posterior/evidence.hpp"
 
-#include "fitting/sampling.hpp"
-#include "fitting/student_mixture.hpp"
+#include "fitting/probability/sampling.hpp"
+#include "fitting/probability/student_mixture.hpp"
 
 #include "posterior_targets.hpp"
 

@@ -1,8 +1,8 @@
-#include "fitting/gaussian_process.hpp"
+#include "fitting/search/gaussian_process.hpp"
 
-#include "fitting/counted_random.hpp"
-#include "fitting/distribution.hpp"
-#include "fitting/statistics.hpp"
+#include "fitting/probability/counted_random.hpp"
+#include "fitting/probability/distribution.hpp"
+#include "fitting/probability/statistics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "fitting/identifiability.hpp"
+#include "fitting/back_analysis/identifiability.hpp"
 
-#include "fitting/verdict.hpp"
+#include "fitting/back_analysis/verdict.hpp"
 
 #include "test_models.hpp"
 

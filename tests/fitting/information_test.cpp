@@ -1,4 +1,4 @@
-#include "fitting/information.hpp"
+#include "fitting/studies/information.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "fitting/mechanism_posterior.hpp"
+#include "fitting/mechanism/mechanism_posterior.hpp"
 
-#include "fitting/back_analysis.hpp"
-#include "fitting/check_problem.hpp"
-#include "fitting/comparison.hpp"
+#include "fitting/back_analysis/back_analysis.hpp"
+#include "fitting/back_analysis/check_problem.hpp"
+#include "fitting/studies/comparison.hpp"
 
 #include "posterior_targets.hpp"
 

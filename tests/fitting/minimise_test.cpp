@@ -1,7 +1,7 @@
-#include "fitting/minimise.hpp"
+#include "fitting/search/minimise.hpp"
 
-#include "fitting/bracketed_root.hpp"
-#include "fitting/statistics.hpp"
+#include "fitting/probability/bracketed_root.hpp"
+#include "fitting/probability/statistics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "fitting/misfit.hpp"
+#include "fitting/mechanism/misfit.hpp"
 
-#include "fitting/check_problem.hpp"
+#include "fitting/back_analysis/check_problem.hpp"
 #include "test_models.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Targets of sampling with known posteriors and evidences.
 #pragma once
 
-#include "fitting/evidence.hpp"
+#include "fitting/posterior/evidence.hpp"
 
 #include "test_functions.hpp"
 #include "test_models.hpp"

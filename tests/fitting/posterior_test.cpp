@@ -1,4 +1,4 @@
-#include "fitting/posterior.hpp"
+#include "fitting/posterior/posterior.hpp"
 
 #include "posterior_targets.hpp"
 

@@ -1,4 +1,4 @@
-#include "fitting/back_analysis.hpp"
+#include "fitting/back_analysis/back_analysis.hpp"
 #include "test_models.hpp"
 
 #include <gtest/gtest.h>

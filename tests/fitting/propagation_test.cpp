@@ -1,4 +1,4 @@
-#include "fitting/propagation.hpp"
+#include "fitting/sensitivity/propagation.hpp"
 
 #include "test_functions.hpp"
 

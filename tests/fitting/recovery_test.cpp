@@ -1,4 +1,4 @@
-#include "fitting/recovery.hpp"
+#include "fitting/studies/recovery.hpp"
 #include "tests/fitting/test_models.hpp"
 
 #include <gtest/gtest.h>

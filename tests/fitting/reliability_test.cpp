@@ -1,4 +1,4 @@
-#include "fitting/reliability.hpp"
+#include "fitting/sensitivity/reliability.hpp"
 
 #include "test_functions.hpp"
 

@@ -1,6 +1,6 @@
-#include "fitting/sampling.hpp"
+#include "fitting/probability/sampling.hpp"
 
-#include "fitting/statistics.hpp"
+#include "fitting/probability/statistics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fitting/screening.hpp"
+#include "fitting/sensitivity/screening.hpp"
 
 #include "test_functions.hpp"
 

@@ -1,4 +1,4 @@
-#include "fitting/sensitivity.hpp"
+#include "fitting/sensitivity/sensitivity.hpp"
 
 #include "test_models.hpp"
 

@@ -1,4 +1,4 @@
-#include "fitting/sobol_indices.hpp"
+#include "fitting/sensitivity/sobol_indices.hpp"
 
 #include "test_functions.hpp"
 

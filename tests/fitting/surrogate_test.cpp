@@ -1,11 +1,11 @@
 // Mechanisms fitted through a surrogate of their runs, against the same fitted directly.
-#include "fitting/surrogate.hpp"
+#include "fitting/mechanism/surrogate.hpp"
 
-#include "fitting/back_analysis.hpp"
-#include "fitting/check_problem.hpp"
-#include "fitting/costly_runs.hpp"
-#include "fitting/counted_random.hpp"
-#include "fitting/distribution.hpp"
+#include "fitting/back_analysis/back_analysis.hpp"
+#include "fitting/back_analysis/check_problem.hpp"
+#include "fitting/mechanism/costly_runs.hpp"
+#include "fitting/probability/counted_random.hpp"
+#include "fitting/probability/distribution.hpp"
 #include "test_models.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Functions with known sensitivities, and what it takes to evaluate them.
 #pragma once
 
-#include "fitting/dependence.hpp"
-#include "fitting/evaluate_points.hpp"
+#include "fitting/probability/dependence.hpp"
+#include "fitting/search/evaluate_points.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Small models with known answers.
 #pragma once
 
-#include "fitting/fit_problem.hpp"
+#include "fitting/posterior/fit_problem.hpp"
 
 #include <cmath>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "fitting/trade.hpp"
+#include "fitting/studies/trade.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Any bytes are either a case or a CaseError. What is read can be written and read again.
-#include "cases/case_file.hpp"
-#include "cases/case_writer.hpp"
+#include "cases/program/case/case_file.hpp"
+#include "cases/program/case/case_writer.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Any bytes are an outline of finite corners or have words for what is wrong with them, as DXF and as CSV.
-#include "cases/outline_file.hpp"
+#include "cases/program/reader/outline_file.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -1,10 +1,10 @@
 // What `delabole check` and `delabole run` do with a case, but for writing files: any case is refused with a CaseError
 // or answered, and no answer is NaN. How cases are changed, what is left out and what was counted: README.md.
-#include "cases/analysis.hpp"
-#include "cases/case_writer.hpp"
-#include "cases/impossible_case.hpp"
-#include "cases/stepped_base_bound.hpp"
-#include "dynamic_relaxation/relaxation_study.hpp"
+#include "cases/program/case/case_writer.hpp"
+#include "cases/program/models/stepped_base/bound.hpp"
+#include "cases/program/results/analysis.hpp"
+#include "cases/program/results/impossible_case.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "numerics/fnv_1a.hpp"
 
 #include "case_mutator.hpp"

@@ -1,6 +1,6 @@
 // Base friction stands for gravity as long as nothing moves, and for a velocity where gravity gives an acceleration.
-#include "dynamic_relaxation/base_friction.hpp"
-#include "dynamic_relaxation/relaxation_study.hpp"
+#include "dynamic_relaxation/step/base_friction.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "relaxation_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Rows of equal blocks by their modes against the bound by linear programming, which knows no modes.
-#include "limit_equilibrium/block_assembly.hpp"
-#include "limit_equilibrium/block_row.hpp"
-#include "limit_equilibrium/lp_bound.hpp"
+#include "limit_equilibrium/block_row/block_row.hpp"
+#include "limit_equilibrium/bound/block_assembly.hpp"
+#include "limit_equilibrium/bound/lp_bound.hpp"
 #include "random_problem.hpp"
 
 #include <gtest/gtest.h>

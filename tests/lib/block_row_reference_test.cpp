@@ -1,6 +1,6 @@
 // Rounding of the row's tilts: the same templates over 50 digits, on the very same double inputs.
-#include "limit_equilibrium/block_row.hpp"
-#include "limit_equilibrium/block_row_search.hpp"
+#include "limit_equilibrium/block_row/block_row.hpp"
+#include "limit_equilibrium/block_row/block_row_search.hpp"
 #include "random_problem.hpp"
 
 #include <gtest/gtest.h>

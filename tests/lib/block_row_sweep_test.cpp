@@ -7,12 +7,12 @@
 // pressing can hold, so that it is no higher. A pattern of the recursion that slides below one toppling block is
 // that mode. Equal blocks that are free fail one by one. What must be ordered: whatever has admissible forces for every
 // block lies at or below the bound.
-#include "limit_equilibrium/block_assembly.hpp"
-#include "limit_equilibrium/block_row.hpp"
-#include "limit_equilibrium/closed_forms.hpp"
-#include "limit_equilibrium/lp_bound.hpp"
-#include "limit_equilibrium/make_columns.hpp"
-#include "limit_equilibrium/stepped_base.hpp"
+#include "limit_equilibrium/block_row/block_row.hpp"
+#include "limit_equilibrium/block_row/closed_forms.hpp"
+#include "limit_equilibrium/bound/block_assembly.hpp"
+#include "limit_equilibrium/bound/lp_bound.hpp"
+#include "limit_equilibrium/columns/make_columns.hpp"
+#include "limit_equilibrium/stepped_base/stepped_base.hpp"
 #include "random_problem.hpp"
 
 #include <gtest/gtest.h>

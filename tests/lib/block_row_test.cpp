@@ -1,7 +1,7 @@
 // Rows of blocks on a plane: the thesis's formulas, the modes and what governs, equilibrium of every answer, extremes.
-#include "limit_equilibrium/block_row.hpp"
-#include "limit_equilibrium/block_row_search.hpp"
-#include "limit_equilibrium/closed_forms.hpp"
+#include "limit_equilibrium/block_row/block_row.hpp"
+#include "limit_equilibrium/block_row/block_row_search.hpp"
+#include "limit_equilibrium/block_row/closed_forms.hpp"
 #include "random_problem.hpp"
 
 #include <gtest/gtest.h>

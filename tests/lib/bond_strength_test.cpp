@@ -1,7 +1,7 @@
 // Strength that bonded rock needs to stand, by reduction, and where it cracks.
-#include "dynamic_relaxation/bond_strength.hpp"
-#include "dynamic_relaxation/cracks.hpp"
-#include "dynamic_relaxation/scene_check.hpp"
+#include "dynamic_relaxation/step/bond_strength.hpp"
+#include "dynamic_relaxation/step/scene_check.hpp"
+#include "dynamic_relaxation/study/cracks.hpp"
 #include "relaxation_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // Contacts are looked for where something has moved, and only there.
-#include "dynamic_relaxation/contact_watch.hpp"
+#include "dynamic_relaxation/contact/contact_watch.hpp"
 
-#include "dynamic_relaxation/checkpoint.hpp"
-#include "dynamic_relaxation/contact_law.hpp"
-#include "dynamic_relaxation/neighbours.hpp"
+#include "dynamic_relaxation/blocks/neighbours.hpp"
+#include "dynamic_relaxation/contact/contact_law.hpp"
+#include "dynamic_relaxation/study/checkpoint.hpp"
 #include "relaxation_scenes.hpp"
 
 #include <gtest/gtest.h>

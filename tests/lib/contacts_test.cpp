@@ -1,7 +1,7 @@
 // Which edge a corner bears on.
-#include "dynamic_relaxation/contacts.hpp"
+#include "dynamic_relaxation/contact/contacts.hpp"
 
-#include "dynamic_relaxation/contact_law.hpp"
+#include "dynamic_relaxation/contact/contact_law.hpp"
 #include "relaxation_scenes.hpp"
 
 #include <gtest/gtest.h>

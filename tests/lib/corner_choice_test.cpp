@@ -1,8 +1,8 @@
 // Corners that meet corners: nothing is held that cannot be, and nothing falls that is held.
-#include "dynamic_relaxation/corner_choice.hpp"
+#include "dynamic_relaxation/contact/corner_choice.hpp"
 
-#include "dynamic_relaxation/relaxation_study.hpp"
-#include "dynamic_relaxation/strength_bound.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
+#include "dynamic_relaxation/study/strength_bound.hpp"
 #include "relaxation_scenes.hpp"
 #include "tests/support/jointed_slopes.hpp"
 

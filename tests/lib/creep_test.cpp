@@ -1,6 +1,6 @@
 // Starts that creep to the threshold of onset: for searches, which ask whether blocks stand and not how they move.
-#include "dynamic_relaxation/critical.hpp"
-#include "dynamic_relaxation/scenes.hpp"
+#include "dynamic_relaxation/scene/scenes.hpp"
+#include "dynamic_relaxation/study/critical.hpp"
 #include "relaxation_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The search for the least stable stepped base, and what it leaves standing.
-#include "limit_equilibrium/critical_base.hpp"
-#include "limit_equilibrium/base_profile.hpp"
+#include "limit_equilibrium/stepped_base/critical_base.hpp"
+#include "limit_equilibrium/columns/base_profile.hpp"
 #include "reference_recursion.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Columns bonded to their base, by relaxation, against the limit equilibrium of flexural toppling.
-#include "dynamic_relaxation/bond_strength.hpp"
-#include "dynamic_relaxation/bonds.hpp"
-#include "limit_equilibrium/flexural_toppling.hpp"
+#include "dynamic_relaxation/contact/bonds.hpp"
+#include "dynamic_relaxation/step/bond_strength.hpp"
+#include "limit_equilibrium/columns/flexural_toppling.hpp"
 #include "relaxation_scenes.hpp"
 
 #include <gtest/gtest.h>

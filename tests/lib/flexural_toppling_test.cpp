@@ -1,5 +1,5 @@
 // Limit equilibrium of flexural toppling: its limits, its balance, its order.
-#include "limit_equilibrium/flexural_toppling.hpp"
+#include "limit_equilibrium/columns/flexural_toppling.hpp"
 
 #include <gtest/gtest.h>
 

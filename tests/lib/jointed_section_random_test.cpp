@@ -1,7 +1,7 @@
 // Random outlines and cuts: whatever comes, the blocks are convex, fill the outline and are taken by the engine.
-#include "dynamic_relaxation/relaxation_study.hpp"
-#include "dynamic_relaxation/scene_check.hpp"
-#include "dynamic_relaxation/slope_scene.hpp"
+#include "dynamic_relaxation/scene/slope_scene.hpp"
+#include "dynamic_relaxation/step/scene_check.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include "tests/support/jointed_slopes.hpp"
 

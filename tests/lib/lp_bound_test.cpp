@@ -1,6 +1,6 @@
 // The bound by linear programming on rows of blocks: closed forms, duality, invariance, extremes, refusals.
-#include "limit_equilibrium/lp_bound.hpp"
-#include "limit_equilibrium/block_assembly.hpp"
+#include "limit_equilibrium/bound/lp_bound.hpp"
+#include "limit_equilibrium/bound/block_assembly.hpp"
 #include "random_problem.hpp"
 
 #include <gtest/gtest.h>

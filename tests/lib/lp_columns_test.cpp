@@ -1,6 +1,6 @@
 // The bound by linear programming on stepped bases, against the recursion, and on columns cut by cross joints.
-#include "limit_equilibrium/block_assembly.hpp"
-#include "limit_equilibrium/lp_bound.hpp"
+#include "limit_equilibrium/bound/block_assembly.hpp"
+#include "limit_equilibrium/bound/lp_bound.hpp"
 #include "random_problem.hpp"
 #include "reference_recursion.hpp"
 

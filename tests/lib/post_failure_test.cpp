@@ -1,7 +1,7 @@
 // What failed and what is left standing, of a slope whose blocks are put where the test wants them.
-#include "dynamic_relaxation/post_failure.hpp"
+#include "dynamic_relaxation/study/post_failure.hpp"
 
-#include "dynamic_relaxation/relaxation_study.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "tests/support/jointed_slopes.hpp"
 
 #include <gtest/gtest.h>

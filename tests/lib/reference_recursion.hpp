@@ -1,7 +1,7 @@
 // Goodman & Bray's recursion written out plainly, by which columns are judged without the library's own solver.
 #pragma once
 
-#include "limit_equilibrium/make_columns.hpp"
+#include "limit_equilibrium/columns/make_columns.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "dynamic_relaxation/critical.hpp"
+#include "dynamic_relaxation/study/critical.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The laws of contacts and loads at their thresholds, against limit equilibrium and the equation of motion.
 #include "relaxation_scenes.hpp"
 
-#include "dynamic_relaxation/joint_water.hpp"
-#include "dynamic_relaxation/loads.hpp"
-#include "dynamic_relaxation/scenes.hpp"
+#include "dynamic_relaxation/blocks/joint_water.hpp"
+#include "dynamic_relaxation/scene/scenes.hpp"
+#include "dynamic_relaxation/step/loads.hpp"
 #include "tests/support/brick_pack.hpp"
 
 #include <gtest/gtest.h>

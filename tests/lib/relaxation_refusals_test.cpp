@@ -1,5 +1,5 @@
 // What dynamic relaxation refuses to run, and that it names what is wrong and where.
-#include "dynamic_relaxation/scene_check.hpp"
+#include "dynamic_relaxation/step/scene_check.hpp"
 #include "relaxation_scenes.hpp"
 
 #include <gtest/gtest.h>

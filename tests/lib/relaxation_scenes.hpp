@@ -1,7 +1,7 @@
 // Scenes that the tests of dynamic relaxation share.
 #pragma once
 
-#include "dynamic_relaxation/simulation.hpp"
+#include "dynamic_relaxation/step/simulation.hpp"
 #include "parameters/fields.hpp"
 
 #include <cmath>

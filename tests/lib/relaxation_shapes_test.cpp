@@ -1,5 +1,5 @@
 // Awkward polygons, and scenes that must agree with each other: mirrored, moved far away, drawn in another frame.
-#include "dynamic_relaxation/scene_check.hpp"
+#include "dynamic_relaxation/step/scene_check.hpp"
 #include "relaxation_scenes.hpp"
 
 #include <gtest/gtest.h>

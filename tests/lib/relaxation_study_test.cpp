@@ -1,4 +1,4 @@
-#include "dynamic_relaxation/relaxation_study.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A block on an incline: Ashby's criteria, the rigid body's onset of motion, loads, extremes.
-#include "limit_equilibrium/single_block.hpp"
+#include "limit_equilibrium/block_row/single_block.hpp"
 #include "random_problem.hpp"
 
 #include <gtest/gtest.h>

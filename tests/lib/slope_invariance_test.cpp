@@ -1,5 +1,5 @@
 // Whether a jointed slope stands does not depend on how it is drawn.
-#include "dynamic_relaxation/strength_bound.hpp"
+#include "dynamic_relaxation/study/strength_bound.hpp"
 #include "tests/support/random_slopes.hpp"
 
 #include <gtest/gtest.h>

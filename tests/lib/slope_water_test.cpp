@@ -1,8 +1,8 @@
 // Water on the faces of blocks that joints cut: the pressure below a table of any shape, integrated along each face.
-#include "dynamic_relaxation/loads.hpp"
-#include "dynamic_relaxation/relaxation_study.hpp"
-#include "dynamic_relaxation/slope_scene.hpp"
-#include "dynamic_relaxation/water_table.hpp"
+#include "dynamic_relaxation/scene/slope_scene.hpp"
+#include "dynamic_relaxation/scene/water_table.hpp"
+#include "dynamic_relaxation/step/loads.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include "tests/support/jointed_slopes.hpp"
 

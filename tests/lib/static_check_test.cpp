@@ -1,7 +1,7 @@
 // A state in balance passes the check; the same state with anything changed that no joint holds does not.
-#include "dynamic_relaxation/static_check.hpp"
-#include "dynamic_relaxation/contact_law.hpp"
-#include "dynamic_relaxation/simulation.hpp"
+#include "dynamic_relaxation/statics/static_check.hpp"
+#include "dynamic_relaxation/contact/contact_law.hpp"
+#include "dynamic_relaxation/step/simulation.hpp"
 #include "parameters/fields.hpp"
 #include "tests/support/brick_pack.hpp"
 

@@ -1,5 +1,5 @@
 // The stepped base as the loops see it: named numbers in and out, inputs solved for, the ground left standing.
-#include "limit_equilibrium/stepped_base_study.hpp"
+#include "limit_equilibrium/stepped_base/stepped_base_study.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Columns on a stepped base against published and independently derived numbers.
-#include "limit_equilibrium/stepped_base.hpp"
+#include "limit_equilibrium/stepped_base/stepped_base.hpp"
 
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_dec_float.hpp>

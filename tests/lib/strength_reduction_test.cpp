@@ -1,6 +1,6 @@
 // Factors of safety by strength reduction against closed forms, and what they must not depend on.
-#include "dynamic_relaxation/strength_reduction.hpp"
-#include "dynamic_relaxation/relaxation_study.hpp"
+#include "dynamic_relaxation/study/strength_reduction.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Contacts and blocks taken many at a time do to the last bit what they do one by one.
-#include "dynamic_relaxation/block_sweep.hpp"
-#include "dynamic_relaxation/contact_law.hpp"
-#include "dynamic_relaxation/contact_sweep.hpp"
+#include "dynamic_relaxation/blocks/block_sweep.hpp"
+#include "dynamic_relaxation/contact/contact_law.hpp"
+#include "dynamic_relaxation/contact/contact_sweep.hpp"
 #include "tests/support/brick_pack.hpp"
 
 #include <gtest/gtest.h>

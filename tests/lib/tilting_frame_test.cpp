@@ -1,5 +1,5 @@
 // The tilting frame of chapter 3: blocks that are not alike, tilted at 8.33 deg/min, and the first tension crack.
-#include "dynamic_relaxation/relaxation_study.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The animation of a report: what its data say, and the drawing that stands there without its script.
-#include "plots/animation.hpp"
+#include "plots/report/animation.hpp"
 
-#include "plots/report.hpp"
+#include "plots/report/report.hpp"
 #include "samples.hpp"
 
 #include <gtest/gtest.h>

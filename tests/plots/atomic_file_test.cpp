@@ -1,4 +1,4 @@
-#include "plots/atomic_file.hpp"
+#include "plots/drawing/atomic_file.hpp"
 #include "scratch_folder.hpp"
 
 #include <gtest/gtest.h>

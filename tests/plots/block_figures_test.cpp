@@ -1,5 +1,5 @@
-#include "plots/block_figures.hpp"
-#include "plots/polygon.hpp"
+#include "plots/figures/block_figures.hpp"
+#include "plots/drawing/polygon.hpp"
 #include "samples.hpp"
 #include "series_of.hpp"
 

@@ -1,6 +1,6 @@
-#include "plots/figure.hpp"
-#include "plots/atomic_file.hpp"
-#include "plots/process.hpp"
+#include "plots/drawing/figure.hpp"
+#include "plots/drawing/atomic_file.hpp"
+#include "plots/drawing/process.hpp"
 #include "samples.hpp"
 #include "scratch_folder.hpp"
 

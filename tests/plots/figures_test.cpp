@@ -1,7 +1,7 @@
-#include "plots/figures.hpp"
-#include "plots/contour.hpp"
-#include "plots/fit_figures.hpp"
-#include "plots/text.hpp"
+#include "plots/figures/figures.hpp"
+#include "plots/drawing/contour.hpp"
+#include "plots/drawing/text.hpp"
+#include "plots/figures/fit_figures.hpp"
 #include "samples.hpp"
 #include "series_of.hpp"
 

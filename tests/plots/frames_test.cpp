@@ -1,7 +1,7 @@
 // Frames for ParaView, read back by a parser of their own.
-#include "plots/frames.hpp"
+#include "plots/report/frames.hpp"
 
-#include "plots/atomic_file.hpp"
+#include "plots/drawing/atomic_file.hpp"
 #include "scratch_folder.hpp"
 
 #include <gtest/gtest.h>

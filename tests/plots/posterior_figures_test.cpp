@@ -1,6 +1,6 @@
-#include "plots/posterior_figures.hpp"
+#include "plots/figures/posterior_figures.hpp"
 
-#include "plots/fit_figures.hpp"
+#include "plots/figures/fit_figures.hpp"
 #include "series_of.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "plots/report.hpp"
-#include "plots/atomic_file.hpp"
-#include "plots/svg.hpp"
+#include "plots/report/report.hpp"
+#include "plots/drawing/atomic_file.hpp"
+#include "plots/drawing/svg.hpp"
 #include "samples.hpp"
 #include "scratch_folder.hpp"
 

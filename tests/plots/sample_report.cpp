@@ -1,5 +1,5 @@
 // Usage: sample_report FOLDER. Draws every kind of figure and collects them, with an animation, in FOLDER/report.html.
-#include "plots/report.hpp"
+#include "plots/report/report.hpp"
 #include "samples.hpp"
 
 #include <iostream>

@@ -1,6 +1,6 @@
 #include "samples.hpp"
 
-#include "plots/fit_figures.hpp"
+#include "plots/figures/fit_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -324,7 +324,7 @@ Report report(const std::vector<FigureFiles>& drawn) {
         report.blocks.emplace_back(FigureInReport{files, "Sample figure " + files.svg.stem().string() + "."});
     }
     report.blocks.emplace_back(Heading{.text = "Provenance", .level = 3});
-    report.blocks.emplace_back(Provenance{{{"case", "cases/delabole_1967.toml"},
+    report.blocks.emplace_back(Provenance{{{"case", "cases/delabole_1967/delabole_1967.toml"},
                                            {"hash", "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"},
                                            {"seed", "1"}}});
     return report;

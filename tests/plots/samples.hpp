@@ -1,12 +1,12 @@
 // Figures and a report with the numbers of a real slope, for tests and for looking at.
 #pragma once
 
-#include "fitting/fit_result.hpp"
-#include "plots/animation.hpp"
-#include "plots/block_figures.hpp"
-#include "plots/figures.hpp"
-#include "plots/report.hpp"
-#include "plots/stereonet.hpp"
+#include "fitting/mechanism/fit_result.hpp"
+#include "plots/figures/block_figures.hpp"
+#include "plots/figures/figures.hpp"
+#include "plots/figures/stereonet.hpp"
+#include "plots/report/animation.hpp"
+#include "plots/report/report.hpp"
 
 #include <string>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "plots/sensitivity_figures.hpp"
+#include "plots/figures/sensitivity_figures.hpp"
 
 #include "series_of.hpp"
 

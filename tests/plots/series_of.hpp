@@ -1,7 +1,7 @@
 // The series of a figure, by their kind and legend.
 #pragma once
 
-#include "plots/figure.hpp"
+#include "plots/drawing/figure.hpp"
 
 #include <gtest/gtest.h>
 

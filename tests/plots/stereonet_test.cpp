@@ -1,4 +1,4 @@
-#include "plots/stereonet.hpp"
+#include "plots/figures/stereonet.hpp"
 #include "samples.hpp"
 #include "series_of.hpp"
 

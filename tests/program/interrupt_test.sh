@@ -4,7 +4,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 # Hours of work.
-long_fit=(fit "$source_folder/cases/delabole_1967.toml" --set fit.starts=100000
+long_fit=(fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --set fit.starts=100000
     --set fit.evaluations_per_start=100000)
 # Far more than it takes on a busy machine, far less than the work.
 patience=60

@@ -5,7 +5,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 if [[ $DELABOLE_WITH_MPI != ON && $DELABOLE_WITH_MPI != TRUE ]]; then
     echo "built without MPI"
-    OMPI_COMM_WORLD_SIZE=2 run "$program" check "$source_folder/cases/delabole_1967.toml"
+    OMPI_COMM_WORLD_SIZE=2 run "$program" check "$source_folder/cases/delabole_1967/delabole_1967.toml"
     expect_status 70
     expect_error 'this program was built without MPI'
     finish
@@ -37,7 +37,7 @@ same_answers() {
 
 probability=$source_folder/cases/plane_failure/sau_mau_ping_probability.toml
 write_good_fit good_fit.toml
-cp "$source_folder/cases/delabole_1967.toml" delabole.toml
+cp "$source_folder/cases/delabole_1967/delabole_1967.toml" delabole.toml
 fit=(fit delabole.toml --set fit.starts=5 --set fit.evaluations_per_start=200 --set fit.profile_points=7
     --set fit.map_points=9)
 

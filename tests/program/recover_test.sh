@@ -6,7 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 sliding() {
     # The case with its first mechanism alone, and without candidates and conclusions, which name the others.
     awk '/^\[\[fit.mechanism\]\]/ { if (++count == 2) exit } /^\[/ { skip = /^\[\[fit\.(candidate|conclusion)/ } !skip' \
-        "$source_folder/cases/delabole_1967.toml"
+        "$source_folder/cases/delabole_1967/delabole_1967.toml"
 }
 sliding >sliding.toml
 
@@ -60,7 +60,7 @@ expect_error 'delabole: interrupted: '
 expect_complete_results stopped
 
 title "what to measure next, with a fit"
-delabole fit "$source_folder/cases/delabole_1967.toml" --out fitted
+delabole fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --out fitted
 expect_output 'what to measure next'
 expect_output 'piezometers behind the face'
 expect "table" test -s fitted/value_of_information.csv

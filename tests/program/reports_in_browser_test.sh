@@ -15,7 +15,7 @@ in_browser() {
 }
 
 title "fit of the Delabole failure"
-delabole fit "$source_folder/cases/delabole_1967.toml" --out fit
+delabole fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --out fit
 expect_status 0
 in_browser fit
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Usage: rooms.sh ROOT
-# Holds the sources below ROOT to the plan of the house: each third-party library stays in its room, a room includes only
-# rooms below it, lib/ neither reads nor prints. Prints every include that breaks a rule as file:line:text; exit code 1
-# if there is one.
+# Holds the sources below ROOT to the plan of the house: each third-party library stays in its room, rooms and their
+# sub-rooms include only downwards, lib/ neither reads nor prints, no folder holds more sources than a reader takes in.
+# Prints every include that breaks a rule as file:line:text; exit code 1 if there is one.
 set -euo pipefail
 cd "$1"
 
@@ -28,13 +28,35 @@ declare -A rooms_below=(
 )
 posix='^(sys/[a-z]+|unistd|fcntl|signal|poll|spawn|termios)\.h$'
 # The one file that may include it: a library whose types nobody else should see.
-declare -A only_file=([glpk.h]=lib/limit_equilibrium/lp_bound.cpp [klu.h]=lib/numerics/sparse_system.cpp
-    [sqlite3.h]=fitting/evaluation_store.cpp [mpi.h]=fitting/ranks.cpp
-    [sys/mman.h]=lib/dynamic_relaxation/large_array.hpp
-    [emmintrin.h]=lib/dynamic_relaxation/lanes.hpp)
+declare -A only_file=([glpk.h]=lib/limit_equilibrium/bound/lp_bound.cpp [klu.h]=lib/numerics/sparse_system.cpp
+    [sqlite3.h]=fitting/work/evaluation_store.cpp [mpi.h]=fitting/work/ranks.cpp
+    [sys/mman.h]=lib/dynamic_relaxation/wide/large_array.hpp
+    [emmintrin.h]=lib/dynamic_relaxation/wide/lanes.hpp)
+# Folders inside a room, from the lowest up: each includes only itself and those before it. A folder with such a list
+# has no other folders, and no sources beside them.
+declare -A sub_rooms=(
+    [lib/limit_equilibrium]='columns bound block_row stepped_base'
+    [lib/dynamic_relaxation]='wide scene blocks contact statics step study'
+    [fitting]='work probability search posterior mechanism back_analysis studies sensitivity'
+    [plots]='drawing figures report'
+    [cases/program]='reader case terminal results reports models thesis commands'
+)
+most_sources=25
 forbidden_in_lib='^(iostream|fstream|ostream|istream|iomanip|cstdio|stdio\.h|filesystem|syncstream|print)$'
 
 broken=0
+# The place of a file in the list of its sub-rooms; empty for one that is in none.
+floor_of() {  # sub_rooms of a room, path below the room
+    local floor=0 name
+    for name in $1; do
+        if [[ ${2%%/*} == "$name" ]]; then
+            echo "$floor"
+            return
+        fi
+        floor=$((floor + 1))
+    done
+}
+
 report() {
     printf '%s: %s\n' "$1" "$2"
     broken=1
@@ -81,5 +103,26 @@ if [[ -d lib ]]; then
     done < <(grep -rnE '\b(std::)?(cout|cerr|clog)\b|\b(v?f?printf|f?puts|putchar|fwrite|fopen|perror)[[:space:]]*\(' \
         --include='*.[ch]pp' --include='*.in' lib)
 fi
+
+for room in "${!sub_rooms[@]}"; do
+    [[ -d $room ]] || continue
+    prefix=${room#lib/}
+    while IFS=: read -r file line text; do
+        floor=$(floor_of "${sub_rooms[$room]}" "${file#"$room"/}")
+        if [[ -z $floor ]]; then
+            report "$file" "stands in none of the folders of $room/: ${sub_rooms[$room]}"
+        elif [[ $text =~ \"$prefix/([^\"]+)\" ]]; then
+            included=$(floor_of "${sub_rooms[$room]}" "${BASH_REMATCH[1]}")
+            if [[ -n $included ]] && ((included > floor)); then
+                report "$file:$line" "may not include what stands above it in $room/: \"$prefix/${BASH_REMATCH[1]}\""
+            fi
+        fi
+    done < <(grep -rnE '^[[:space:]]*#[[:space:]]*include' --include='*.[ch]pp' "$room")
+done
+while read -r count folder; do
+    if [[ $folder != tests/* ]] && ((count > most_sources)); then
+        report "$folder" "holds $count sources, more than $most_sources"
+    fi
+done < <(find "${rooms[@]}" -name '*.[ch]pp' 2>/dev/null | sed 's#/[^/]*$##' | sort | uniq -c)
 
 exit "$broken"

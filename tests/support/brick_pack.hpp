@@ -1,7 +1,7 @@
 // Bricks of 1 m by 2 m, laid as in a wall, on a fixed plane and against a fixed toe.
 #pragma once
 
-#include "dynamic_relaxation/scene.hpp"
+#include "dynamic_relaxation/scene/scene.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,9 +1,9 @@
 // Random blocks that fall, slide and pile up on fixed ones, and what must not happen to them: a block in another.
 #pragma once
 
-#include "dynamic_relaxation/overlap.hpp"
-#include "dynamic_relaxation/scene_check.hpp"
-#include "dynamic_relaxation/simulation.hpp"
+#include "dynamic_relaxation/blocks/overlap.hpp"
+#include "dynamic_relaxation/step/scene_check.hpp"
+#include "dynamic_relaxation/step/simulation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Random jointed slopes, and ways to draw the same slope that must not change whether it stands.
 #pragma once
 
-#include "dynamic_relaxation/bonds.hpp"
-#include "dynamic_relaxation/relaxation_study.hpp"
+#include "dynamic_relaxation/contact/bonds.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "tests/support/jointed_slopes.hpp"
 
 #include <algorithm>

@@ -1,0 +1,157 @@
+#include "cases/program/case/case_file.hpp"
+
+#include "cases/program/case/case_parts.hpp"
+#include "cases/program/reader/described_reader.hpp"
+#include "cases/program/reader/ordinary_file.hpp"
+
+#include <utility>
+
+namespace delabole {
+namespace {
+
+constexpr std::int64_t schema = 1;
+
+[[noreturn]] void refuse(const std::string& file, std::string message) {
+    throw CaseError(
+        {Problem{.file = file, .line = 0, .column = 0, .key = {}, .value = {}, .message = std::move(message)}});
+}
+
+std::string read_text_file(const std::filesystem::path& path) {
+    FileContent content = read_ordinary_file(path, "a case file", largest_case_bytes);
+    if (!content.fault.empty()) {
+        refuse(path.string(), std::move(content.fault));
+    }
+    return std::move(content.bytes);
+}
+
+void read_schema(Section& root) {
+    const Node* node = root.require("schema", "the version of the case format, schema = 1");
+    if (node != nullptr && (node->kind != Node::Kind::integer || node->integer != schema)) {
+        root.complain("schema", *node, "must be 1, the only version of the case format");
+    }
+}
+
+template <std::size_t... index>
+std::optional<CaseModel> model_of_index(std::size_t wanted, std::index_sequence<index...>) {
+    std::optional<CaseModel> model;
+    ((wanted == index ? static_cast<void>(model.emplace(std::in_place_index<index>)) : void()), ...);
+    return model;
+}
+
+}  // namespace
+
+std::string_view model_name(const CaseModel& model) {
+    return std::visit([](const auto& alternative) { return std::remove_cvref_t<decltype(alternative)>::kind; }, model);
+}
+
+std::vector<std::string> model_names() {
+    return detail::kind_names<CaseModel>();
+}
+
+std::vector<Quantity> named_inputs(const CaseModel& model) {
+    std::vector<Quantity> inputs;
+    const auto add = [&](const std::string& path, const FieldInfo& info, double value) {
+        inputs.push_back({.name = path,
+                          .dimension = info.dimension,
+                          .meaning = std::string(info.meaning),
+                          .range = info.range,
+                          .value = value});
+    };
+    std::visit(
+        [&](const auto& parameters) {
+            if constexpr (requires { parameters.model; }) {
+                for_each_named_number(parameters.model, add);
+            } else {
+                for_each_named_number(parameters, add);
+            }
+        },
+        model);
+    return inputs;
+}
+
+std::optional<CaseModel> choose_model(Section& section) {
+    const std::vector<std::string> names = model_names();
+    const Node* node = section.require("model", choices(names));
+    const auto index =
+        node == nullptr ? std::nullopt : read_choice(section.reading(), *node, section.path_of("model"), names);
+    return index ? model_of_index(*index, std::make_index_sequence<std::variant_size_v<CaseModel>>{}) : std::nullopt;
+}
+
+bool Expectation::is_word() const {
+    const auto* text = std::get_if<std::string>(&value);
+    return text != nullptr && !looks_like_quantity(*text);
+}
+
+void read_model(Section& section, CaseModel& model) {
+    std::visit([&](auto& alternative) { read_fields(section, alternative); }, model);
+}
+
+void replace_in_model(Section& section, CaseModel& model) {
+    std::visit([&](auto& alternative) { replace_fields(section, alternative); }, model);
+}
+
+CaseFile read_case(const std::filesystem::path& path, const std::vector<Setting>& settings,
+                   const OutputsOf& outputs_of) {
+    return parse_case(read_text_file(path), path.string(), settings, outputs_of);
+}
+
+CaseFile parse_case(std::string_view text, std::string_view name, const std::vector<Setting>& settings,
+                    const OutputsOf& outputs_of) {
+    Node tree = parse_document(text, name);
+    Reading reading{std::string(name)};
+    std::vector<Problem> setting_problems;
+    for (const Setting& setting : settings) {
+        apply_setting(tree, setting, setting_problems);
+    }
+    for (Problem& problem : setting_problems) {
+        reading.complain(std::move(problem));
+    }
+
+    CaseFile result;
+    result.name = std::string(name);
+    Section root(reading, tree, "");
+    read_schema(root);
+    result.title = read_optional_text(root, "title");
+    result.description = read_optional_text(root, "description");
+    std::optional<CaseModel> model = choose_model(root);
+    result.sources = read_sources(root);
+    if (!model) {
+        // Without a model no other key can be judged.
+        reading.finish();
+    }
+    result.model = *std::move(model);
+    read_model(root, result.model);
+    complete_model(reading, result.model, name, "");
+    result.expectations = read_expectations(root, names_of(result.model, outputs_of, reading.inputs_known()));
+    if (root.contains("fit")) {
+        result.fit = read_fit(root, result, outputs_of);
+    } else {
+        root.allow("fit");
+    }
+    if (root.contains("sensitivity")) {
+        result.sensitivity = read_sensitivity(root, result.model, outputs_of);
+    } else {
+        root.allow("sensitivity");
+    }
+    root.finish();
+    check_sources(reading, result.sources);
+    reading.finish();
+    result.places = reading.places();
+    return result;
+}
+
+Problem problem_at(const CaseFile& case_file, const std::string& key, std::string message) {
+    Problem problem{.file = case_file.name, .line = 0, .column = 0, .key = key, .value = {}, .message = {}};
+    const auto found = case_file.places.find(key);
+    if (found != case_file.places.end()) {
+        const Place& place = found->second.place;
+        problem.file = place.from_option ? "--set" : case_file.name;
+        problem.line = place.line;
+        problem.column = place.column;
+        problem.value = found->second.value;
+    }
+    problem.message = std::move(message);
+    return problem;
+}
+
+}  // namespace delabole

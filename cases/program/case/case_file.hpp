@@ -1,0 +1,116 @@
+// A case: what stands in one *.toml file, checked and in SI.
+#pragma once
+
+#include "cases/program/case/model_list.hpp"
+#include "cases/program/case/model_outputs.hpp"
+#include "cases/program/reader/case_error.hpp"
+#include "cases/program/reader/document.hpp"
+#include "cases/program/reader/section.hpp"
+#include "cases/program/reader/units.hpp"
+#include "fitting/posterior/fit_problem.hpp"
+#include "fitting/sensitivity/sensitivity_problem.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace delabole {
+
+// The word after `model =` in a case, and all of them.
+std::string_view model_name(const CaseModel& model);
+std::vector<std::string> model_names();
+
+// The numbers of a case's model by name, with dimension, range, meaning and value; those a fit may set free, a
+// condition may change and `required` may solve for. What a study asks for (its searches) is not among them.
+std::vector<Quantity> named_inputs(const CaseModel& model);
+
+// One [[expect]]: a value printed somewhere, to be compared with the computed one.
+struct Expectation {
+    std::string quantity;
+    WrittenValue value;                        // a number, a quantity or a word such as an outcome's name
+    std::optional<WrittenValue> tolerance;     // absolute, of the value's dimension
+    std::optional<double> relative_tolerance;  // of the value
+    std::optional<Dimension> dimension;        // where the model lists the quantity; value and tolerance then convert
+    std::vector<Condition> conditions;         // inputs that differ from the case's, SI
+    std::string source;
+    std::string note;
+    std::optional<std::string> unreachable;  // why the printed value cannot be reached: shown, not failed
+    Place place;
+
+    // A word has to be equal; anything else has exactly one tolerance, unless it is unreachable.
+    bool is_word() const;
+};
+
+struct CaseObservation {
+    QuantityObservation observation;  // SI
+    Dimension dimension;              // of its value and standard deviation
+};
+
+struct CaseSign {
+    EvidenceSign sign;  // SI
+    Dimension dimension;
+};
+
+struct FitMechanism {
+    std::string name;
+    std::string title;
+    CaseModel model;  // the case's, with the sections that the mechanism replaces; or one of its own kind, given whole
+    std::vector<FreeParameter> parameters;
+    std::vector<CaseObservation> observations = {};  // by the labels of those of all
+    std::vector<CaseSign> signs = {};
+    std::optional<CaseModel> coarse = {};  // the mechanism's own, with the sections that its coarse model replaces
+};
+
+struct CaseCandidate {
+    FitCandidate candidate;  // SI
+    Dimension dimension;     // of its standard deviation
+};
+
+// [fit], in the terms of fitting/posterior/fit_problem.hpp, SI throughout.
+struct CaseFit {
+    std::vector<FitMechanism> mechanisms;  // at least one; a case without [[fit.mechanism]] has one named as its model
+    std::vector<CaseObservation> observations;  // may be empty where there is a profile
+    std::optional<ProfileObservation> profile;
+    std::vector<FieldEvidence> evidence;
+    std::vector<CaseCandidate> candidates;
+    std::vector<Conclusion> conclusions;
+    FitSettings settings;
+    std::optional<PosteriorStudy> posterior;
+};
+
+// [sensitivity], SI throughout.
+struct CaseSensitivity {
+    SensitivityStudy study;
+    Dimension dimension = Dimension::ratio;  // of the quantity
+};
+
+struct CaseFile {
+    std::string name;  // as the caller named it, for messages
+    std::string title;
+    std::string description;
+    CaseModel model;
+    std::map<std::string, std::string> sources;  // key of the case -> where its value comes from
+    std::vector<Expectation> expectations;
+    std::optional<CaseFit> fit;
+    std::optional<CaseSensitivity> sensitivity;
+    std::map<std::string, KeyPlace> places;  // every key that was read
+};
+
+// Reads a case file with `settings` (--set) put in place of what the file says. A setting of one choice (as
+// water.filled_ratio) takes the place of the file's other choice (water.water_depth). Throws CaseError with everything
+// that is wrong: unreadable, larger than 4 MiB, not TOML, unknown or missing keys, units, ranges, names.
+CaseFile read_case(const std::filesystem::path& path, const std::vector<Setting>& settings = {},
+                   const OutputsOf& outputs_of = known_outputs);
+
+// The same for text in memory; `name` stands for the file in messages.
+CaseFile parse_case(std::string_view text, std::string_view name, const std::vector<Setting>& settings = {},
+                    const OutputsOf& outputs_of = known_outputs);
+
+// A complaint about a value that only the model could judge, at the place where the case gives it.
+Problem problem_at(const CaseFile& case_file, const std::string& key, std::string message);
+
+}  // namespace delabole

@@ -1,0 +1,48 @@
+#include "cases/program/case/model_cases.hpp"
+#include "cases/program/case/case_parts.hpp"
+#include "cases/program/reader/spelling.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+// At the mechanism's own key where it has one, otherwise at the case's.
+void Checker::complain(const std::string& key, std::string message) {
+    reading_->complain_at(reading_->knows(prefix_ + key) ? prefix_ + key : key, std::move(message));
+}
+
+std::string indexed(const std::string& key, std::size_t index) {
+    return key + "[" + std::to_string(index + 1) + "]";
+}
+
+void check_whole(Checker& checker, const std::string& key, const std::optional<double>& number) {
+    if (number && *number != std::floor(*number)) {
+        checker.complain(key, "must be a whole number");
+    }
+}
+
+void check_input_name(Checker& checker, const std::string& key, const std::string& name, const CaseModel& model) {
+    const std::vector<std::string> inputs = names_in(named_inputs(model));
+    if (std::ranges::find(inputs, name) == inputs.end()) {
+        checker.complain(key, "is not an input of this case" + suggestion(name, inputs));
+    }
+}
+
+void complete_model(Reading& reading, CaseModel& model, const std::filesystem::path& case_path,
+                    const std::string& prefix) {
+    if (!reading.clean()) {
+        return;
+    }
+    std::visit([&](auto& alternative) { take_files(reading, alternative, case_path.parent_path(), prefix); }, model);
+    if (reading.clean()) {
+        Checker checker(reading, prefix);
+        std::visit([&](const auto& alternative) { check_case(checker, alternative); }, model);
+    }
+}
+
+std::vector<Quantity> known_outputs(const CaseModel& model) {
+    return std::visit([](const auto& alternative) { return possible_outputs(alternative); }, model);
+}
+
+}  // namespace delabole

@@ -1,0 +1,106 @@
+// What the reader needs of each model beyond its table of fields. Each model has these functions in its own
+// <model>_case.cpp.
+#pragma once
+
+#include "cases/program/case/model_list.hpp"
+#include "cases/program/reader/section.hpp"
+#include "parameters/model_interface.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace delabole {
+
+// Complains about values that contradict each other.
+class Checker {
+  public:
+    Checker(Reading& reading, std::string prefix) : reading_(&reading), prefix_(std::move(prefix)) {}
+
+    // At the mechanism's own key where it has one, otherwise at the case's.
+    void complain(const std::string& key, std::string message);
+
+  private:
+    Reading* reading_;
+    std::string prefix_;
+};
+
+// "bolt[2]" for index 1
+std::string indexed(const std::string& key, std::size_t index);
+
+// Complains about a number that is there and not whole.
+void check_whole(Checker& checker, const std::string& key, const std::optional<double>& number);
+
+// Complains about the first point whose coordinate does not exceed the one before.
+template <class Point, class Coordinate>
+void check_increasing(Checker& checker, const std::vector<Point>& points, Coordinate coordinate, const std::string& key,
+                      const std::string& name) {
+    for (std::size_t index = 1; index < points.size(); ++index) {
+        if (!(points[index].*coordinate > points[index - 1].*coordinate)) {
+            checker.complain(indexed(key, index) + "." + name, "must be more than that of the point before");
+            return;
+        }
+    }
+}
+
+// Complains unless the value of the key names an input of the case.
+void check_input_name(Checker& checker, const std::string& key, const std::string& name, const CaseModel& model);
+
+template <class Request>
+void check_required(Checker& checker, const std::vector<Request>& requests, const CaseModel& model) {
+    for (std::size_t index = 0; index < requests.size(); ++index) {
+        check_input_name(checker, indexed("required", index) + ".parameter", requests[index].parameter, model);
+    }
+}
+
+// Puts what files in the case's folder hold in the place of their names. `prefix` is what the keys of the model begin
+// with. Only slopes and records of shaking are read from files.
+template <class Model>
+void take_files(Reading& /*reading*/, Model& /*model*/, const std::filesystem::path& /*folder*/,
+                const std::string& /*prefix*/) {}
+void take_files(Reading& reading, RelaxationStudy& study, const std::filesystem::path& folder,
+                const std::string& prefix);
+
+// What `delabole init` writes: a valid case, and what else a case of the model may say, as text to be commented out.
+template <class Model>
+struct ModelExample {
+    Model model;
+    std::string_view title;
+    std::string_view further_parts;
+};
+
+// What concerns several inputs at once and can be judged without running the model.
+void check_case(Checker& checker, const PlaneFailureStudy<>& study);
+void check_case(Checker& checker, const SteppedBaseStudy<>& study);
+void check_case(Checker& checker, const SingleBlock<>& problem);
+void check_case(Checker& checker, const BlockRow<>& row);
+void check_case(Checker& checker, const TiltedColumn<>& column);
+void check_case(Checker& checker, const KinematicsStudy& study);
+void check_case(Checker& checker, const RelaxationStudy& study);
+void check_case(Checker& checker, const FlexuralSlope& slope);
+
+// The pointers only choose the model.
+ModelExample<PlaneFailureStudy<>> example_case(const PlaneFailureStudy<>*);
+ModelExample<SteppedBaseStudy<>> example_case(const SteppedBaseStudy<>*);
+ModelExample<SingleBlock<>> example_case(const SingleBlock<>*);
+ModelExample<BlockRow<>> example_case(const BlockRow<>*);
+ModelExample<TiltedColumn<>> example_case(const TiltedColumn<>*);
+ModelExample<KinematicsStudy> example_case(const KinematicsStudy*);
+ModelExample<RelaxationStudy> example_case(const RelaxationStudy*);
+ModelExample<FlexuralSlope> example_case(const FlexuralSlope*);
+
+// All that the model can answer, whatever a case asks of it. The values of the model may be out of their ranges; only
+// how many parts it has may matter.
+std::vector<Quantity> possible_outputs(const PlaneFailureStudy<>& study);
+std::vector<Quantity> possible_outputs(const SteppedBaseStudy<>& study);
+std::vector<Quantity> possible_outputs(const SingleBlock<>& problem);
+std::vector<Quantity> possible_outputs(const BlockRow<>& row);
+std::vector<Quantity> possible_outputs(const TiltedColumn<>& column);
+std::vector<Quantity> possible_outputs(const KinematicsStudy& study);
+std::vector<Quantity> possible_outputs(const RelaxationStudy& study);
+std::vector<Quantity> possible_outputs(const FlexuralSlope& slope);
+
+}  // namespace delabole

@@ -1,0 +1,21 @@
+// The models a case may name. A new one is added here, and gets a <model>_case.cpp and a <model>_report.cpp: see
+// model_cases.hpp and model_reports.hpp for what they hold.
+#pragma once
+
+#include "dynamic_relaxation/study/relaxation_study.hpp"
+#include "kinematics/parameters.hpp"
+#include "limit_equilibrium/block_row/block_row_parameters.hpp"
+#include "limit_equilibrium/block_row/single_block.hpp"
+#include "limit_equilibrium/columns/flexural_toppling.hpp"
+#include "limit_equilibrium/stepped_base/stepped_base_study.hpp"
+#include "plane_failure/study.hpp"
+#include "water/tilted_column.hpp"
+
+#include <variant>
+
+namespace delabole {
+
+using CaseModel = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, SingleBlock<>, BlockRow<>, TiltedColumn<>,
+                               KinematicsStudy, RelaxationStudy, FlexuralSlope>;
+
+}  // namespace delabole

@@ -1,0 +1,28 @@
+// The commands of the program.
+#pragma once
+
+#include "cases/program/terminal/options.hpp"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace delabole {
+
+// Each may throw UsageError (usage), CaseError (invalid_case) and OutputError (output_failure).
+ExitCode run_command(const Paths& cases, const Options& options);
+ExitCode fit_command(const std::filesystem::path& path, const Options& options);
+ExitCode recover_command(const std::filesystem::path& path, const Options& options);
+ExitCode sensitivity_command(const std::filesystem::path& path, const Options& options);
+ExitCode trade_command(const std::filesystem::path& path, const Options& options);
+ExitCode check_command(const Paths& cases, const Options& options);
+ExitCode show_command(const std::filesystem::path& path, const Options& options);
+ExitCode init_command(const std::string& model, const Options& options);
+ExitCode verify_command(const Paths& cases, const Options& options);
+ExitCode reproduce_command(const std::string& what, const Options& options);
+
+// What reproduce accepts, with a line on each.
+std::vector<std::pair<std::string, std::string>> reproducible();
+
+}  // namespace delabole

@@ -1,0 +1,171 @@
+// delabole fit
+#include "cases/program/commands/commands.hpp"
+#include "cases/program/reader/case_error.hpp"
+#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reports/conclusions_report.hpp"
+#include "cases/program/reports/fit_report.hpp"
+#include "cases/program/reports/information_report.hpp"
+#include "cases/program/results/fit_problem_of_case.hpp"
+#include "cases/program/results/inputs_report.hpp"
+#include "cases/program/results/kept_evaluations.hpp"
+#include "cases/program/results/study_output.hpp"
+#include "cases/program/terminal/interrupt.hpp"
+#include "cases/program/terminal/progress.hpp"
+#include "fitting/back_analysis/back_analysis.hpp"
+#include "fitting/back_analysis/check_problem.hpp"
+#include "fitting/studies/candidate_draws.hpp"
+#include "fitting/work/words.hpp"
+
+#include <algorithm>
+
+namespace delabole {
+
+namespace {
+
+bool any_status(const FitResult& result, FitStatus status) {
+    return std::any_of(result.mechanisms.begin(), result.mechanisms.end(),
+                       [&](const MechanismFit& fit) { return fit.status == status; });
+}
+
+bool any_posterior_open(const FitResult& result) {
+    return std::any_of(result.mechanisms.begin(), result.mechanisms.end(), [](const MechanismFit& fit) {
+        return fit.posterior && fit.posterior->posterior.status != PosteriorStatus::converged;
+    });
+}
+
+template <class Work>
+auto with_progress(const Options& options, Work&& work) {
+    Progress progress(options.quiet);
+    return work([&](const FitProgress& state) {
+        progress.report(state.fraction, std::string(state.mechanism) + ": " + std::string(state.stage));
+    });
+}
+
+std::string status_of(const FitResult& result) {
+    if (any_status(result, FitStatus::interrupted)) {
+        return "interrupted";
+    }
+    return any_status(result, FitStatus::no_valid_point)     ? "no_valid_point"
+           : any_status(result, FitStatus::evaluation_limit) ? "evaluation_limit"
+           : any_posterior_open(result)                      ? "posterior_not_converged"
+                                                             : "converged";
+}
+
+// What keeps a result from being the answer; empty where nothing does.
+std::string reservation(const std::string& status) {
+    if (status == "interrupted") {
+        return "interrupted: the back-analysis was stopped early; what it had found is shown";
+    }
+    if (status == "evaluation_limit") {
+        return "not converged: the best search of a mechanism ended at its limit of evaluations before its tolerance; "
+               "fit.evaluations_per_start sets the limit";
+    }
+    if (status == "posterior_not_converged") {
+        return "not converged: a mechanism's posterior was not sampled until its chains agreed; "
+               "fit.posterior.evaluations_per_chain sets the limit";
+    }
+    if (status == "no_valid_point") {
+        return "not converged: a mechanism has no valid geometry anywhere between the bounds of its parameters";
+    }
+    return {};
+}
+
+// Leaves those that are asked for, in the order of the case. Returns the names of those that wait to be asked for.
+std::vector<std::string> choose_mechanisms(CaseFit& fit, const Options& options) {
+    if (options.mechanisms.empty()) {
+        return options.with_costly ? std::vector<std::string>() : leave_out_costly(fit);
+    }
+    std::vector<std::string> names;
+    for (const FitMechanism& mechanism : fit.mechanisms) {
+        names.push_back(mechanism.name);
+    }
+    for (const std::string& name : options.mechanisms) {
+        if (std::ranges::find(names, name) == names.end()) {
+            throw UsageError("--mechanism " + name + ": the case has no such mechanism" + suggestion(name, names));
+        }
+    }
+    std::erase_if(fit.mechanisms, [&](const FitMechanism& mechanism) {
+        return std::ranges::find(options.mechanisms, mechanism.name) == options.mechanisms.end();
+    });
+    return {};
+}
+
+// What the reader should know of mechanisms that were not fitted.
+std::string left_out_in_words(const std::vector<std::string>& names) {
+    return "Left out: " + list_in_words(names) +
+           ". Every prediction is a run of dynamic relaxation; --with-costly fits such mechanisms too, in minutes.";
+}
+
+}  // namespace
+
+ExitCode fit_command(const std::filesystem::path& path, const Options& options) {
+    const Stopwatch watch;
+    CaseFile file = read_case(path, settings_of(options));
+    if (!file.fit) {
+        throw CaseError(
+            {{file.name, 0, 0, "fit", {}, "the case has no [fit] section: there is nothing to back-analyse"}});
+    }
+    const std::vector<std::string> left_out = choose_mechanisms(*file.fit, options);
+    FitProblem problem = fit_problem_of(file, options.threads, options.seed);
+    const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
+    KeptEvaluations kept(options, folder);
+    for (std::size_t index = 0; index < problem.mechanisms.size(); ++index) {
+        const FitMechanism& mechanism = file.fit->mechanisms[index];
+        kept.keep(problem.mechanisms[index].model, mechanism.model);
+        if (mechanism.coarse) {
+            kept.keep(*problem.mechanisms[index].coarse, *mechanism.coarse);
+        }
+    }
+    problem.settings.ranks = options.ranks;
+    const FitResult result = with_progress(
+        options, [&](const FitProgressCallback& progress) { return fit(problem, progress, &interrupt_flag()); });
+    const std::vector<CandidateInformation> information = information_of(problem, result, {}, &interrupt_flag());
+    const std::vector<ConclusionFinding> findings = with_progress(options, [&](const FitProgressCallback& progress) {
+        return judge_conclusions(problem, result, progress, &interrupt_flag());
+    });
+    kept.count_all();
+    if (!leads(options)) {
+        return ExitCode::ok;
+    }
+
+    Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    const std::string status = status_of(result);
+    const std::string reserved = reservation(status);
+    add_reservation(reserved, status == "interrupted", report);
+    FitDocuments documents = document_fit(file, problem, result, folder, report);
+    documents.json["status"] = status;
+    if (!left_out.empty()) {
+        documents.json["left_out"] = left_out;
+        documents.screen += left_out_in_words(left_out) + "\n";
+        report.blocks.emplace_back(Paragraph{left_out_in_words(left_out)});
+    }
+    if (!information.empty()) {
+        const InformationDocuments next = document_information(problem.candidates, information, folder, report);
+        documents.json["value_of_information"] = next.json;
+        documents.screen += next.screen;
+    }
+    if (!findings.empty()) {
+        const ConclusionDocuments held = document_conclusions(problem.conclusions, findings, folder, report);
+        documents.json["conclusions"] = held.json;
+        documents.screen += held.screen;
+    }
+    Json source = provenance(file, "fit", options, watch.seconds());
+    source["fit_seconds"] = result.wall_seconds;
+    source["algorithm"] = std::string(word_of(problem.settings.algorithm));
+    source["starts"] = problem.settings.starts;
+    source["evaluations_per_start"] = problem.settings.evaluations_per_start;
+    source["seed"] = problem.settings.seed;
+    kept.enter(source);
+    documents.json["provenance"] = source;
+    report.blocks.emplace_back(Heading{"Inputs"});
+    report.blocks.emplace_back(inputs_table(file));
+    report.blocks.emplace_back(evidence_table(problem));
+    const ExitCode code = write_study({file, documents.json, '\n' + documents.screen + kept.summary(), reserved},
+                                      folder, options, report);
+    if (status == "interrupted") {
+        kept.say_how_to_go_on();
+    }
+    return code;
+}
+
+}  // namespace delabole

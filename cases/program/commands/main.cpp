@@ -1,0 +1,333 @@
+// Arguments in, exit code out; everything else is in the commands.
+#include "cases/program/case/case_file.hpp"
+#include "cases/program/commands/commands.hpp"
+#include "cases/program/reader/case_error.hpp"
+#include "cases/program/reader/spelling.hpp"
+#include "cases/program/terminal/interrupt.hpp"
+#include "cases/program/terminal/plain_output.hpp"
+#include "fitting/work/evaluation_store.hpp"
+#include "fitting/work/ranks.hpp"
+#include "plots/drawing/atomic_file.hpp"
+#include "version/version.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace {
+
+using delabole::ExitCode;
+using delabole::Options;
+using delabole::Paths;
+
+int code(ExitCode exit_code) {
+    return static_cast<int>(exit_code);
+}
+
+// CLI11 takes -1 for the largest number there is, and anything too large as well. Empty where all is well.
+std::string is_seed(const std::string& text) {
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    return error == std::errc{} && end == text.data() + text.size() ? ""
+                                                                    : text + " is not an integer from 0 to 2^64 - 1";
+}
+
+void add_common(CLI::App& command, Options& options) {
+    command.add_option("--set", options.settings, "Replace a value of the case, key=value; may be given several times")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command.add_flag("--json", options.json, "Print the result as JSON on standard output");
+    command.add_flag("--quiet", options.quiet, "Print nothing but errors (and what --json asks for)");
+}
+
+void add_output(CLI::App& command, Options& options) {
+    command
+        .add_option(
+            "--out", options.out,
+            "Folder for the results; by default results/<name of the case>. It holds one result, which takes the "
+            "place of what files.txt in it lists; other files stay. Symbolic links in it are not followed, and a "
+            "second delabole is refused while one is writing")
+        ->type_name("DIR");
+}
+
+void add_threads(CLI::App& command, Options& options) {
+    command.add_option("--threads", options.threads, "Threads to use; the result does not depend on their number")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+}
+
+void add_loops(CLI::App& command, Options& options) {
+    add_threads(command, options);
+    command.add_option("--seed", options.seed, "Replace the seed of the case")->check(is_seed)->type_name("N");
+}
+
+void add_store(CLI::App& command, Options& options) {
+    command
+        .add_option("--store", options.store,
+                    "File that keeps the evaluations of costly models (dynamic relaxation), made where it is missing: "
+                    "a study that was stopped goes on from it, and others of the same model use them too; by default "
+                    "evaluations.sqlite in the result folder")
+        ->type_name("FILE");
+}
+
+std::string reproduce_help() {
+    std::string text = "Recompute what the thesis prints, printed value beside computed value. WHAT is one of\n";
+    for (const auto& [name, meaning] : delabole::reproducible()) {
+        text.append("  ").append(name).append(": ").append(meaning).append("\n");
+    }
+    return text;
+}
+
+std::string example(const std::string& command) {
+    return "Example:\n  " + command;
+}
+
+// Options that lead to a command, and the command.
+struct Program {
+    CLI::App app{
+        "Back-analysis of rock-slope failures.\n"
+        "Exit codes: 0 ok, 1 verify mismatch, 2 usage, 3 invalid case, 4 not converged or interrupted, "
+        "5 output failure, 70 a fault of the program itself.",
+        "delabole"};
+    Options options;
+    Paths cases;
+    std::filesystem::path one_case;
+    std::string word;
+    std::function<ExitCode()> chosen;
+
+    explicit Program(const delabole::Ranks& ranks) {
+        options.ranks = &ranks;
+        app.set_version_flag("--version",
+                             std::string(delabole::version()) + " (" + std::string(delabole::revision()) + ")");
+        app.require_subcommand(1);
+        app.footer(example("delabole run cases/plane_failure/wyllie_mah_7_1.toml"));
+        add_analysis();
+        add_case_tools();
+        add_proof();
+    }
+
+    // A command whose work several ranks can share.
+    void share_out(std::function<ExitCode()> command) {
+        options.quiet = options.quiet || !options.ranks->leads();
+        chosen = std::move(command);
+    }
+
+    void choose(std::function<ExitCode()> command) {
+        chosen = [this, command = std::move(command)] {
+            if (!options.ranks->alone()) {
+                throw delabole::UsageError(
+                    "of the commands only fit, recover and sensitivity share their work among ranks: run this one "
+                    "without "
+                    "mpirun");
+            }
+            return command();
+        };
+    }
+
+    void add_analysis() {
+        CLI::App* run = app.add_subcommand("run", "Analyse cases; prints a table and writes a result folder for each");
+        run->add_option("CASE", cases, "Case files")->required();
+        add_common(*run, options);
+        add_output(*run, options);
+        add_threads(*run, options);
+        run->add_option("--checkpoint-every", options.seconds_between_checkpoints,
+                        "Seconds between checkpoints of a long dynamic relaxation, from which the same command goes on "
+                        "once it was stopped; 60 by default")
+            ->check(CLI::Range(0.0, 86'400.0))  // a day: the bounds are printed
+            ->type_name("SECONDS");
+        run->footer(example("delabole run cases/plane_failure/wyllie_mah_7_1.toml --set water.water_depth=\"2 m\""));
+        run->callback([this] { choose([this] { return delabole::run_command(cases, options); }); });
+
+        CLI::App* fit = app.add_subcommand(
+            "fit", "Back-analyse a failure: what its evidence determines, fitted parameters, ranking of mechanisms");
+        fit->add_option("CASE", one_case, "Case file with a [fit] section")->required();
+        add_common(*fit, options);
+        add_output(*fit, options);
+        add_loops(*fit, options);
+        add_store(*fit, options);
+        fit->add_option("--mechanism", options.mechanisms, "Fit this mechanism only; may be given again")
+            ->type_name("NAME");
+        fit->add_flag("--with-costly", options.with_costly,
+                      "Fit mechanisms too whose every prediction is a run of dynamic relaxation: minutes")
+            ->excludes("--mechanism");
+        fit->footer(example("delabole fit cases/delabole_1967/delabole_1967.toml --out results/delabole_1967"));
+        fit->callback([this] { share_out([this] { return delabole::fit_command(one_case, options); }); });
+
+        add_recovery();
+
+        CLI::App* sensitivity = app.add_subcommand(
+            "sensitivity", "Which parameter matters, the distribution of an answer, the probability of failure");
+        sensitivity->add_option("CASE", one_case, "Case file with a [sensitivity] section")->required();
+        add_common(*sensitivity, options);
+        add_output(*sensitivity, options);
+        add_loops(*sensitivity, options);
+        add_store(*sensitivity, options);
+        sensitivity->footer(example("delabole sensitivity cases/plane_failure/sau_mau_ping_probability.toml"));
+        sensitivity->callback(
+            [this] { share_out([this] { return delabole::sensitivity_command(one_case, options); }); });
+
+        CLI::App* trade = app.add_subcommand(
+            "trade", "Accuracy against cost of a dynamic relaxation: its critical value over the numerical knobs");
+        trade->add_option("CASE", one_case, "Case file of model relaxation with a [critical] section")->required();
+        add_common(*trade, options);
+        add_output(*trade, options);
+        add_threads(*trade, options);
+        trade->footer(example("delabole trade cases/relaxation/single_block.toml"));
+        trade->callback([this] { choose([this] { return delabole::trade_command(one_case, options); }); });
+    }
+
+    void add_recovery() {
+        CLI::App* recover = app.add_subcommand(
+            "recover", "Whether a back-analysis finds known parameters again: coverage of its intervals, bias, ranks");
+        recover->add_option("CASE", one_case, "Case file with a [fit] section")->required();
+        add_common(*recover, options);
+        add_output(*recover, options);
+        add_loops(*recover, options);
+        add_store(*recover, options);
+        recover->add_option("--repetitions", options.repetitions, "Data sets to make and to fit; 100 by default")
+            ->check(CLI::Range(2, 1'000'000))
+            ->type_name("N");
+        recover->add_flag_callback(
+            "--at-best", [this] { options.at_best = true; },
+            "Make the data from the best fit instead of draws of the prior");
+        recover->footer(example("delabole recover cases/delabole_1967/delabole_1967.toml --repetitions 20"));
+        recover->callback([this] { share_out([this] { return delabole::recover_command(one_case, options); }); });
+    }
+
+    void add_case_tools() {
+        CLI::App* check = app.add_subcommand("check", "Read cases and report every error in them");
+        check->add_option("CASE", cases, "Case files")->required();
+        add_common(*check, options);
+        check->footer(example("delabole check cases/delabole_1967/delabole_1967.toml"));
+        check->callback([this] { choose([this] { return delabole::check_command(cases, options); }); });
+
+        CLI::App* show =
+            app.add_subcommand("show", "Print a case as it is understood, with defaults, in standard units");
+        show->add_option("CASE", one_case, "Case file")->required();
+        add_common(*show, options);
+        show->footer(example("delabole show cases/delabole_1967/delabole_1967.toml"));
+        show->callback([this] { choose([this] { return delabole::show_command(one_case, options); }); });
+
+        CLI::App* init =
+            app.add_subcommand("init", "Write a commented case to start from, to standard output or --out");
+        init->add_option("MODEL", word, delabole::choices(delabole::model_names()))->required();
+        init->add_option("--out", options.out, "File to write; an existing one is not overwritten")->type_name("FILE");
+        init->footer(example("delabole init plane_failure --out my_slope.toml"));
+        init->callback([this] { choose([this] { return delabole::init_command(word, options); }); });
+    }
+
+    void add_proof() {
+        CLI::App* verify = app.add_subcommand("verify", "Compare computed values with the [[expect]] entries of cases");
+        verify->add_option("CASE", cases, "Case files or folders of them");
+        add_common(*verify, options);
+        verify->footer(example("delabole verify cases/plane_failure"));
+        verify->callback([this] { choose([this] { return delabole::verify_command(cases, options); }); });
+
+        CLI::App* reproduce = app.add_subcommand("reproduce", reproduce_help());
+        reproduce->add_option("WHAT", word, "What to reproduce; everything by default");
+        reproduce->add_flag("--json", options.json, "Print the result as JSON on standard output");
+        reproduce->add_flag("--quiet", options.quiet, "Print nothing but errors (and what --json asks for)");
+        add_output(*reproduce, options);
+        add_threads(*reproduce, options);
+        reproduce->footer(example("delabole reproduce fig2.8"));
+        reproduce->callback([this] { choose([this] { return delabole::reproduce_command(word, options); }); });
+    }
+};
+
+// A standard stream that the caller closed would lend its number to the next file that is opened, and what is meant for
+// the reader would end up in a result. Such a stream is replaced by one that refuses to be used.
+void occupy_standard_streams() {
+    for (const auto& [descriptor, mode] :
+         {std::pair{STDIN_FILENO, O_WRONLY}, std::pair{STDOUT_FILENO, O_RDONLY}, std::pair{STDERR_FILENO, O_RDONLY}}) {
+        if (::fcntl(descriptor, F_GETFD) < 0) {
+            ::open("/dev/null", mode);  // takes the lowest free number, which is this one
+        }
+    }
+}
+
+// A result that did not reach its reader is an error, a full disk behind `> file` among them.
+int code_if_output_arrived(ExitCode exit_code) {
+    if (!std::cout.flush() || std::fflush(stdout) != 0) {
+        std::cerr << "delabole: cannot write to standard output\n";
+        return code(ExitCode::output_failure);
+    }
+    return code(exit_code);
+}
+
+// Ends with a message. Where others work at the same, the leader's message stands for all; only a rank that alone has
+// met something has to say so itself.
+int fail(const std::string& message, ExitCode exit_code, const delabole::Ranks& ranks) {
+    if (!ranks.leads()) {
+        std::this_thread::sleep_for(std::chrono::seconds(3));
+    }
+    std::cerr << message << '\n';
+    std::cerr.flush();
+    ranks.end_all(code(exit_code));
+    return code(exit_code);
+}
+
+int guarded(const std::function<ExitCode()>& command, const delabole::Ranks& ranks) {
+    const auto failed = [&](const std::exception& error, ExitCode exit_code) {
+        return fail(std::string("delabole: ") + error.what(), exit_code, ranks);
+    };
+    try {
+        return code_if_output_arrived(command());
+    } catch (const delabole::UsageError& error) {
+        return failed(error, ExitCode::usage);
+    } catch (const delabole::CaseError& error) {
+        return fail(error.what(), ExitCode::invalid_case, ranks);
+    } catch (const delabole::Interrupted& error) {
+        return failed(error, ExitCode::not_converged);
+    } catch (const delabole::StoreError& error) {
+        return failed(error, ExitCode::output_failure);
+    } catch (const delabole::OutputError& error) {
+        return failed(error, ExitCode::output_failure);
+    } catch (const std::exception& error) {
+        return fail("delabole: stopped by an error that lies neither in the case nor in the command: " +
+                        std::string(error.what()),
+                    ExitCode::internal_error, ranks);
+    }
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+    occupy_standard_streams();
+    const delabole::PlainOutput plain_output(std::cout);
+    const delabole::PlainOutput plain_errors(std::cerr);
+    try {
+        const delabole::Ranks ranks;
+        Program program(ranks);
+        try {
+            program.app.parse(argument_count, arguments);
+        } catch (const CLI::ParseError& error) {
+            if (!ranks.leads()) {
+                return code(ExitCode::ok);
+            }
+            // CLI11 has exit codes of its own, above 100; help and version are no errors.
+            const bool asked_for = program.app.exit(error) == 0;
+            return asked_for ? code_if_output_arrived(ExitCode::ok) : code(ExitCode::usage);
+        }
+        // mpirun gives ranks that it ends no time to finish anything.
+        if (ranks.alone()) {
+            delabole::catch_interrupts();
+        }
+        return guarded(program.chosen, ranks);
+    } catch (const std::exception& error) {
+        std::cerr << "delabole: cannot begin: " << error.what() << '\n';
+        return code(ExitCode::internal_error);
+    }
+}

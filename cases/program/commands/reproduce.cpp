@@ -1,0 +1,224 @@
+// delabole reproduce
+#include "cases/program/commands/commands.hpp"
+#include "cases/program/reader/spelling.hpp"
+#include "cases/program/terminal/interrupt.hpp"
+#include "cases/program/terminal/progress.hpp"
+#include "cases/program/thesis/reproduction.hpp"
+#include "fitting/work/parallel.hpp"
+#include "fitting/work/words.hpp"
+#include "version/version.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+const std::vector<ReproductionChapter>& chapters() {
+    static const std::vector<ReproductionChapter> all = {chapter_2(), chapter_3(),          chapter_4(),
+                                                         chapter_5(), appendix_a_chapter(), published_problems()};
+    return all;
+}
+
+struct Chosen {
+    std::string name;  // of the result folder
+    std::string title;
+    std::vector<const ReproductionItem*> items;
+};
+
+// Fig 3.4 belongs to chapter 3 and, by its equation, to chapter 4.
+bool has(const std::vector<const ReproductionItem*>& items, const std::string& name) {
+    return std::ranges::any_of(items, [&](const ReproductionItem* item) { return item->name == name; });
+}
+
+// A chapter, one item of any chapter, or everything.
+Chosen choose(const std::string& what) {
+    Chosen chosen{what.empty() ? "thesis" : what, "Thesis: printed and computed", {}};
+    for (const ReproductionChapter& chapter : chapters()) {
+        const bool whole = what.empty() || what == chapter.name;
+        for (const ReproductionItem& item : chapter.items) {
+            const ReproductionCost most = what.empty() ? ReproductionCost::seconds : ReproductionCost::minutes;
+            const bool wanted = what == item.name || (whole && item.cost <= most);
+            if (wanted && !has(chosen.items, item.name)) {
+                chosen.items.push_back(&item);
+                chosen.title = what.empty() ? chosen.title : chapter.title;
+            }
+        }
+    }
+    if (chosen.items.empty()) {
+        std::vector<std::string> names;
+        for (const auto& [name, meaning] : reproducible()) {
+            names.push_back(name);
+        }
+        throw UsageError("reproduce: nothing is called '" + what + "'; there is " + choices(names) +
+                         suggestion(what, names));
+    }
+    return chosen;
+}
+
+// Tells how far all items have come, by the one that is at work.
+class ItemsProgress {
+  public:
+    ItemsProgress(const std::vector<const ReproductionItem*>& items, bool quiet) : items_(items), progress_(quiet) {
+        for (const ReproductionItem* item : items) {
+            total_ += weight(*item);
+        }
+    }
+
+    // `item` is done to a share.
+    void report(std::size_t item, double share, const std::string& what) {
+        double done = share * weight(*items_[item]);
+        for (std::size_t before = 0; before < item; ++before) {
+            done += weight(*items_[before]);
+        }
+        progress_.report(done / total_, items_[item]->name + (what.empty() ? "" : ": " + what));
+    }
+
+  private:
+    static double weight(const ReproductionItem& item) { return item.cost == ReproductionCost::minutes ? 30 : 1; }
+
+    const std::vector<const ReproductionItem*>& items_;
+    double total_ = 0;
+    Progress progress_;
+};
+
+}  // namespace
+
+void run_part(const ResultFolder& folder, const PartOfWork& part, std::size_t count,
+              const std::function<void(std::size_t)>& task) {
+    std::mutex reporting;
+    std::size_t done = 0;
+    run_tasks(count, folder.threads(), [&](std::size_t number) {
+        if (interrupt_flag()) {
+            return;
+        }
+        task(number);
+        const std::scoped_lock lock(reporting);
+        const double share = static_cast<double>(++done) / static_cast<double>(count);
+        folder.report_progress(part.begin + share * (part.end - part.begin), part.what);
+    });
+    stop_if_interrupted();
+}
+
+std::string statement(bool met) {
+    return met ? "statement met" : "statement NOT met";
+}
+
+// A difference of rounding is no difference.
+std::string difference_in_words(double difference) {
+    return std::abs(difference) < 1e-9 ? "0" : number_in_words(difference);
+}
+
+namespace {
+
+bool names_clean_engine(const std::vector<PrintedRow>& rows) {
+    return std::ranges::any_of(rows, [](const PrintedRow& row) { return !row.clean.empty(); });
+}
+
+}  // namespace
+
+Table printed_table(const std::string& caption, const std::vector<PrintedRow>& rows) {
+    Table table{caption, {{"quantity"}, {"printed", true}, {"computed", true}, {"difference", true}, {"remark"}}, {}};
+    const bool both = names_clean_engine(rows);
+    if (both) {
+        table.columns.insert(table.columns.begin() + 3, {"clean engine", true});
+    }
+    for (const PrintedRow& row : rows) {
+        table.rows.push_back({row.what, row.printed, row.computed, row.difference, row.remark});
+        if (both) {
+            table.rows.back().insert(table.rows.back().begin() + 3, row.clean);
+        }
+    }
+    return table;
+}
+
+std::vector<std::pair<std::string, std::string>> reproducible() {
+    std::vector<std::pair<std::string, std::string>> names;
+    for (const ReproductionChapter& chapter : chapters()) {
+        names.emplace_back(chapter.name, "all that follows: " + chapter.meaning);
+        for (const ReproductionItem& item : chapter.items) {
+            if (std::ranges::find(names, item.name, &std::pair<std::string, std::string>::first) == names.end()) {
+                names.emplace_back(item.name, item.meaning);
+            }
+        }
+    }
+    return names;
+}
+
+namespace {
+
+std::vector<std::vector<std::string>> on_screen(const std::vector<PrintedRow>& rows) {
+    const bool both = names_clean_engine(rows);
+    std::vector<std::vector<std::string>> screen = {{"quantity", "printed", "computed", "difference"}};
+    if (both) {
+        screen.front().insert(screen.front().begin() + 3, "clean engine");
+    }
+    for (const PrintedRow& row : rows) {
+        screen.push_back({row.what, row.printed, row.computed, row.difference});
+        if (both) {
+            screen.back().insert(screen.back().begin() + 3, row.clean);
+        }
+    }
+    return screen;
+}
+
+}  // namespace
+
+ExitCode reproduce_command(const std::string& what, const Options& options) {
+    const Stopwatch watch;
+    const Chosen chosen = choose(what);
+    ResultFolder folder(options, chosen.name, OnInterrupt::stop);
+    Report report{chosen.title, "The analysis of toppling failure using models and numerical methods", {}};
+    Json json;
+    json["status"] = "ok";
+    std::vector<PrintedRow> rows;
+    std::optional<ItemsProgress> progress(std::in_place, chosen.items, options.quiet);
+    for (std::size_t number = 0; number < chosen.items.size(); ++number) {
+        const ReproductionItem* item = chosen.items[number];
+        folder.on_progress([&](double share, const std::string& doing) { progress->report(number, share, doing); });
+        Reproduction result;
+        try {
+            stop_if_interrupted();
+            folder.report_progress(0, "");
+            result = item->reproduce(folder, report);
+        } catch (const Interrupted&) {
+            progress.reset();
+            std::cerr << "delabole: interrupted at " << item->name
+                      << "; nothing is kept of it: the same command begins anew\n";
+            return ExitCode::not_converged;
+        }
+        json[item->name] = result.json;
+        for (const PrintedRow& row : result.rows) {
+            rows.push_back(row);
+            Json one = {
+                {"what", row.what}, {"printed", row.printed}, {"computed", row.computed}, {"remark", row.remark}};
+            if (!row.clean.empty()) {
+                one["clean_engine"] = row.clean;
+            }
+            json[item->name]["printed_and_computed"].push_back(one);
+        }
+    }
+    progress.reset();
+    Json source;
+    source["program"] = "delabole " + std::string(version());
+    source["revision"] = std::string(revision());
+    source["wall_seconds"] = watch.seconds();
+    json["provenance"] = source;
+    report.blocks.emplace_back(Heading{"Provenance"});
+    report.blocks.emplace_back(provenance_block(source));
+    folder.write_report(report);
+    folder.write("result.json", json_text(json));
+    if (options.json) {
+        std::cout << json_text(json);
+    } else if (!options.quiet) {
+        std::cout << text_table(on_screen(rows)) << "report in " << (folder.path() / "report.html").string() << '\n';
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace delabole

@@ -1,0 +1,206 @@
+// delabole run
+#include "cases/program/case/case_writer.hpp"
+#include "cases/program/commands/commands.hpp"
+#include "cases/program/models/relaxation/checkpoint_file.hpp"
+#include "cases/program/models/stepped_base/bound.hpp"
+#include "cases/program/reader/case_error.hpp"
+#include "cases/program/reader/units.hpp"
+#include "cases/program/results/analysis.hpp"
+#include "cases/program/results/impossible_case.hpp"
+#include "cases/program/results/inputs_report.hpp"
+#include "cases/program/results/model_reports.hpp"
+#include "cases/program/results/result_folder.hpp"
+#include "cases/program/terminal/interrupt.hpp"
+#include "cases/program/terminal/progress.hpp"
+#include "plots/drawing/atomic_file.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <system_error>
+
+namespace delabole {
+
+namespace {
+
+std::string shown(const NamedOutput& output) {
+    const auto* number = std::get_if<double>(&output.value);
+    return number != nullptr ? in_six_digits(*number, output.dimension) : std::get<std::string>(output.value);
+}
+
+Table output_table(const Analysis& analysis) {
+    Table table{"Results", {{"quantity"}, {"value", true}, {"meaning"}}, {}};
+    for (const NamedOutput& output : analysis.outputs) {
+        if (!output.detail) {
+            table.rows.push_back({output.name, shown(output), output.meaning});
+        }
+    }
+    return table;
+}
+
+void write_outputs(const ResultFolder& folder, const Analysis& analysis) {
+    CsvTable csv({"quantity", "value", "unit", "meaning"});
+    for (const NamedOutput& output : analysis.outputs) {
+        const std::string unit(display_unit(output.dimension).symbol);
+        if (const auto* number = std::get_if<double>(&output.value)) {
+            csv.add_row({output.name, in_display_unit(*number, output.dimension), unit, output.meaning});
+        } else {
+            csv.add_row({output.name, std::get<std::string>(output.value), std::string(), output.meaning});
+        }
+    }
+    folder.write("results.csv", csv.text());
+}
+
+void print(const CaseFile& file, const Analysis& analysis, const ResultFolder& folder) {
+    std::vector<std::vector<std::string>> rows;
+    for (const NamedOutput& output : analysis.outputs) {
+        if (!output.detail) {
+            rows.push_back({output.name, shown(output)});
+        }
+    }
+    std::cout << (file.title.empty() ? file.name : file.title) << '\n' << text_table(rows);
+    for (const std::string& warning : analysis.warnings) {
+        std::cout << "warning: " << warning << '\n';
+    }
+    std::cout << "results in " << folder.path().string() << "\n\n";
+}
+
+void announce(const CaseFile& file, const Options& options) {
+    const auto* columns = std::get_if<SteppedBaseStudy<>>(&file.model);
+    const std::string text = columns != nullptr && !options.quiet ? announcement(*columns) : "";
+    if (!text.empty()) {
+        std::cerr << stem_of(file) << ": " << text << '\n';
+    }
+}
+
+ExitCode run_one(const CaseFile& file, const Options& options) {
+    const Stopwatch watch;
+    announce(file, options);
+    // Claimed before the work, which may take hours and keeps its checkpoint there.
+    ResultFolder folder(options, stem_of(file), OnInterrupt::stop);
+    const std::filesystem::path checkpoint = folder.path() / "relaxation.checkpoint";
+    refuse_link(checkpoint);
+    const Analysis analysis = [&] {
+        Progress progress(options.quiet);
+        AnalysisWork work;
+        work.watch = [&](double share, const std::string& what) {
+            progress.report(share, what);
+            return !interrupt_flag();
+        };
+        if (!options.quiet) {
+            work.say = [&](const std::string& text) { std::cerr << stem_of(file) << ": " << text << '\n'; };
+        }
+        work.threads = static_cast<unsigned>(options.threads);
+        work.checkpoint = checkpoint;
+        work.between_checkpoints = std::chrono::duration<double>(options.seconds_between_checkpoints);
+        return analyse_model(file.model, work);
+    }();
+    if (!analysis.failure.empty()) {
+        throw CaseError({impossible(file, analysis.failure)});
+    }
+    if (!analysis.unfinished.empty()) {
+        folder.when_interrupted(OnInterrupt::finish);
+    }
+    const Json source = provenance(file, "run", options, watch.seconds());
+
+    Json json;
+    json["status"] = analysis.status;
+    json["title"] = file.title;
+    json["model"] = std::string(model_name(file.model));
+    json["results"] = json_of(analysis.outputs);
+    json["warnings"] = analysis.warnings;
+    json["provenance"] = source;
+
+    Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    if (!analysis.unfinished.empty()) {
+        report.blocks.emplace_back(
+            Notice{NoticeKind::warning, interrupt_flag() ? "Interrupted" : "Not converged", {analysis.unfinished}});
+    }
+    if (!analysis.warnings.empty()) {
+        report.blocks.emplace_back(Notice{NoticeKind::warning, "Warnings", analysis.warnings});
+    }
+    report.blocks.emplace_back(Heading{"Results"});
+    report.blocks.emplace_back(output_table(analysis));
+    std::visit(
+        [&](const auto& parameters) {
+            if constexpr (requires { append_case_figures(parameters, analysis, folder, report); }) {
+                append_case_figures(parameters, analysis, folder, report);
+            } else {
+                append_case_figures(parameters, folder, report);
+            }
+        },
+        file.model);
+    report.blocks.emplace_back(Heading{"Inputs"});
+    report.blocks.emplace_back(inputs_table(file));
+    report.blocks.emplace_back(Heading{"Provenance"});
+    report.blocks.emplace_back(provenance_block(source));
+
+    folder.write("resolved.toml", resolved_toml(file));
+    write_outputs(folder, analysis);
+    folder.write_report(report);
+    folder.write("result.json", json_text(json));
+    if (options.json) {
+        std::cout << json_text(json);
+    } else if (!options.quiet) {
+        print(file, analysis, folder);
+    }
+    // Other models have no checkpoint: what stands there is an interrupted run's, which will go on.
+    if (!interrupt_flag() && std::holds_alternative<RelaxationStudy>(file.model)) {
+        remove_checkpoint(checkpoint);
+    }
+    if (analysis.unfinished.empty()) {
+        return ExitCode::ok;
+    }
+    std::cerr << "delabole: " << (interrupt_flag() ? "interrupted: " : "not converged: ") << analysis.unfinished
+              << '\n';
+    std::error_code ignored;
+    if (std::filesystem::exists(checkpoint, ignored)) {
+        std::cerr << "delabole: the same command goes on from " << checkpoint.string() << '\n';
+    }
+    return ExitCode::not_converged;
+}
+
+// Two cases of one name, in different folders, would leave one result under it.
+void refuse_shared_folders(const std::vector<CaseFile>& files, const Options& options) {
+    std::map<std::filesystem::path, const CaseFile*> folders;
+    for (const CaseFile& file : files) {
+        const std::filesystem::path folder = result_path(options, stem_of(file));
+        const auto [other, is_new] = folders.emplace(folder, &file);
+        if (!is_new) {
+            throw UsageError(other->second->name + " and " + file.name + " would both be written into " +
+                             folder.string() + ": run them one by one, each with a folder of its own (--out)");
+        }
+    }
+}
+
+}  // namespace
+
+ExitCode run_command(const Paths& cases, const Options& options) {
+    if (cases.size() > 1 && !options.out.empty()) {
+        throw UsageError("--out names one folder, but there are several cases");
+    }
+    // Every case is read before the first is analysed: a mistake in the last one costs nothing.
+    std::vector<CaseFile> files;
+    for (const std::filesystem::path& path : cases) {
+        files.push_back(read_case(path, settings_of(options)));
+    }
+    refuse_shared_folders(files, options);
+    std::size_t analysed = 0;
+    ExitCode worst = ExitCode::ok;
+    for (const CaseFile& file : files) {
+        try {
+            stop_if_interrupted();
+            worst = std::max(worst, run_one(file, options));
+        } catch (const Interrupted&) {
+            std::cerr << "delabole: interrupted, " << analysed << " of " << files.size() << " cases were analysed\n";
+            return ExitCode::not_converged;
+        }
+        ++analysed;
+    }
+    return worst;
+}
+
+}  // namespace delabole

@@ -1,0 +1,83 @@
+// delabole sensitivity
+#include "fitting/sensitivity/sensitivity.hpp"
+
+#include "cases/program/commands/commands.hpp"
+#include "cases/program/reader/case_error.hpp"
+#include "cases/program/reports/sensitivity_report.hpp"
+#include "cases/program/results/inputs_report.hpp"
+#include "cases/program/results/kept_evaluations.hpp"
+#include "cases/program/results/sensitivity_problem_of_case.hpp"
+#include "cases/program/results/study_output.hpp"
+#include "cases/program/terminal/interrupt.hpp"
+#include "cases/program/terminal/progress.hpp"
+
+namespace delabole {
+
+namespace {
+
+SensitivityResult study_with_progress(const SensitivityProblem& problem, const Options& options) {
+    Progress progress(options.quiet);
+    return sensitivity(
+        problem, [&](const FitProgress& state) { progress.report(state.fraction, std::string(state.stage)); },
+        &interrupt_flag());
+}
+
+// What keeps a result from being the answer; empty where nothing does.
+std::string reservation(SensitivityStatus status) {
+    switch (status) {
+    case SensitivityStatus::finished:
+        break;
+    case SensitivityStatus::interrupted:
+        return "interrupted: the study was stopped early; what it had finished is shown";
+    case SensitivityStatus::no_answer:
+        return "not converged: a method found no value of the quantity anywhere; the causes are in the report";
+    case SensitivityStatus::not_converged:
+        return "not converged: the search for the design point ended before its tolerance; try "
+               "sensitivity.reliability.step and .tolerance";
+    }
+    return {};
+}
+
+}  // namespace
+
+ExitCode sensitivity_command(const std::filesystem::path& path, const Options& options) {
+    const Stopwatch watch;
+    const CaseFile file = read_case(path, settings_of(options));
+    if (!file.sensitivity) {
+        throw CaseError({{file.name, 0, 0, "sensitivity", {}, "the case has no [sensitivity] section"}});
+    }
+    SensitivityProblem problem = sensitivity_problem_of(file, options.threads, options.seed);
+    const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
+    KeptEvaluations kept(options, folder);
+    kept.keep(problem.model, file.model);
+    problem.ranks = options.ranks;
+    const SensitivityResult result = study_with_progress(problem, options);
+    answer_interrupt();
+    kept.count_all();
+    if (!leads(options)) {
+        return ExitCode::ok;
+    }
+
+    Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    const std::string reserved = reservation(result.status);
+    add_reservation(reserved, result.status == SensitivityStatus::interrupted, report);
+    SensitivityDocuments documents = document_sensitivity(file, problem, result, folder, report);
+    Json json;
+    json["status"] = word_of(result.status);
+    json.update(documents.json);
+    Json source = provenance(file, "sensitivity", options, watch.seconds());
+    source["study_seconds"] = result.wall_seconds;
+    source["seed"] = problem.study.seed;
+    kept.enter(source);
+    json["provenance"] = source;
+    report.blocks.emplace_back(Heading{"Inputs"});
+    report.blocks.emplace_back(inputs_table(file));
+    const ExitCode code =
+        write_study({file, json, documents.screen + kept.summary(), reserved}, folder, options, report);
+    if (result.status == SensitivityStatus::interrupted) {
+        kept.say_how_to_go_on();
+    }
+    return code;
+}
+
+}  // namespace delabole

@@ -1,0 +1,107 @@
+// Flexural toppling by limit equilibrium as the program reports it.
+#include "cases/program/results/model_reports.hpp"
+#include "fitting/work/words.hpp"
+#include "limit_equilibrium/columns/flexural_toppling.hpp"
+#include "plots/drawing/text.hpp"
+#include "plots/figures/block_figures.hpp"
+
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+DrawnMode drawn(FlexuralMode mode) {
+    switch (mode) {
+    case FlexuralMode::stands:
+        return DrawnMode::stays;
+    case FlexuralMode::shears:
+        return DrawnMode::slides;
+    case FlexuralMode::bends:
+    case FlexuralMode::topples:
+        break;
+    }
+    return DrawnMode::topples;
+}
+
+// Feet on their plane, with the pushes that columns need from below.
+Figure columns_figure(const FlexuralSlope& slope, const FlexuralStability& result) {
+    const Point along(std::cos(slope.base_dip), std::sin(slope.base_dip));
+    const Point up(-along.y(), along.x());
+    BlockDrawing drawing;
+    drawing.title = result.toe_push > 0 ? "The columns: the slope fails" : "The columns: the slope stands";
+    double foot = 0;
+    double height_before = slope.column.front().height;
+    for (std::size_t index = 0; index < slope.column.size(); ++index) {
+        const FlexuralColumn& column = slope.column[index];
+        const FlexuralColumnState& state = result.column[index];
+        const Point left = foot * along;
+        const Point right = (foot + column.width) * along;
+        drawing.blocks.push_back({.outline = {left, right, right + column.height * up, left + column.height * up},
+                                  .label = std::to_string(index + 1),
+                                  .mode = drawn(state.mode)});
+        if (std::isfinite(state.push)) {
+            const double contact = slope.contact_height * std::min(column.height, height_before);
+            drawing.forces.push_back({left + contact * up, state.push * along});
+        }
+        foot += column.width;
+        height_before = column.height;
+    }
+    drawing.base = {Point(0, 0), foot * along};
+    return block_figure(drawing);
+}
+
+Table column_table(const FlexuralStability& result) {
+    Table table{"The columns from the toe up, and the push that each needs from the one below.",
+                {{"column", true}, {"without it"}, {"push, kN/m", true}, {"moment at the foot, kN", true}},
+                {}};
+    constexpr double kilo = 1e3;
+    for (std::size_t index = 0; index < result.column.size(); ++index) {
+        const FlexuralColumnState& state = result.column[index];
+        table.rows.push_back({std::to_string(index + 1), human_name(word_of(state.mode)),
+                              human_number(state.push / kilo, 4), human_number(state.moment / kilo, 4)});
+    }
+    return table;
+}
+
+}  // namespace
+
+Analysis analyse_case(const FlexuralSlope& slope) {
+    Analysis analysis;
+    const FlexuralStability result = analyse(slope);
+    if (result.check != FlexuralCheck::valid) {
+        analysis.failure = word_of(result.check);
+        return analysis;
+    }
+    append_outputs(analysis, result);
+    return analysis;
+}
+
+void append_case_figures(const FlexuralSlope& slope, const ResultFolder& folder, Report& report) {
+    const FlexuralStability result = analyse(slope);
+    report.blocks.emplace_back(Heading{"The columns"});
+    report.blocks.emplace_back(column_table(result));
+    report.blocks.emplace_back(folder.draw(columns_figure(slope, result), "columns",
+                                           "Arrows: the push that a column needs from the one below it, which in turn "
+                                           "bears it; the lowest is what the slope lacks."));
+}
+
+void append_mechanism_figures(const FlexuralSlope& at_best, const MechanismFit& fit, const FitProblem&,
+                              const ResultFolder& folder, Report& report) {
+    const FlexuralStability result = analyse(at_best);
+    if (result.check == FlexuralCheck::valid) {
+        report.blocks.emplace_back(
+            folder.draw(columns_figure(at_best, result), fit.name + "_columns", "The columns at the best point."));
+    }
+}
+
+std::vector<std::string> blamed_keys(const FlexuralSlope&, std::string_view) {
+    return {};
+}
+
+std::string explain_failure(const FlexuralSlope&, std::string_view failure, const std::string&) {
+    return value_of<FlexuralCheck>(failure) == FlexuralCheck::no_columns ? "there is no column"
+                                                                         : "a number is outside its allowed range";
+}
+
+}  // namespace delabole

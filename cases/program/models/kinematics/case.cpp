@@ -1,0 +1,99 @@
+// Kinematic feasibility as the reader knows it.
+#include "cases/program/case/model_cases.hpp"
+#include "kinematics/kinematics.hpp"
+
+#include <algorithm>
+
+namespace delabole {
+namespace {
+
+void check_names(Checker& checker, const std::vector<JointSet>& sets) {
+    for (std::size_t index = 0; index < sets.size(); ++index) {
+        const std::string key = indexed("joint_set", index) + ".name";
+        const auto own = sets.begin() + static_cast<std::ptrdiff_t>(index);
+        if (sets[index].name.empty()) {
+            checker.complain(key, "must not be empty");
+        } else if (std::find_if(sets.begin(), own, [&](const JointSet& set) { return set.name == own->name; }) != own) {
+            checker.complain(key, "names two joint sets");
+        }
+    }
+}
+
+void check_dips(Checker& checker, const std::vector<JointSet>& sets) {
+    for (std::size_t index = 0; index < sets.size(); ++index) {
+        const auto* range = std::get_if<OrientationRange>(&sets[index].orientation);
+        if (range != nullptr && range->lower_dip > range->upper_dip) {
+            checker.complain(indexed("joint_set", index) + ".lower_dip",
+                             "range is reversed: must be at most " + indexed("joint_set", index) + ".upper_dip");
+        }
+    }
+}
+
+KinematicsStudy example_study() {
+    KinematicsStudy study{};
+    study.model.slope = {.face_dip = degrees(70), .face_dip_direction = degrees(95), .upper_surface = std::nullopt};
+    study.model.strength = {.friction_angle = degrees(30)};
+    study.model.lateral_limit = {
+        .planar_sliding = degrees(20), .flexural_toppling = degrees(30), .direct_toppling = degrees(20)};
+    study.model.joint_set = {
+        {"bedding", OrientationRange{degrees(35), degrees(45), degrees(85), degrees(105)}},
+        {"joints", MeanOrientation{.dip = degrees(80), .dip_direction = degrees(275), .concentration = 80.0}},
+        {"cross_joints", MeanOrientation{.dip = degrees(85), .dip_direction = degrees(185), .concentration = {}}}};
+    return study;
+}
+
+constexpr std::string_view kinematics_parts = R"(
+[sources]                           # where a value comes from, by its key
+"slope.face_dip" = "survey"
+
+[[expect]]                          # a value known otherwise: delabole verify compares
+quantity = "joint_set[1].planar_sliding.critical_friction_angle"
+value = "40 deg"
+tolerance = "0.01 deg"              # absolute, or relative_tolerance
+with = { "joint_set[1].lower_dip" = "35 deg" }  # inputs that differ
+source = "the dip of the bedding"
+
+[[expect]]                          # a word: feasible, or the reason why not
+quantity = "joint_set[1].planar_sliding.at_mean"
+value = "feasible"
+)";
+
+}  // namespace
+
+void check_case(Checker& checker, const KinematicsStudy& study) {
+    const std::vector<JointSet>& sets = study.model.joint_set;
+    if (sets.empty()) {
+        checker.complain("joint_set", "is required: at least one [[joint_set]]");
+    }
+    if (sets.size() > most_joint_sets) {
+        checker.complain("joint_set", "is given " + std::to_string(sets.size()) + " times: at most " +
+                                          std::to_string(most_joint_sets));
+        return;
+    }
+    check_names(checker, sets);
+    check_dips(checker, sets);
+    if (study.sampling) {
+        check_whole(checker, "sampling.sample_count", study.sampling->sample_count);
+        check_whole(checker, "sampling.seed", study.sampling->seed);
+    }
+}
+
+ModelExample<KinematicsStudy> example_case(const KinematicsStudy*) {
+    return {example_study(), "Sliding and toppling that geometry leaves open", kinematics_parts};
+}
+
+// Every set and every pair answers alike, so their numbers are enough. The bound only keeps a case that is refused for
+// its many sets from asking for more memory than there is.
+std::vector<Quantity> possible_outputs(const KinematicsStudy& study) {
+    const std::size_t sets = std::min(study.model.joint_set.size(), most_joint_sets);
+    KinematicsResult result;
+    result.joint_set.resize(sets);
+    result.pair.resize(sets < 2 ? 0 : sets * (sets - 1) / 2);
+    std::vector<Quantity> outputs;
+    for_each_named_number(result, [&](const std::string& path, const FieldInfo& info, double) {
+        outputs.push_back({path, info.dimension, std::string(info.meaning)});
+    });
+    return outputs;
+}
+
+}  // namespace delabole

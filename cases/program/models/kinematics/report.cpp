@@ -1,0 +1,337 @@
+// Kinematic feasibility as the program reports it: verdicts, tables, stereonets.
+#include "cases/program/results/model_reports.hpp"
+#include "fitting/work/words.hpp"
+#include "kinematics/kinematics.hpp"
+#include "plots/drawing/text.hpp"
+#include "plots/figures/stereonet.hpp"
+
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+// "Names of those that can move at their mean orientation."
+template <class Items, class Verdict, class Name>
+std::string feasible_at_mean(const Items& items, Verdict&& verdict, Name&& name) {
+    std::vector<std::string> names;
+    for (const auto& item : items) {
+        if (verdict(item) == Feasibility::feasible) {
+            names.push_back(name(item));
+        }
+    }
+    return names.empty() ? "none" : list_in_words(names);
+}
+
+std::string pair_name(const PairFeasibility& pair) {
+    return pair.first + " with " + pair.second;
+}
+
+void append_summary(Analysis& analysis, const KinematicsResult& result) {
+    const auto append = [&](const std::string& name, const std::string& meaning, std::string value) {
+        analysis.outputs.push_back({name, meaning, Dimension::ratio, std::move(value)});
+    };
+    const auto set_name = [](const JointSetFeasibility& set) { return set.name; };
+    append("planar_sliding", "sets on whose mean plane a block can slide",
+           feasible_at_mean(
+               result.joint_set, [](const auto& set) { return set.planar_sliding.at_mean; }, set_name));
+    append("wedge_sliding", "pairs of sets between whose mean planes a wedge can slide",
+           feasible_at_mean(
+               result.pair, [](const auto& pair) { return pair.wedge_sliding.at_mean; }, pair_name));
+    append("flexural_toppling", "sets whose layers can topple at their mean orientation",
+           feasible_at_mean(
+               result.joint_set, [](const auto& set) { return set.flexural_toppling.at_mean; }, set_name));
+    append("direct_toppling", "pairs of sets whose mean planes cut columns that can topple",
+           feasible_at_mean(
+               result.pair, [](const auto& pair) { return pair.direct_toppling; }, pair_name));
+}
+
+// To a tenth of a degree; what is zero but for rounding is zero.
+std::string tenths_shown(double angle) {
+    return human_number(std::round(angle / degrees(0.1)) / 10, 4);
+}
+
+// Whole and half degrees survive the way through radians.
+double degrees_to_write(double angle) {
+    constexpr double places = 1e12;
+    return std::round(angle / degrees(1) * places) / places;
+}
+
+std::string degrees_shown(double angle) {
+    return tenths_shown(angle) + "°";
+}
+
+std::string attitude(double inclination, double azimuth) {
+    return tenths_shown(inclination) + "/" + tenths_shown(azimuth);
+}
+
+std::string share_shown(double share) {
+    return human_number(std::round(share * 1000) / 10, 4) + " %";
+}
+
+std::string verdict_shown(Feasibility verdict) {
+    return human_name(word_of(verdict));
+}
+
+std::string critical_shown(double friction_angle) {
+    return friction_angle > 0 ? degrees_shown(friction_angle) : "–";
+}
+
+std::string or_dash(const std::string& text) {
+    return text.empty() ? "–" : text;
+}
+
+Table set_table(const KinematicsResult& result) {
+    Table table{"The joint sets at their means, as dip/dip direction, and in the section across the face",
+                {{"set"}, {"mean", true}, {"scatter of the sampled poles", true}, {"apparent dip in section", true}},
+                {}};
+    for (const JointSetFeasibility& set : result.joint_set) {
+        table.rows.push_back(
+            {set.name, attitude(set.mean.dip, set.mean.dip_direction), degrees_shown(set.angular_standard_deviation),
+             degrees_shown(std::abs(set.apparent_dip)) + (std::abs(set.apparent_dip) < degrees(0.05) ? ""
+                                                          : set.apparent_dip > 0 ? " out of the slope"
+                                                                                 : " into the slope")});
+    }
+    return table;
+}
+
+Table mechanism_table(const KinematicsResult& result, const std::string& caption,
+                      MechanismFeasibility JointSetFeasibility::*mechanism) {
+    Table table{
+        caption, {{"set"}, {"at the mean"}, {"feasible below friction of", true}, {"share of the samples", true}}, {}};
+    for (const JointSetFeasibility& set : result.joint_set) {
+        const MechanismFeasibility& answer = set.*mechanism;
+        table.rows.push_back({set.name, verdict_shown(answer.at_mean), critical_shown(answer.critical_friction_angle),
+                              share_shown(answer.feasible_share)});
+    }
+    return table;
+}
+
+Table base_table(const KinematicsResult& result) {
+    Table table{"Bases of toppling columns", {{"set"}, {"at the mean"}, {"share of the samples", true}}, {}};
+    for (const JointSetFeasibility& set : result.joint_set) {
+        table.rows.push_back({set.name, verdict_shown(set.toppling_base), share_shown(set.toppling_base_share)});
+    }
+    return table;
+}
+
+// Pairs carry the numbers under which the stereonet shows their intersections.
+Table wedge_table(const KinematicsResult& result) {
+    Table table{"Sliding of wedges, the intersection as plunge/trend",
+                {{"no."},
+                 {"pair"},
+                 {"intersection", true},
+                 {"at the mean"},
+                 {"carried by"},
+                 {"feasible below friction of", true},
+                 {"in balance at friction of", true},
+                 {"share of the samples", true}},
+                {}};
+    for (std::size_t index = 0; index < result.pair.size(); ++index) {
+        const PairFeasibility& pair = result.pair[index];
+        const std::string carrier = pair.wedge_contact == SlidingContact::none          ? ""
+                                    : pair.wedge_contact == SlidingContact::both_planes ? "both planes"
+                                    : pair.wedge_contact == SlidingContact::first_plane ? pair.first
+                                                                                        : pair.second;
+        table.rows.push_back({std::to_string(index + 1), pair_name(pair),
+                              pair.wedge_sliding.at_mean == Feasibility::planes_parallel
+                                  ? "–"
+                                  : attitude(pair.intersection.plunge, pair.intersection.trend),
+                              verdict_shown(pair.wedge_sliding.at_mean), or_dash(carrier),
+                              critical_shown(pair.wedge_sliding.critical_friction_angle),
+                              critical_shown(pair.wedge_limiting_friction_angle),
+                              share_shown(pair.wedge_sliding.feasible_share)});
+    }
+    return table;
+}
+
+Table direct_toppling_table(const KinematicsResult& result) {
+    Table table{"Direct toppling of the columns that two sets cut",
+                {{"no."}, {"pair"}, {"at the mean"}, {"base"}, {"share of the samples", true}},
+                {}};
+    for (std::size_t index = 0; index < result.pair.size(); ++index) {
+        const PairFeasibility& pair = result.pair[index];
+        table.rows.push_back({std::to_string(index + 1), pair_name(pair), verdict_shown(pair.direct_toppling),
+                              or_dash(pair.toppling_base), share_shown(pair.direct_toppling_share)});
+    }
+    return table;
+}
+
+Table zone_table(const Kinematics& model) {
+    const std::string friction = degrees_shown(model.strength.friction_angle);
+    const LateralLimit& limit = model.lateral_limit;
+    return {
+        "What the zones and curves mean",
+        {{"on the net"}, {"what lies in it"}, {"what it says"}},
+        {{"daylight envelope (poles)", "poles of planes that dip out of the slope flatter than the face",
+          "the plane comes out in the face: a block on it has room to move"},
+         {"friction circle (poles)", "inside: planes that dip less than " + friction, "friction alone holds a block"},
+         {"zone of planar sliding (poles)",
+          "inside the envelope, outside the circle, within " + degrees_shown(limit.planar_sliding) +
+              " of the face's dip direction",
+          "a block can slide on the plane"},
+         {"zone of flexural toppling (poles)",
+          "poles of layers that dip steeply into the slope, within " + degrees_shown(limit.flexural_toppling) +
+              " of the face's strike",
+          "face dip exceeds 90° less the dip of the layers, plus friction: they can slip over one another and bend "
+          "out of the slope"},
+         {"zone of wedge sliding (intersections)", "lines that come out in the face and plunge more than " + friction,
+          "a wedge between the two planes can slide; Hocking's test says on which of them"},
+         {"axes of toppling columns (intersections)",
+          "lines that plunge into the slope at less than 90° to the face, within " +
+              degrees_shown(limit.direct_toppling) + " of it",
+          "the columns lean out of the slope; they topple where a third set gives them a base"},
+         {"oblique axes (intersections)", "lines that plunge into the slope within " + friction + " of vertical",
+          "columns nearly upright: they may topple in any direction that the face leaves free, on a base as above"}}};
+}
+
+std::string sets_csv(const KinematicsResult& result) {
+    CsvTable csv({"set", "dip_deg", "dip_direction_deg", "apparent_dip_deg", "angular_standard_deviation_deg",
+                  "planar_sliding", "planar_sliding_critical_friction_angle_deg", "planar_sliding_feasible_share",
+                  "flexural_toppling", "flexural_toppling_critical_friction_angle_deg",
+                  "flexural_toppling_feasible_share", "toppling_base", "toppling_base_share"});
+    const auto angle = degrees_to_write;
+    const auto word = [](Feasibility verdict) { return std::string(word_of(verdict)); };
+    for (const JointSetFeasibility& set : result.joint_set) {
+        csv.add_row({set.name, angle(set.mean.dip), angle(set.mean.dip_direction), angle(set.apparent_dip),
+                     angle(set.angular_standard_deviation), word(set.planar_sliding.at_mean),
+                     angle(set.planar_sliding.critical_friction_angle), set.planar_sliding.feasible_share,
+                     word(set.flexural_toppling.at_mean), angle(set.flexural_toppling.critical_friction_angle),
+                     set.flexural_toppling.feasible_share, word(set.toppling_base), set.toppling_base_share});
+    }
+    return csv.text();
+}
+
+std::string pairs_csv(const KinematicsResult& result) {
+    CsvTable csv({"pair", "first", "second", "plunge_deg", "trend_deg", "wedge_sliding", "wedge_contact",
+                  "wedge_sliding_critical_friction_angle_deg", "wedge_limiting_friction_angle_deg",
+                  "wedge_sliding_feasible_share", "direct_toppling", "toppling_base", "direct_toppling_share"});
+    const auto angle = degrees_to_write;
+    for (std::size_t index = 0; index < result.pair.size(); ++index) {
+        const PairFeasibility& pair = result.pair[index];
+        csv.add_row({static_cast<double>(index + 1), pair.first, pair.second, angle(pair.intersection.plunge),
+                     angle(pair.intersection.trend), std::string(word_of(pair.wedge_sliding.at_mean)),
+                     std::string(word_of(pair.wedge_contact)), angle(pair.wedge_sliding.critical_friction_angle),
+                     angle(pair.wedge_limiting_friction_angle), pair.wedge_sliding.feasible_share,
+                     std::string(word_of(pair.direct_toppling)), pair.toppling_base, pair.direct_toppling_share});
+    }
+    return csv.text();
+}
+
+StereonetDrawing stereonet_drawing(const KinematicsStudy& study, const KinematicsResult& result) {
+    const Kinematics& model = study.model;
+    StereonetDrawing drawing{.title = "Joint sets",
+                             .slope = model.slope,
+                             .friction_angle = model.strength.friction_angle,
+                             .lateral_limit = model.lateral_limit};
+    std::vector<std::vector<Orientation>> planes = sampled_sets(study);
+    for (std::size_t set = 0; set < planes.size(); ++set) {
+        drawing.joint_set.push_back({model.joint_set[set].name, result.joint_set[set].mean, std::move(planes[set])});
+    }
+    for (std::size_t pair = 0; pair < result.pair.size(); ++pair) {
+        if (result.pair[pair].wedge_sliding.at_mean != Feasibility::planes_parallel) {
+            drawing.intersection.push_back({std::to_string(pair + 1), result.pair[pair].intersection});
+        }
+    }
+    return drawing;
+}
+
+}  // namespace
+
+Analysis analyse_case(const KinematicsStudy& study) {
+    Analysis analysis;
+    const KinematicsResult result = analyse(study);
+    if (result.check != KinematicsCheck::valid) {
+        analysis.failure = word_of(result.check);
+        return analysis;
+    }
+    append_summary(analysis, result);
+    append_outputs(analysis, result);
+    for (std::size_t index = 0; index < result.pair.size(); ++index) {
+        if (result.pair[index].wedge_sliding.at_mean == Feasibility::planes_parallel) {
+            mark_none(analysis, "pair[" + std::to_string(index + 1) + "].intersection");
+        }
+    }
+    return analysis;
+}
+
+void append_case_figures(const KinematicsStudy& study, const ResultFolder& folder, Report& report) {
+    const KinematicsResult result = analyse(study);
+    const StereonetDrawing drawing = stereonet_drawing(study, result);
+    const std::string ground = study.model.slope.upper_surface
+                                   ? " The zones are drawn for level ground behind the crest; the verdicts below know "
+                                     "the ground that the case gives."
+                                   : "";
+    report.blocks.emplace_back(Paragraph{
+        "Feasible means that geometry and friction leave the movement open, not that it happens: cohesion, water, "
+        "spacing, persistence and the height of the slope play no part. The poles on the nets are not measurements: "
+        "they are sampled from what the case says of each set, every set independently of the others."});
+    report.blocks.emplace_back(Heading{"Stereonets"});
+    report.blocks.emplace_back(folder.draw(pole_figure(drawing), "stereonet_poles",
+                                           "Poles of the joint sets (sampled), their means and the zones in which a "
+                                           "pole slides or topples." +
+                                               ground));
+    report.blocks.emplace_back(folder.draw(plane_figure(drawing), "stereonet_planes",
+                                           "Mean planes and the lines along which they meet, numbered as the pairs "
+                                           "in the tables, with the zones of wedges and toppling columns." +
+                                               ground));
+    report.blocks.emplace_back(zone_table(study.model));
+    report.blocks.emplace_back(Heading{"Joint sets"});
+    report.blocks.emplace_back(set_table(result));
+    report.blocks.emplace_back(
+        mechanism_table(result, "Sliding on a plane of one set", &JointSetFeasibility::planar_sliding));
+    report.blocks.emplace_back(
+        mechanism_table(result, "Flexural toppling of the layers of one set", &JointSetFeasibility::flexural_toppling));
+    report.blocks.emplace_back(base_table(result));
+    folder.write("joint_sets.csv", sets_csv(result));
+    if (!result.pair.empty()) {
+        report.blocks.emplace_back(Heading{"Pairs of joint sets"});
+        report.blocks.emplace_back(wedge_table(result));
+        report.blocks.emplace_back(direct_toppling_table(result));
+    }
+    folder.write("pairs.csv", pairs_csv(result));
+}
+
+void append_mechanism_figures(const KinematicsStudy&, const MechanismFit&, const FitProblem&, const ResultFolder&,
+                              Report&) {}
+
+std::vector<std::string> blamed_keys(const KinematicsStudy&, std::string_view failure) {
+    switch (value_of<KinematicsCheck>(failure).value_or(KinematicsCheck::valid)) {
+    case KinematicsCheck::no_joint_set:
+    case KinematicsCheck::too_many_joint_sets:
+    case KinematicsCheck::joint_set_without_name:
+    case KinematicsCheck::joint_set_name_repeated:
+    case KinematicsCheck::lower_dip_above_upper_dip:
+        return {"joint_set"};
+    case KinematicsCheck::setting_not_whole:
+        return {"sampling"};
+    case KinematicsCheck::input_out_of_range:
+    case KinematicsCheck::valid:
+        break;
+    }
+    return {};
+}
+
+std::string explain_failure(const KinematicsStudy&, std::string_view failure, const std::string&) {
+    switch (value_of<KinematicsCheck>(failure).value_or(KinematicsCheck::valid)) {
+    case KinematicsCheck::no_joint_set:
+        return "at least one [[joint_set]] is required";
+    case KinematicsCheck::too_many_joint_sets:
+        return "at most " + std::to_string(most_joint_sets) + " joint sets";
+    case KinematicsCheck::joint_set_without_name:
+        return "every joint set needs a name";
+    case KinematicsCheck::joint_set_name_repeated:
+        return "two joint sets have the same name";
+    case KinematicsCheck::lower_dip_above_upper_dip:
+        return "a joint set has a lower_dip above its upper_dip";
+    case KinematicsCheck::setting_not_whole:
+        return "sample_count and seed must be whole numbers";
+    case KinematicsCheck::input_out_of_range:
+        return "a number is outside its allowed range";
+    case KinematicsCheck::valid:
+        break;
+    }
+    return "";
+}
+
+}  // namespace delabole

@@ -1,0 +1,211 @@
+// Plane failure as the reader knows it.
+#include "cases/program/case/model_cases.hpp"
+#include "cases/program/reader/units.hpp"
+#include "plane_failure/plane_failure.hpp"
+
+#include <variant>
+
+namespace delabole {
+namespace {
+
+void check_elevation(Checker& checker, const PlaneFailure<>& model, const std::string& key) {
+    if (!model.slope.toe_elevation) {
+        checker.complain(key, "is an elevation, so slope.toe_elevation is required too");
+    }
+}
+
+struct WaterChecks {
+    Checker& checker;
+    const PlaneFailure<>& model;
+
+    void operator()(const Dry&) const {}
+    void operator()(const PiezometricLineWater<>& water) const {
+        if (water.point.empty()) {
+            checker.complain("water", "needs at least one [[water.point]]");
+        }
+        check_increasing(checker, water.point, &PiezometricPoint<>::x, "water.point", "x");
+    }
+    void operator()(const CustomWater<>& water) const {
+        check_increasing(checker, water.crack, &PressurePoint<>::position, "water.crack", "position");
+        check_increasing(checker, water.base, &PressurePoint<>::position, "water.base", "position");
+    }
+    template <class WithLevel>
+    void operator()(const WithLevel& water) const {
+        if (std::holds_alternative<WaterElevation<>>(water.level)) {
+            check_elevation(checker, model, "water.water_elevation");
+        }
+    }
+};
+
+struct StrengthChecks {
+    Checker& checker;
+
+    template <class Law>
+    void operator()(const Law& law) const {
+        if constexpr (requires { law.friction_angle + law.roughness_angle; }) {
+            if (!(law.friction_angle + law.roughness_angle < degrees(90))) {
+                checker.complain("strength.roughness_angle",
+                                 "friction_angle + roughness_angle must be less than 90 deg");
+            }
+        }
+    }
+};
+
+void check_slope(Checker& checker, const PlaneFailure<>& model) {
+    if (model.tension_crack && std::holds_alternative<CrackBaseElevation<>>(model.tension_crack->position)) {
+        check_elevation(checker, model, "tension_crack.base_elevation");
+    }
+    std::visit(WaterChecks{checker, model}, model.water);
+    std::visit(StrengthChecks{checker}, model.strength);
+    if (model.pond && model.pond->depth > model.slope.height) {
+        checker.complain("pond.depth",
+                         "must be at most slope.height = " + readable_quantity(model.slope.height, Dimension::length));
+    }
+    if (model.failure_plane.daylight_height && !(*model.failure_plane.daylight_height < model.slope.height)) {
+        checker.complain("failure_plane.daylight_height", "must be less than slope.height = " +
+                                                              readable_quantity(model.slope.height, Dimension::length));
+    }
+    for (std::size_t index = 0; index < model.surcharge.size(); ++index) {
+        if (!(model.surcharge[index].from_distance < model.surcharge[index].to_distance)) {
+            checker.complain(indexed("surcharge", index) + ".from_distance", "must be less than to_distance");
+        }
+    }
+    for (std::size_t index = 0; index < model.bolt.size(); ++index) {
+        if (model.bolt[index].head_height > model.slope.height) {
+            checker.complain(
+                indexed("bolt", index) + ".head_height",
+                "must be at most slope.height = " + readable_quantity(model.slope.height, Dimension::length));
+        }
+    }
+}
+
+// Wyllie & Mah (2004), example 7.1, with 3 m of water in the crack.
+PlaneFailureStudy<> example_study() {
+    PlaneFailureStudy<> study{};
+    study.model.slope = {.height = 12,
+                         .face_dip = degrees(60),
+                         .upper_surface_dip = 0,
+                         .bench = std::nullopt,
+                         .toe_elevation = std::nullopt};
+    study.model.failure_plane = {.dip = degrees(35), .daylight_height = std::nullopt};
+    study.model.tension_crack = TensionCrack<>{.dip = degrees(90), .position = CrackAtDistance<>{4}};
+    study.model.rock = {.unit_weight = 26e3};
+    study.model.strength = Coulomb<>{.cohesion = 25e3, .friction_angle = degrees(37)};
+    study.model.water = CrackAndBaseWater<>{.unit_weight = 9.81e3, .level = WaterDepth<>{3}};
+    return study;
+}
+
+constexpr std::string_view study_parts = R"(
+[sources]                           # where a value comes from, by its key
+"slope.height" = "survey of 1966"
+
+[[expect]]                          # a printed value: delabole verify compares
+quantity = "factor_of_safety"
+value = 1.247
+tolerance = 0.001                   # absolute, or relative_tolerance
+with = { "water.water_depth" = "3 m" }  # inputs that differ
+source = "example 7.1"
+note = "printed to three decimals"
+# unreachable = "why the printed value cannot be reached: it is shown, but does not fail"
+
+[fit]                               # delabole fit
+algorithm = "sbplx"                 # sbplx, bobyqa, cobyla, crs2, direct_l, mlsl or isres
+starts = 16                         # starting points
+evaluations_per_start = 400
+relative_tolerance = 1e-8           # of the parameters, scaled by their bounds
+profile_points = 41                 # points of each profile likelihood
+map_points = 61                     # points along each side of the misfit map
+seed = 1
+
+[[fit.parameter]]                   # an input that is free; or [[fit.mechanism]] with [[fit.mechanism.parameter]]
+name = "strength.friction_angle"
+lower = "20 deg"
+upper = "45 deg"
+prior = { mean = "37 deg", standard_deviation = "3 deg", source = "shear box tests" }
+
+[[fit.observation]]
+label = "it failed"
+quantity = "factor_of_safety"
+relation = "equal"                  # equal, at_least or at_most
+value = 1
+standard_deviation = 0.05
+with = { "water.water_depth" = "4 m" }
+source = "report of the failure"
+
+[fit.profile]                       # ground after the failure, from the toe into the slope
+points = [["0 m", "0 m"], ["10.9 m", "7.65 m"], ["10.9 m", "12 m"]]
+standard_deviation = "0.5 m"
+source = "survey after the failure"
+
+[[fit.evidence]]                    # evidence without a number
+name = "crest_cracks"
+statement = "cracks parallel to the crest opened weeks before"
+source = "quarry manager"
+
+[sensitivity]                       # delabole sensitivity
+quantity = "factor_of_safety"
+seed = 1
+
+[sensitivity.failure]
+limit = 1
+side = "below"                      # below or above
+
+[[sensitivity.parameter]]
+name = "strength.cohesion"
+distribution = "lognormal"          # normal, lognormal, exponential, uniform, triangular or beta
+mean = "25 kPa"
+standard_deviation = "6 kPa"
+upper = "60 kPa"                    # lower and upper cut a normal, lognormal or exponential distribution off
+
+[[sensitivity.parameter]]
+name = "strength.friction_angle"
+distribution = "triangular"
+lower = "30 deg"
+mode = "37 deg"
+upper = "42 deg"
+source = "shear box tests"
+
+[[sensitivity.correlation]]         # not together with sobol_indices
+between = ["strength.cohesion", "strength.friction_angle"]
+coefficient = -0.5
+measure = "linear"                  # linear (Pearson) or rank (Spearman)
+
+[sensitivity.tornado]               # each method is used where its section stands, empty or not
+lower_probability = 0.05
+upper_probability = 0.95
+
+[sensitivity.morris]
+trajectories = 30
+levels = 4
+
+[sensitivity.propagation]
+method = "latin_hypercube"          # latin_hypercube, sobol_sequence or monte_carlo
+samples = 16384
+replicates = 16                     # independent samples whose spread gives the error
+
+[sensitivity.reliability]           # first-order reliability index
+starts = 8
+)";
+
+}  // namespace
+
+void check_case(Checker& checker, const PlaneFailureStudy<>& study) {
+    check_slope(checker, study.model);
+    if (study.critical && study.critical->lower_dip && study.critical->upper_dip &&
+        !(*study.critical->lower_dip < *study.critical->upper_dip)) {
+        checker.complain("critical.lower_dip", "bounds are reversed: must be less than critical.upper_dip");
+    }
+    check_required(checker, study.required, study);
+}
+
+ModelExample<PlaneFailureStudy<>> example_case(const PlaneFailureStudy<>*) {
+    return {example_study(), "Plane failure of a slope 12 m high", study_parts};
+}
+
+std::vector<Quantity> possible_outputs(const PlaneFailureStudy<>&) {
+    PlaneFailureStudy<> with_datum{};
+    with_datum.model.slope.toe_elevation = 0;
+    return model_interface(with_datum).outputs;
+}
+
+}  // namespace delabole

@@ -1,0 +1,197 @@
+#include "cases/program/models/plane_failure/figures.hpp"
+
+#include "cases/program/reports/sensitivity_step.hpp"
+#include "fitting/work/words.hpp"
+#include "plane_failure/critical.hpp"
+#include "plane_failure/water_diagram.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace delabole {
+
+namespace {
+
+constexpr int curve_points = 101;
+
+// The level of a water form that has one.
+WaterLevel<>* level_of(Water<>& water) {
+    return std::visit(
+        [](auto& form) -> WaterLevel<>* {
+            if constexpr (requires { form.level; }) {
+                return &form.level;
+            } else {
+                return nullptr;
+            }
+        },
+        water);
+}
+
+double* cohesion_of(StrengthLaw<>& strength) {
+    return std::visit(
+        [](auto& law) -> double* {
+            if constexpr (requires { law.cohesion; }) {
+                return &law.cohesion;
+            } else {
+                return nullptr;
+            }
+        },
+        strength);
+}
+
+double cohesion_at_failure(const PlaneFailureResult& result, double friction_angle) {
+    return (result.driving_force - result.normal_force * std::tan(friction_angle)) / result.sliding_area;
+}
+
+Polyline failure_locus(const PlaneFailureResult& result) {
+    Polyline locus;
+    constexpr double steepest = degrees(80);
+    for (int index = 0; index < curve_points; ++index) {
+        const double friction_angle = steepest * index / (curve_points - 1);
+        const double cohesion = cohesion_at_failure(result, friction_angle);
+        if (cohesion < 0) {
+            locus.emplace_back(std::atan2(result.driving_force, result.normal_force), 0.0);
+            break;
+        }
+        locus.emplace_back(friction_angle, cohesion);
+    }
+    return locus;
+}
+
+double least_factor(PlaneFailure<> problem, const CriticalSearch<>& this_plane, CriticalFeature find) {
+    if (find == CriticalFeature::both) {
+        const CriticalGeometry critical = find_critical_geometry(problem, this_plane);
+        return critical.check == PlaneFailureCheck::valid ? critical.factor_of_safety
+                                                          : std::numeric_limits<double>::infinity();
+    }
+    if (this_plane.under == SearchCondition::dry_slope) {
+        problem.water = Dry{};
+        problem.pond.reset();
+    }
+    const FactorOfSafety result = factor_of_safety(problem);
+    return result.check == PlaneFailureCheck::valid ? result.value : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+SectionDrawing section_drawing(const PlaneFailure<>& problem, const std::string& title) {
+    SectionDrawing drawing;
+    drawing.title = title;
+    drawing.ground = ground_profile(problem);
+    drawing.ground.insert(drawing.ground.begin(), Point(-problem.slope.height / 4, 0));
+    drawing.toe_elevation = problem.slope.toe_elevation.value_or(0.0);
+    const WaterDiagram water = water_diagram(problem);
+    if (water.base.surface.empty()) {
+        return drawing;
+    }
+    drawing.failure_plane = {water.base.surface.front(), water.base.surface.back()};
+    if (!water.crack.surface.empty()) {
+        drawing.tension_crack = {water.crack.surface.front(), water.crack.surface.back()};
+        drawing.water_in_crack = water.water_in_crack;
+    }
+    for (const SurfacePressure* surface : {&water.base, &water.crack}) {
+        if (std::any_of(surface->pressure.begin(), surface->pressure.end(), [](double p) { return p > 0; })) {
+            drawing.water_pressure.push_back({surface->surface, surface->pressure});
+        }
+    }
+    return drawing;
+}
+
+std::optional<WaterDepthCurves> water_depth_curves(const PlaneFailure<>& problem) {
+    PlaneFailure<> varied = problem;
+    WaterLevel<>* level = level_of(varied.water);
+    double* cohesion = cohesion_of(varied.strength);
+    if (level == nullptr || cohesion == nullptr) {
+        return std::nullopt;
+    }
+    WaterDepthCurves curves;
+    curves.title = "Factor of safety against depth of water";
+    const double given = *cohesion;
+    const double unit = given > 0 ? given : 50e3;
+    for (const double value : {0.0, unit, 2 * unit}) {
+        NamedCurve curve;
+        curve.legend = "c = " + value_in_words(value, Dimension::stress) + (value == given ? " (as given)" : "");
+        *cohesion = value;
+        for (int index = 0; index < curve_points; ++index) {
+            const double ratio = static_cast<double>(index) / (curve_points - 1);
+            *level = FilledRatio<>{ratio};
+            const FactorOfSafety result = factor_of_safety(varied);
+            if (result.check == PlaneFailureCheck::valid && std::isfinite(result.value)) {
+                curve.points.emplace_back(ratio, result.value);
+            }
+        }
+        curves.curves.push_back(std::move(curve));
+    }
+    return curves;
+}
+
+FailureLoci failure_loci(const PlaneFailure<>& problem) {
+    FailureLoci loci;
+    loci.title = "Friction and cohesion at failure";
+    PlaneFailure<> varied = problem;
+    WaterLevel<>* level = level_of(varied.water);
+    const auto add = [&](const std::string& legend) {
+        const PlaneFailureResult result = analyse(varied);
+        if (result.check == PlaneFailureCheck::valid) {
+            loci.loci.push_back({legend, failure_locus(result)});
+        }
+    };
+    if (level == nullptr) {
+        add("as given");
+        return loci;
+    }
+    for (const double ratio : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        *level = FilledRatio<>{ratio};
+        add("water level " + number_in_words(100 * ratio) + " %");
+    }
+    return loci;
+}
+
+std::vector<SensitivityBar> sensitivity_bars(const PlaneFailure<>& problem) {
+    const double height = problem.slope.height;
+    const double overburden = problem.rock.unit_weight * height;
+    std::vector<SensitivityBar> bars;
+    for (const Sensitivity& input : sensitivities(problem).derivatives) {
+        const SensitivityStep step = sensitivity_step(input.dimension, input.value, height, overburden);
+        const double effect = input.derivative * step.size;
+        if (effect != 0) {
+            bars.push_back({input.parameter, step.words, effect});
+        }
+    }
+    return bars;
+}
+
+std::optional<CriticalSearchDrawing> critical_plane_drawing(const PlaneFailureStudy<>& study) {
+    if (!study.critical || study.critical->find == CriticalFeature::tension_crack) {
+        return std::nullopt;
+    }
+    const CriticalGeometry best = find_critical_geometry(study.model, *study.critical);
+    CriticalSearchDrawing drawing;
+    drawing.title = "Search for the critical plane";
+    drawing.quantity = "failure_plane.dip";
+    drawing.dimension = Dimension::angle;
+    drawing.critical = Point(best.problem.failure_plane.dip, best.factor_of_safety);
+    NamedCurve curve;
+    curve.legend =
+        study.critical->find == CriticalFeature::both ? "crack at its critical place" : "least factor of safety";
+    const double lower = study.critical->lower_dip.value_or(degrees(1));
+    const double upper = study.critical->upper_dip.value_or(study.model.slope.face_dip);
+    // A search over no plane but this one.
+    CriticalSearch<> this_plane = *study.critical;
+    this_plane.find = CriticalFeature::tension_crack;
+    for (int index = 1; index + 1 < curve_points; ++index) {
+        PlaneFailure<> problem = study.model;
+        problem.failure_plane.dip = lower + (upper - lower) * index / (curve_points - 1);
+        const double factor = least_factor(problem, this_plane, study.critical->find);
+        // Near both ends the factor of safety grows without limit; the valley is what the figure is for.
+        if (factor < 4 * best.factor_of_safety) {
+            curve.points.emplace_back(problem.failure_plane.dip, factor);
+        }
+    }
+    drawing.curves.push_back(std::move(curve));
+    return drawing;
+}
+
+}  // namespace delabole

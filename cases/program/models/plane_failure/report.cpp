@@ -1,0 +1,174 @@
+// Plane failure as the program reports it: answers, warnings, figures.
+#include "cases/program/models/plane_failure/figures.hpp"
+#include "cases/program/results/model_reports.hpp"
+#include "fitting/work/words.hpp"
+#include "plane_failure/required.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace delabole {
+
+namespace {
+
+void append_required(Analysis& analysis, const PlaneFailure<>& problem, const std::vector<RequiredValue<>>& requests) {
+    for (const RequiredValue<>& request : requests) {
+        append_required_value(analysis, request.parameter, request.factor_of_safety,
+                              required_value(problem, request.parameter, request.factor_of_safety));
+    }
+}
+
+void append_optimum_bolt(Analysis& analysis, const PlaneFailure<>& problem) {
+    if (problem.bolt.empty()) {
+        return;
+    }
+    const OptimumBolt optimum = optimum_bolt_plunge(problem);
+    analysis.outputs.push_back({"optimum_bolt_plunge", "plunge of bolt[1] that makes the factor of safety largest",
+                                Dimension::angle, optimum.plunge});
+    analysis.outputs.push_back({"optimum_bolt_factor_of_safety", "factor of safety at that plunge", Dimension::ratio,
+                                optimum.factor_of_safety});
+    if (!(optimum.factor_of_safety > 0)) {
+        mark_none(analysis, "optimum_bolt");
+    }
+}
+
+void warn(Analysis& analysis, const PlaneFailureResult& result, bool critical_at_boundary) {
+    if (critical_at_boundary) {
+        analysis.warnings.emplace_back(
+            "the least factor of safety lies at the edge of the searched range: a limit, not a balance");
+    }
+    if (result.overturning_factor < 1 && result.factor_of_safety >= 1) {
+        analysis.warnings.emplace_back("the mass overturns about the toe before it slides");
+    }
+    if (result.normal_force < 0) {
+        analysis.warnings.emplace_back("the loads lift the mass off its base: the normal force is negative");
+    } else if (result.normal_force_position < 0 || result.normal_force_position > 1) {
+        analysis.warnings.emplace_back(
+            "no pressure on the base balances the moments: the normal force would act beyond its " +
+            std::string(result.normal_force_position < 0 ? "lower" : "upper") +
+            " end. The mass must rotate, or lean on the crack, which a balance of forces does not see");
+    } else if (result.normal_force_position < 1.0 / 3 || result.normal_force_position > 2.0 / 3) {
+        analysis.warnings.emplace_back(
+            "the normal force acts outside the middle third of the base: part of the base is in tension");
+    }
+    if (std::isinf(result.factor_of_safety)) {
+        analysis.warnings.emplace_back("nothing drives the mass down the plane: the factor of safety is infinite");
+    }
+}
+
+Table sensitivity_table(const SensitivityResult& sensitivities, CsvTable& csv) {
+    Table table{"Exact derivatives of the factor of safety",
+                {{"input"}, {"value", true}, {"dFS per unit", true}, {"unit"}},
+                {}};
+    for (const Sensitivity& input : sensitivities.derivatives) {
+        const DisplayUnit unit = display_unit(input.dimension);
+        const double per_unit = input.derivative * unit.si_per_unit;
+        table.rows.push_back({input.parameter, in_six_digits(input.value, input.dimension),
+                              in_six_digits(per_unit, Dimension::ratio),
+                              unit.symbol.empty() ? "1" : "1/(" + std::string(unit.symbol) + ")"});
+        csv.add_row(
+            {input.parameter, in_display_unit(input.value, input.dimension), std::string(unit.symbol), per_unit});
+    }
+    return table;
+}
+
+// Friction and cohesion within two standard deviations of their priors, the friction that of the mean plane.
+LaboratoryRange prior_range(const MechanismFit& fit, const PlaneFailure<>& slope) {
+    LaboratoryRange range;
+    range.legend = "priors, 2 standard deviations";
+    const auto* stepped = std::get_if<SteppedSurface<>>(&slope.strength);
+    for (const FreeParameter& parameter : fit.parameters) {
+        if (!parameter.prior) {
+            continue;
+        }
+        const double spread = 2 * parameter.prior->standard_deviation;
+        if (parameter.name == "strength.friction_angle") {
+            const double mean = parameter.prior->mean + (stepped != nullptr ? stepped->roughness_angle : 0.0);
+            range.friction_angle = within(mean - spread, std::min(mean + spread, degrees(89.9)));
+        } else if (parameter.name == "strength.cohesion") {
+            range.cohesion = within(std::max(0.0, parameter.prior->mean - spread), parameter.prior->mean + spread);
+        }
+    }
+    return range;
+}
+
+}  // namespace
+
+Analysis analyse_case(const PlaneFailureStudy<>& study) {
+    Analysis analysis;
+    const ResolvedStudy resolved = resolve(study);
+    const PlaneFailureResult result =
+        resolved.check == PlaneFailureCheck::valid ? analyse(resolved.problem) : PlaneFailureResult{};
+    const PlaneFailureCheck check = resolved.check == PlaneFailureCheck::valid ? result.check : resolved.check;
+    if (check != PlaneFailureCheck::valid) {
+        analysis.failure = word_of(check);
+        return analysis;
+    }
+    append_outputs(analysis, result);
+    append_required(analysis, resolved.problem, study.required);
+    append_optimum_bolt(analysis, resolved.problem);
+    warn(analysis, result, resolved.critical_at_boundary);
+    return analysis;
+}
+
+void append_case_figures(const PlaneFailureStudy<>& study, const ResultFolder& folder, Report& report) {
+    const PlaneFailure<> problem = resolve(study).problem;
+    report.blocks.emplace_back(Heading{"Section"});
+    SectionDrawing section = section_drawing(problem, "Slope, failure plane, crack and water");
+    section.predicted_profile = profile_after_failure(problem);
+    report.blocks.emplace_back(folder.draw(section_figure(section), "section",
+                                           "The slope, what slides, and the water pressure on it (not to the scale "
+                                           "of the section)."));
+    if (const auto critical = critical_plane_drawing(study)) {
+        report.blocks.emplace_back(folder.draw(critical_figure(*critical), "critical_plane",
+                                               "Least factor of safety for each dip of the failure plane."));
+    }
+    report.blocks.emplace_back(Heading{"Water and strength"});
+    if (const auto curves = water_depth_curves(problem)) {
+        report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(*curves), "water",
+                                               "Factor of safety against the filled ratio of the water level."));
+    }
+    report.blocks.emplace_back(folder.draw(failure_locus_figure(failure_loci(problem)), "failure_loci",
+                                           "Pairs of friction angle and cohesion at which the slope just fails."));
+    const SensitivityResult derivatives = sensitivities(problem);
+    CsvTable csv({"input", "value", "unit", "derivative_per_unit"});
+    report.blocks.emplace_back(Heading{"Sensitivity"});
+    report.blocks.emplace_back(folder.draw(tornado_figure("Change of the factor of safety", sensitivity_bars(problem)),
+                                           "sensitivity", "To first order, from exact derivatives."));
+    report.blocks.emplace_back(sensitivity_table(derivatives, csv));
+    folder.write("sensitivities.csv", csv.text());
+}
+
+// Sections, loci and sensitivities of the best point.
+void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
+                              const ResultFolder& folder, Report& report) {
+    const PlaneFailure<> slope = resolve(at_best).problem;
+    const std::vector<std::string> warnings = analyse_case(PlaneFailureStudy<>{slope, std::nullopt, {}}).warnings;
+    if (!warnings.empty()) {
+        report.blocks.emplace_back(Notice{NoticeKind::warning, "The mass at the best point", warnings});
+    }
+    SectionDrawing section = section_drawing(slope, "Observed and predicted profile");
+    section.predicted_profile = profile_after_failure(slope);
+    if (problem.profile) {
+        section.observed_profile = problem.profile->profile;
+    }
+    report.blocks.emplace_back(folder.draw(section_figure(section), fit.name + "_section",
+                                           "Section before the failure, the profile left standing as observed and as "
+                                           "predicted at the best point, with water pressures."));
+    FailureLoci loci = failure_loci(slope);
+    loci.laboratory = {prior_range(fit, slope)};
+    report.blocks.emplace_back(folder.draw(failure_locus_figure(loci), fit.name + "_failure_loci",
+                                           "Friction angle (of the mean plane) and cohesion at FS = 1 for the geometry "
+                                           "of the best point and several water levels, with what was known of the "
+                                           "strength beforehand."));
+    if (const auto curves = water_depth_curves(slope)) {
+        report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(*curves), fit.name + "_water",
+                                               "Factor of safety against the filled ratio of the crack."));
+    }
+    report.blocks.emplace_back(folder.draw(
+        tornado_figure("Change of the factor of safety", sensitivity_bars(slope)), fit.name + "_sensitivity",
+        "To first order, from exact derivatives at the best point, the geometry held."));
+}
+
+}  // namespace delabole

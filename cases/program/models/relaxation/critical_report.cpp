@@ -1,0 +1,233 @@
+#include "cases/program/models/relaxation/critical_report.hpp"
+
+#include "cases/program/models/relaxation/figures.hpp"
+#include "cases/program/reader/units.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+std::string meaning_of(CriticalParameter parameter) {
+    switch (parameter) {
+    case CriticalParameter::tilt:
+        return "tilt at which the blocks begin to fail";
+    case CriticalParameter::friction:
+        return "friction angle of all joints below which the blocks fail";
+    case CriticalParameter::strength_reduction:
+        return "factor by which strength has to be divided for the blocks to fail";
+    case CriticalParameter::weight:
+        break;
+    }
+    return "factor on gravity at which the blocks begin to fail";
+}
+
+bool has_failed(BlockMovement movement) {
+    return movement != BlockMovement::stays && movement != BlockMovement::fixed && movement != BlockMovement::removed;
+}
+
+struct FailingBlocks {
+    std::vector<std::size_t> block = {};
+    double area = 0;  // m2
+};
+
+FailingBlocks failing_blocks(const RelaxationRun& failed) {
+    FailingBlocks failing;
+    for (std::size_t block = 0; block < failed.result.block.size(); ++block) {
+        if (has_failed(failed.result.block[block].movement)) {
+            failing.block.push_back(block);
+            failing.area += area_properties(failed.scene.block[block].outline).area;
+        }
+    }
+    return failing;
+}
+
+// "stands", "fails" and what came of them on one path.
+std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
+    const Dimension dimension = dimension_of(plan.parameter);
+    const std::string last = value_in_words(value.last, dimension);
+    const std::string more = plan.stands_low() ? ": raise critical.upper" : ": lower critical.lower";
+    const std::string less = plan.stands_low() ? ": lower critical.lower" : ": raise critical.upper";
+    switch (value.status) {
+    case CriticalStatus::found:
+        return {};
+    case CriticalStatus::stands_everywhere:
+        return "the blocks stand even at " + last + more;
+    case CriticalStatus::fails_everywhere:
+        return "the blocks fail even at " + last + less;
+    case CriticalStatus::undecided:
+        return "at " + last + " the blocks neither came to rest nor failed within settings.duration";
+    case CriticalStatus::run_failed:
+        return "the run at " + last +
+               " was stopped: an overlap passed settings.overlap_limit, or its energy did not balance";
+    case CriticalStatus::interrupted:
+        return "the search ended in the run at " + last;
+    case CriticalStatus::not_valid:
+        return "the scene is not valid at " + last;
+    }
+    return {};
+}
+
+std::variant<double, std::string> value_or_status(const PathValue& value) {
+    if (value.status == CriticalStatus::found) {
+        return value.value();
+    }
+    return std::string(word_of(value.status));
+}
+
+// How it was decided that the blocks fail, with the path where there are several.
+std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) {
+    const Dimension dimension = dimension_of(plan.parameter);
+    const RelaxationRun& failed = *value.failed;
+    const double at = value.status == CriticalStatus::found ? value.fails : value.last;
+    const std::string on_path =
+        plan.path.size() > 1 ? "On the path " + std::string(word_of(value.path)) + ": at " : "At ";
+    std::string text = on_path + in_six_digits(at, dimension);
+    if (failed.result.start_balance) {
+        const double ratio = failed.result.start_balance->unbalanced_ratio;
+        const bool balanced = ratio <= failed.settings.equilibrium_ratio;
+        text += balanced ? " the static solver found an equilibrium that the run did not keep"
+                         : " the static solver found no equilibrium: in the most balanced state that it met, " +
+                               number_in_words(100 * ratio) + " % of a block's load are out of balance";
+    } else {
+        text += ", with springs loaded at once";
+    }
+    text += "; in the run blocks passed the thresholds of onset, a rotation of " +
+            value_in_words(failed.settings.onset_rotation, Dimension::angle) + " or a displacement of " +
+            number_in_words(failed.settings.onset_slide) + " radii.";
+    if (value.status == CriticalStatus::found) {
+        text += " At " + in_six_digits(value.stands, dimension) + " they came to rest, out of balance by less than " +
+                number_in_words(failed.settings.equilibrium_ratio) + " of a block's weight.";
+    }
+    return text;
+}
+
+// How it was decided that the blocks fail, which of them do, and their drawing. Files have the name of the path where
+// the value was found on several.
+void append_failure(const CriticalPlan& plan, const PathValue& value, const ResultFolder& folder, Report& report) {
+    if (!value.failed) {
+        return;
+    }
+    const RelaxationRun& failed = *value.failed;
+    const std::string path(word_of(value.path));
+    const bool several = plan.path.size() > 1;
+    const std::string suffix = several ? '_' + path : "";
+    report.blocks.emplace_back(Paragraph{decision_in_words(plan, value)});
+    CsvTable csv({"block", "movement", "rotation_deg", "displacement_m", "base_slip_m"});
+    for (const std::size_t block : failing_blocks(failed).block) {
+        const BlockOutcome& outcome = failed.result.block[block];
+        csv.add_row({static_cast<double>(block + 1), std::string(word_of(outcome.movement)),
+                     in_display_unit(outcome.rotation, Dimension::angle), outcome.displacement, outcome.base_slip});
+    }
+    folder.write("failing_blocks" + suffix + ".csv", csv.text());
+    std::string title = "At failure";
+    if (several && value.status == CriticalStatus::found) {
+        title += ", path " + path + ": " + human_name(name_of_critical(plan.parameter)) + ' ' +
+                 value_in_words(value.value(), dimension_of(plan.parameter));
+    }
+    append_failure_figure(failed, title, "at_failure" + suffix, folder, report);
+}
+
+void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, const ResultFolder& folder,
+                  Report& report) {
+    const Dimension dimension = dimension_of(plan.parameter);
+    const std::string name = human_name(name_of_critical(plan.parameter));
+    Table table{"The " + name + " on each loading path; headers of critical_request.hpp say what they are.",
+                {{"path"}, {name, true}, {"stands", true}, {"fails", true}, {"failing blocks", true}, {"runs", true}},
+                {}};
+    CsvTable csv({"path", "status", column_name(name_of_critical(plan.parameter), dimension),
+                  column_name("stands", dimension), column_name("fails", dimension), "failing_blocks", "runs"});
+    const auto add = [&](const PathValue& value) {
+        const bool found = value.status == CriticalStatus::found;
+        const double failing = value.failed ? static_cast<double>(failing_blocks(*value.failed).block.size()) : 0;
+        table.rows.push_back({std::string(word_of(value.path)),
+                              found ? in_six_digits(value.value(), dimension) : human_name(word_of(value.status)),
+                              in_six_digits(value.stands, dimension), in_six_digits(value.fails, dimension),
+                              human_number(failing, 6), std::to_string(value.runs)});
+        csv.add_row({std::string(word_of(value.path)), std::string(word_of(value.status)),
+                     found ? std::variant<double, std::string>(in_display_unit(value.value(), dimension))
+                           : std::variant<double, std::string>(std::string()),
+                     in_display_unit(value.stands, dimension), in_display_unit(value.fails, dimension), failing,
+                     static_cast<double>(value.runs)});
+    };
+    add(critical);
+    std::ranges::for_each(critical.other, add);
+    folder.write("paths.csv", csv.text());
+    report.blocks.emplace_back(std::move(table));
+    if (!critical.other.empty() && critical.worst_status() == CriticalStatus::found) {
+        report.blocks.emplace_back(
+            Paragraph{"The paths spread by " + in_six_digits(critical.spread(), dimension) +
+                      ": none of them is wrong, so that this is error of the model, beside that of its inputs."});
+    }
+}
+
+}  // namespace
+
+void append_critical(Analysis& analysis, const CriticalPlan& plan, const CriticalAnswer& critical) {
+    const bool found = critical.status == CriticalStatus::found;
+    const std::vector<Quantity> names = outputs_of_search(plan);
+    const Dimension dimension = dimension_of(plan.parameter);
+    const auto append = [&](const std::string& key, const std::string& meaning, Dimension of, auto value, bool detail) {
+        analysis.outputs.push_back({key, meaning, of, value, detail});
+    };
+    append(names.front().name, meaning_of(plan.parameter), dimension, value_or_status(critical), false);
+    // The answer's bracket; without an answer they may still be the bounds of the search.
+    append("critical.stands", "nearest value found to stand", dimension, critical.stands, !found);
+    append("critical.fails", "nearest value found to fail", dimension, critical.fails, !found);
+    append("critical.path", "loading path on which the value was found", Dimension::ratio,
+           std::string(word_of(critical.path)), false);
+    if (critical.consolidated_at) {
+        append("critical.consolidated_at", "value at which the blocks came to rest first", dimension,
+               *critical.consolidated_at, true);
+    }
+    if (critical.failed) {
+        const FailingBlocks failing = failing_blocks(*critical.failed);
+        append("critical.failing_blocks", "blocks that have begun to move at the nearest value found to fail",
+               Dimension::ratio, static_cast<double>(failing.block.size()), !found);
+        append("critical.failing_area", "their area", Dimension::area, failing.area, true);
+    }
+    append("critical.runs", "runs made", Dimension::ratio, static_cast<double>(critical.runs), true);
+    append("critical.steps", "time steps of all runs", Dimension::ratio, static_cast<double>(critical.steps), true);
+    for (std::size_t index = 0; index < critical.other.size(); ++index) {
+        const PathValue& other = critical.other[index];
+        append(names[index + 1].name, names[index + 1].meaning, dimension, value_or_status(other), false);
+    }
+    if (critical.other.size() + 1 == plan.path.size() && plan.path.size() > 1 &&
+        critical.worst_status() == CriticalStatus::found) {
+        append(names.back().name, names.back().meaning, dimension, critical.spread(), false);
+    }
+    if (critical.consolidated_at && plan.is_ratio() && *critical.consolidated_at < 1 && plan.upper >= 1) {
+        analysis.warnings.push_back(
+            "the blocks do not stand as the case has them: they were consolidated at a factor of " +
+            number_in_words(*critical.consolidated_at));
+    }
+}
+
+std::string search_in_words(const CriticalPlan& plan, const CriticalAnswer& critical) {
+    if (critical.status != CriticalStatus::found) {
+        return path_in_words(plan, critical);
+    }
+    for (const PathValue& other : critical.other) {
+        if (other.status != CriticalStatus::found) {
+            return "on the path " + std::string(word_of(other.path)) + ' ' + path_in_words(plan, other);
+        }
+    }
+    return {};
+}
+
+void append_critical_figures(const RelaxationStudy& study, const CriticalAnswer& critical, const ResultFolder& folder,
+                             Report& report) {
+    const CriticalPlan plan = critical_plan(study);
+    report.blocks.emplace_back(Heading{human_name(name_of_critical(plan.parameter))});
+    append_paths(plan, critical, folder, report);
+    append_failure(plan, critical, folder, report);
+    for (const PathValue& other : critical.other) {
+        append_failure(plan, other, folder, report);
+    }
+}
+
+}  // namespace delabole

@@ -1,0 +1,22 @@
+// A search for a critical value as the program reports it: value, bracket, path, what failed and how that was decided.
+#pragma once
+
+#include "cases/program/results/analysis.hpp"
+#include "cases/program/results/result_folder.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
+#include "plots/report/report.hpp"
+
+#include <string>
+
+namespace delabole {
+
+void append_critical(Analysis& analysis, const CriticalPlan& plan, const CriticalAnswer& critical);
+
+// Why the search has no answer on one of its paths; empty where it has one on each.
+std::string search_in_words(const CriticalPlan& plan, const CriticalAnswer& critical);
+
+// The value on each path, the blocks at failure as table and figure, failing_blocks.csv and paths.csv.
+void append_critical_figures(const RelaxationStudy& study, const CriticalAnswer& critical, const ResultFolder& folder,
+                             Report& report);
+
+}  // namespace delabole

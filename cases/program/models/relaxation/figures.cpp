@@ -1,0 +1,223 @@
+#include "cases/program/models/relaxation/figures.hpp"
+
+#include "dynamic_relaxation/study/cracks.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
+#include "plots/figures/block_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+constexpr std::size_t most_rows = 60;
+// Of more blocks the numbers would hide the drawing.
+constexpr std::size_t most_numbered_blocks = 300;
+
+DrawnMode drawn(BlockMovement movement) {
+    switch (movement) {
+    case BlockMovement::stays:
+        return DrawnMode::stays;
+    case BlockMovement::slides_forward:
+    case BlockMovement::slides_backward:
+        return DrawnMode::slides;
+    case BlockMovement::rotates:
+        return DrawnMode::topples;
+    case BlockMovement::slides_forward_and_rotates:
+    case BlockMovement::slides_backward_and_rotates:
+        return DrawnMode::slides_and_topples;
+    case BlockMovement::moves:
+        return DrawnMode::moves;
+    case BlockMovement::fixed:
+        return DrawnMode::fixed;
+    case BlockMovement::removed:
+        break;
+    }
+    return DrawnMode::plain;
+}
+
+BlockDrawing drawing_of(const RelaxationRun& made, const std::vector<Motion>& motion, const Bodies& bodies, double tilt,
+                        bool with_modes) {
+    const Upright upright(tilt);
+    BlockDrawing drawing;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (made.end->removed[block] != 0 && with_modes) {
+            continue;
+        }
+        DrawnBlock shown;
+        for (std::size_t corner = bodies.range[block].begin; corner < bodies.range[block].end; ++corner) {
+            shown.outline.push_back(upright(moved_corner(bodies, motion, corner)));
+        }
+        const bool fixed = bodies.fixed[block] != 0;
+        if (fixed || bodies.size() <= most_numbered_blocks) {
+            shown.label = label_of(block, fixed);
+        }
+        shown.mode = fixed        ? DrawnMode::fixed
+                     : with_modes ? drawn(made.result.block[block].movement)
+                                  : DrawnMode::plain;
+        drawing.blocks.push_back(std::move(shown));
+    }
+    return drawing;
+}
+
+Figure start_figure(const RelaxationRun& made, const Bodies& bodies) {
+    BlockDrawing drawing = drawing_of(made, made.end->origin, bodies, made.scene.gravity.tilt, false);
+    drawing.title = "At the start";
+    return block_figure(drawing);
+}
+
+// What opens a joint so far that it shows, over the middling block's size.
+constexpr double open_share = 0.03;
+
+void add_cracks(BlockDrawing& drawing, const RelaxationRun& made, const Bodies& bodies, double tilt) {
+    if (made.scene.bond.empty()) {
+        return;
+    }
+    const Upright upright(tilt);
+    for (const BrokenBond& bond : broken_bonds(made.scene, bodies, *made.end)) {
+        drawing.broken.push_back({upright(carried(bodies, made.end->motion, bond.block, bond.from)),
+                                  upright(carried(bodies, made.end->motion, bond.block, bond.to))});
+    }
+    std::vector<double> sizes = bodies.radius;
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::ranges::nth_element(sizes, middle);
+    for (const OpenJoint& joint : open_joints(made.scene, bodies, *made.end, open_share * *middle)) {
+        drawing.open_joints.push_back({upright(joint.from), upright(joint.to)});
+    }
+}
+
+Figure end_figure(const RelaxationRun& made, const Bodies& bodies) {
+    BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, true);
+    drawing.title =
+        "After " + value_in_words(made.result.time, Dimension::time) + ": " + human_name(word_of(made.result.outcome));
+    add_cracks(drawing, made, bodies, made.result.tilt);
+    return block_figure(drawing);
+}
+
+Figure force_figure(const RelaxationRun& made, const Bodies& bodies) {
+    const Upright upright(made.result.tilt);
+    BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, false);
+    drawing.title = "Contact forces after " + value_in_words(made.result.time, Dimension::time);
+    for (const CornerForce& force : corner_forces(bodies, *made.end)) {
+        const bool on_fixed = bodies.fixed[force.block] != 0;
+        const bool by_fixed = bodies.fixed[force.other] != 0;
+        drawing.forces.push_back({upright(force.at), (on_fixed ? -1 : 1) * upright(force.force),
+                                  on_fixed || by_fixed ? ForceKind::base_reaction : ForceKind::interblock});
+    }
+    return block_figure(drawing);
+}
+
+double speed(const Motion& motion) {
+    return std::hypot(motion.vx, motion.vy);
+}
+
+// Velocities of the centroids at the end; false where nothing moves.
+bool add_velocities(BlockDrawing& drawing, const RelaxationRun& made, const Bodies& bodies) {
+    double fastest = 0;
+    double size = 0;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (bodies.fixed[block] == 0) {
+            fastest = std::max(fastest, speed(made.end->motion[block]));
+            size = std::max(size, bodies.radius[block]);
+        }
+    }
+    constexpr double at_rest = 1e-6;
+    if (!(fastest > at_rest)) {
+        return false;
+    }
+    const Upright upright(made.result.tilt);
+    Arrows& arrows = drawing.velocities;
+    arrows.legend = "velocity, the longest " + value_in_words(fastest, Dimension::speed);
+    arrows.colour = Colour::vermilion;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        const Motion& motion = made.end->motion[block];
+        if (bodies.fixed[block] == 0 && made.end->removed[block] == 0 && speed(motion) > fastest / 1000) {
+            const PlanePoint<> centre = bodies.centroid[block] + PlanePoint<>(motion.x, motion.y);
+            const PlanePoint<> way(size / fastest * motion.vx, size / fastest * motion.vy);
+            arrows.shafts.push_back({upright(centre), upright(PlanePoint<>(centre + way))});
+        }
+    }
+    return true;
+}
+
+std::optional<Figure> velocity_figure(const RelaxationRun& made, const Bodies& bodies) {
+    BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, false);
+    drawing.title = "Velocities after " + value_in_words(made.result.time, Dimension::time);
+    return add_velocities(drawing, made, bodies) ? std::optional(block_figure(drawing)) : std::nullopt;
+}
+
+Table block_table(const RelaxationRun& made) {
+    Table table{"The blocks at the end; slip over the base is negative forward, towards the toe.",
+                {{"block", true},
+                 {"movement"},
+                 {"rotation, °", true},
+                 {"displacement, mm", true},
+                 {"slip over the base, mm", true}},
+                {}};
+    constexpr double millimetre = 1e-3;
+    for (std::size_t block = 0; block < made.result.block.size() && table.rows.size() < most_rows; ++block) {
+        const BlockOutcome& outcome = made.result.block[block];
+        if (outcome.movement != BlockMovement::fixed) {
+            table.rows.push_back({std::to_string(block + 1), human_name(word_of(outcome.movement)),
+                                  human_number(outcome.rotation / degrees(1), 4),
+                                  human_number(outcome.displacement / millimetre, 4),
+                                  human_number(outcome.base_slip / millimetre, 4)});
+        }
+    }
+    return table;
+}
+
+}  // namespace
+
+Figure mechanism_figure(const RelaxationRun& made, const std::string& title) {
+    const Bodies bodies = make_bodies(made.scene);
+    BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, true);
+    drawing.title = title;
+    for (DrawnBlock& block : drawing.blocks) {
+        block.label.clear();  // would hide the arrows
+    }
+    add_cracks(drawing, made, bodies, made.result.tilt);
+    add_velocities(drawing, made, bodies);
+    return block_figure(drawing);
+}
+
+void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report) {
+    if (!made.end) {
+        return;
+    }
+    const Bodies bodies = make_bodies(made.scene);
+    report.blocks.emplace_back(Heading{"The blocks"});
+    report.blocks.emplace_back(block_table(made));
+    if (bodies.size() > most_drawn_blocks) {
+        report.blocks.emplace_back(Paragraph{"There are " + std::to_string(bodies.size()) +
+                                             " blocks, too many to be told apart in a drawing."});
+        return;
+    }
+    report.blocks.emplace_back(
+        folder.draw(start_figure(made, bodies), "start", "The blocks at the start, gravity downwards; F: fixed."));
+    report.blocks.emplace_back(
+        folder.draw(end_figure(made, bodies), "end", "The blocks at the end of the run, and how each has moved."));
+    if (const auto figure = velocity_figure(made, bodies)) {
+        report.blocks.emplace_back(
+            folder.draw(*figure, "velocities", "Velocities of the centroids at the end of the run."));
+    }
+    report.blocks.emplace_back(
+        folder.draw(force_figure(made, bodies), "contact_forces",
+                    "Forces of the springs at the corners at the end of the run: on free "
+                    "blocks by fixed ones, and on the block of the corner by its neighbour. Too many "
+                    "for arrows, they are lines along the forces, as thick as these are great."));
+}
+
+void append_failure_figure(const RelaxationRun& failed, const std::string& title, const std::string& name,
+                           const ResultFolder& folder, Report& report) {
+    if (failed.scene.block.size() > most_drawn_blocks) {
+        return;
+    }
+    report.blocks.emplace_back(folder.draw(
+        mechanism_figure(failed, title), name,
+        "The blocks at the onset of failure, at the nearest value found to fail: what each has begun to do."));
+}
+
+}  // namespace delabole

@@ -1,0 +1,60 @@
+// Figures and tables of a run of dynamic relaxation.
+#pragma once
+
+#include "cases/program/results/result_folder.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
+#include "plots/report/report.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace delabole {
+
+// From the scene's frame, in which gravity is tilted, to one with gravity downwards.
+class Upright {
+  public:
+    explicit Upright(double tilt) : cosine_(std::cos(tilt)), sine_(std::sin(tilt)) {}
+
+    Point operator()(const PlanePoint<>& point) const {
+        return {cosine_ * point.x() - sine_ * point.y(), sine_ * point.x() + cosine_ * point.y()};
+    }
+
+  private:
+    double cosine_;
+    double sine_;
+};
+
+inline constexpr std::size_t most_drawn_blocks = 2500;
+
+// What stands on a block in a drawing: its number, counted from 1, or that it is fixed.
+inline std::string label_of(std::size_t block, bool fixed) {
+    return fixed ? "F" : std::to_string(block + 1);
+}
+
+// Blocks at the start and at the end, velocities, contact forces, the table of blocks; nothing where there was no run.
+void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report);
+
+// Blocks at the end of the run at the nearest value that fails, those marked that have begun to move.
+void append_failure_figure(const RelaxationRun& failed, const std::string& title, const std::string& name,
+                           const ResultFolder& folder, Report& report);
+
+// Of a run that has an end: how each block has moved, the velocities there, and what has broken.
+Figure mechanism_figure(const RelaxationRun& made, const std::string& title);
+
+// Of a jointed slope: cracks, crest and the ground left standing, as figure, tables and *.csv; nothing for other
+// scenes.
+void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, Report& report);
+// The blocks where they are in a frame, those marked that fail in the end.
+Figure moved_slope_figure(const RelaxationRun& made, const MotionFrame& frame, const PostFailure& end,
+                          const std::string& title);
+// The blocks in the drawing, those that have failed marked, with the ground left standing.
+Figure left_standing_figure(const RelaxationRun& made, const PostFailure& failure, const std::string& title);
+
+// history.csv, movements.csv and their figures; nothing where the run kept no history.
+void append_history(const HistoryRequest& request, const RelaxationRun& made, const ResultFolder& folder,
+                    Report& report);
+
+// The blocks in motion, in the report and as frames/ for ParaView; nothing where the run kept no frames.
+void append_frames(const RelaxationRun& made, const ResultFolder& folder, Report& report);
+
+}  // namespace delabole

@@ -1,0 +1,108 @@
+// A run as moving pictures.
+#include "plots/report/frames.hpp"
+#include "cases/program/models/relaxation/figures.hpp"
+#include "cases/program/terminal/interrupt.hpp"
+#include "dynamic_relaxation/study/cracks.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+BlockAnimation animation_of(const RelaxationRun& made, const Bodies& bodies) {
+    BlockAnimation animation;
+    animation.outcome =
+        human_name(word_of(made.result.outcome)) + " at " + value_in_words(made.result.time, Dimension::time);
+    animation.colour = "speed";
+    animation.unit = display_unit(Dimension::speed).symbol;
+    animation.caption =
+        "The blocks in motion, gravity downwards. The same frames, with contact forces, are in frames/ "
+        "for ParaView.";
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        const bool fixed = bodies.fixed[block] != 0;
+        AnimatedBlock shown{{}, label_of(block, fixed), fixed};
+        for (const PlanePoint<>& corner : made.scene.block[block].outline) {
+            shown.outline.push_back(corner);
+        }
+        animation.blocks.push_back(std::move(shown));
+    }
+    for (const BrokenBond& bond : broken_bonds(made.scene, bodies, *made.end)) {
+        const auto first = std::ranges::lower_bound(made.frames, bond.time, {}, &MotionFrame::time);
+        animation.blocks[bond.block].cracks.push_back(
+            {bond.from, bond.to, static_cast<std::size_t>(first - made.frames.begin())});
+    }
+    for (const MotionFrame& frame : made.frames) {
+        AnimationFrame shown{frame.time, frame.tilt, {}};
+        for (std::size_t block = 0; block < bodies.size(); ++block) {
+            const Motion& motion = frame.motion[block];
+            shown.poses.push_back({Point(motion.x, motion.y), motion.angle, std::hypot(motion.vx, motion.vy),
+                                   frame.outcome[block].movement != BlockMovement::removed});
+        }
+        animation.frames.push_back(std::move(shown));
+    }
+    return animation;
+}
+
+BlockFrame frame_of(const MotionFrame& frame, const Bodies& bodies) {
+    const Upright upright(frame.tilt);
+    BlockFrame shown;
+    shown.time = frame.time;
+    shown.tilt = frame.tilt;
+    for (const std::string_view word : enum_names(BlockMovement{})) {
+        shown.movements.emplace_back(word);
+    }
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        const BlockOutcome& outcome = frame.outcome[block];
+        if (outcome.movement == BlockMovement::removed) {
+            continue;
+        }
+        const Motion& motion = frame.motion[block];
+        FrameBlock moved;
+        for (std::size_t corner = bodies.range[block].begin; corner < bodies.range[block].end; ++corner) {
+            moved.outline.push_back(upright(moved_corner(bodies, frame.motion, corner)));
+        }
+        moved.number = static_cast<int>(block) + 1;
+        moved.fixed = bodies.fixed[block] != 0;
+        moved.movement = static_cast<int>(outcome.movement);
+        moved.displacement = upright(PlanePoint<>(motion.x, motion.y));
+        moved.rotation = motion.angle;
+        moved.velocity = upright(PlanePoint<>(motion.vx, motion.vy));
+        shown.blocks.push_back(std::move(moved));
+    }
+    for (const CornerForce& force : frame.force) {
+        shown.contacts.push_back({upright(force.at), upright(force.force), force.normal, force.shear, force.sliding,
+                                  static_cast<int>(force.block) + 1, static_cast<int>(force.other) + 1});
+    }
+    return shown;
+}
+
+}  // namespace
+
+void append_frames(const RelaxationRun& made, const ResultFolder& folder, Report& report) {
+    if (made.frames.empty()) {
+        return;
+    }
+    const Bodies bodies = make_bodies(made.scene);
+    report.blocks.emplace_back(Heading{"The blocks in motion"});
+    report.blocks.emplace_back(animation_of(made, bodies));
+    if (interrupt_flag()) {
+        // A hundred megabytes of a large slope, which the same command writes once it has gone on to its end.
+        report.blocks.emplace_back(Paragraph{"Frames for ParaView are written when the run has come to its end."});
+        return;
+    }
+    FrameFolder frames(folder.path() / "frames", "run");
+    std::vector<std::string> names = frames.file_names(made.frames.size());
+    for (std::string& name : names) {
+        name.insert(0, "frames/");
+    }
+    folder.enter(names);
+    for (const MotionFrame& frame : made.frames) {
+        frames.add(frame_of(frame, bodies));
+    }
+}
+
+}  // namespace delabole

@@ -1,0 +1,117 @@
+#include "cases/program/models/relaxation/jointed_slope_figures.hpp"
+
+#include "cases/program/case/model_cases.hpp"
+#include "cases/program/models/relaxation/figures.hpp"
+#include "dynamic_relaxation/scene/slope_scene.hpp"
+#include "dynamic_relaxation/scene/water_table.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
+#include "plots/figures/block_figures.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace delabole {
+
+namespace {
+
+// The water table as far as the section goes.
+Polyline drawn_table(const RelaxationSlope& slope, const std::vector<RelaxationBlock>& blocks) {
+    Polyline table;
+    if (!slope.water) {
+        return table;
+    }
+    double left = std::numeric_limits<double>::infinity();
+    double right = -left;
+    for (const RelaxationBlock& block : blocks) {
+        for (const PlanePoint<>& corner : block.outline) {
+            left = std::min(left, corner.x());
+            right = std::max(right, corner.x());
+        }
+    }
+    const std::vector<SectionPoint>& points = slope.water->vertex;
+    table.emplace_back(left, water_table_height(points, left));
+    for (const SectionPoint& point : points) {
+        if (point.x > left && point.x < right) {
+            table.emplace_back(point.x, point.y);
+        }
+    }
+    table.emplace_back(right, water_table_height(points, right));
+    return table;
+}
+
+Table cut_table(const RelaxationSlope& slope, const JointedSection& section) {
+    Table table{
+        "The cuts in their order; not cut: blocks that a joint would have divided had it reached from side to "
+        "side.",
+        {{"cut"}, {"joint"}, {"blocks divided", true}, {"not cut", true}},
+        {}};
+    for (std::size_t index = 0; index < section.cut.size(); ++index) {
+        const SlopeCut& cut = slope.geometry.cut[index];
+        table.rows.push_back(
+            {cut.name, cut.joint, std::to_string(section.cut[index].made), std::to_string(section.cut[index].dropped)});
+    }
+    return table;
+}
+
+}  // namespace
+
+void append_cutting_warnings(const RelaxationSlope& slope, Analysis& analysis) {
+    const JointedSection section = slope_scene(slope).section;
+    for (std::size_t index = 0; index < section.cut.size(); ++index) {
+        if (section.cut[index].made == 0) {
+            analysis.warnings.push_back(indexed("scene.cut", index) + " (" + slope.geometry.cut[index].name +
+                                        ") divides no block");
+        }
+    }
+    if (section.outline_reversed) {
+        analysis.warnings.emplace_back("scene.outline runs clockwise and was turned round");
+    }
+    if (section.slivers_kept > 0) {
+        analysis.warnings.push_back(std::to_string(section.slivers_kept) +
+                                    " slivers have no neighbour with which they make a convex block");
+    }
+}
+
+void append_section_figure(const RelaxationSlope& slope, const ResultFolder& folder, Report& report) {
+    const SlopeScene made = slope_scene(slope);
+    const JointedSection& section = made.section;
+    report.blocks.emplace_back(Heading{"The section"});
+    report.blocks.emplace_back(cut_table(slope, section));
+    report.blocks.emplace_back(
+        Paragraph{"Slivers below the stated share of the middling block, " +
+                  value_in_words(section.typical_area, Dimension::area) + ": " +
+                  std::to_string(section.slivers_merged) + " merged, " + std::to_string(section.slivers_kept) +
+                  " kept. Faces in intact rock: " + std::to_string(section.intact_edges) + ". Cuts nearer than " +
+                  value_in_words(section.snap_distance, Dimension::length) + " to a corner run through it."});
+    if (made.block.size() > most_drawn_blocks) {
+        return;
+    }
+    BlockDrawing drawing;
+    drawing.title = "The section";
+    const Upright upright(slope.tilt.value_or(0));
+    for (const SlopeRock& rock : slope.rock) {
+        drawing.rocks.push_back(rock.name);
+    }
+    for (std::size_t index = 0; index < made.block.size(); ++index) {
+        DrawnBlock block;
+        for (const PlanePoint<>& corner : made.block[index].outline) {
+            block.outline.push_back(upright(corner));
+        }
+        if (made.block[index].fixed) {
+            block.mode = DrawnMode::fixed;
+            block.label = label_of(index, true);
+        } else {
+            block.rock = made.rock[index];
+        }
+        drawing.blocks.push_back(std::move(block));
+    }
+    drawing.water = drawn_table(slope, made.block);
+    for (Point& point : drawing.water) {
+        point = upright(point);
+    }
+    report.blocks.emplace_back(
+        folder.draw(block_figure(drawing), "section", "The section and its blocks, shaded by rock; grey: fixed."));
+}
+
+}  // namespace delabole

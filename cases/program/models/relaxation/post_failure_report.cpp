@@ -1,0 +1,158 @@
+// What is left standing of a jointed slope, in the report of its run.
+#include "cases/program/models/relaxation/figures.hpp"
+#include "plots/drawing/text.hpp"
+#include "plots/figures/block_figures.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+constexpr double millimetre = 1e-3;
+
+std::string in_millimetres(double length) {
+    return human_number(length / millimetre, 4);
+}
+
+std::string in_degrees(double angle) {
+    return human_number(angle / degrees(1), 4);
+}
+
+Table crack_table(const PostFailure& failure) {
+    Table table{"Open joints at the ground behind the crest of the slope.",
+                {{"behind the crest, mm", true}, {"joint"}, {"dip, °", true}, {"opening, mm", true}},
+                {}};
+    for (const CrestCrack& crack : failure.crack) {
+        table.rows.push_back({in_millimetres(crack.position), failure.answer.joint[crack.joint].joint,
+                              in_degrees(crack.dip), in_millimetres(crack.opening)});
+    }
+    return table;
+}
+
+Table crest_table(const PostFailure& failure) {
+    Table table{"Blocks at the ground behind the crest: into the slope, upwards, and turning out of the slope.",
+                {{"behind the crest, mm", true},
+                 {"block", true},
+                 {"horizontal, mm", true},
+                 {"vertical, mm", true},
+                 {"rotation, °", true}},
+                {}};
+    for (const CrestBlock& block : failure.block) {
+        table.rows.push_back({in_millimetres(block.position), std::to_string(block.block + 1),
+                              in_millimetres(block.movement.horizontal), in_millimetres(block.movement.vertical),
+                              in_degrees(block.movement.rotation)});
+    }
+    return table;
+}
+
+void write_tables(const PostFailure& failure, const ResultFolder& folder) {
+    CsvTable ground({"x_m", "ground_m", "left_standing_m"});
+    for (std::size_t index = 0; index < failure.ground.size(); ++index) {
+        ground.add_row({failure.ground[index].x(), failure.ground[index].y(), failure.left_standing[index].y()});
+    }
+    folder.write("left_standing.csv", ground.text());
+    CsvTable cracks({"position_m", "joint", "dip_deg", "opening_m"});
+    for (const CrestCrack& crack : failure.crack) {
+        cracks.add_row(
+            {crack.position, failure.answer.joint[crack.joint].joint, crack.dip / degrees(1), crack.opening});
+    }
+    folder.write("crest_cracks.csv", cracks.text());
+    CsvTable crest({"position_m", "block", "horizontal_m", "vertical_m", "rotation_deg"});
+    for (const CrestBlock& block : failure.block) {
+        crest.add_row({block.position, static_cast<double>(block.block + 1), block.movement.horizontal,
+                       block.movement.vertical, block.movement.rotation / degrees(1)});
+    }
+    folder.write("crest_blocks.csv", crest.text());
+}
+
+BlockDrawing slope_drawing(const RelaxationRun& made, const std::vector<Motion>& motion, double tilt,
+                           const PostFailure& failure, const std::string& title,
+                           const std::function<bool(std::size_t block)>& gone) {
+    const Bodies bodies = make_bodies(made.scene);
+    const Upright upright(tilt);
+    BlockDrawing drawing;
+    drawing.title = title;
+    drawing.rocks = {"left standing", "failed"};
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (gone(block)) {
+            continue;
+        }
+        DrawnBlock shown;
+        for (std::size_t corner = bodies.range[block].begin; corner < bodies.range[block].end; ++corner) {
+            shown.outline.push_back(upright(moved_corner(bodies, motion, corner)));
+        }
+        constexpr double half = 0.5;
+        shown.mode = bodies.fixed[block] != 0 ? DrawnMode::fixed : DrawnMode::plain;
+        if (bodies.fixed[block] == 0) {
+            shown.rock = failure.share[block] >= half ? 1 : 0;
+        }
+        drawing.blocks.push_back(std::move(shown));
+    }
+    return drawing;
+}
+
+}  // namespace
+
+Figure moved_slope_figure(const RelaxationRun& made, const MotionFrame& frame, const PostFailure& end,
+                          const std::string& title) {
+    return block_figure(slope_drawing(made, frame.motion, frame.tilt, end, title, [&](std::size_t block) {
+        return frame.outcome[block].movement == BlockMovement::removed;
+    }));
+}
+
+Figure left_standing_figure(const RelaxationRun& made, const PostFailure& failure, const std::string& title) {
+    const Upright upright(made.scene.gravity.tilt);
+    const std::vector<Motion> unmoved(made.scene.block.size());
+    const BlockDrawing drawing =
+        slope_drawing(made, unmoved, made.scene.gravity.tilt, failure, title, [](std::size_t) { return false; });
+    Figure figure = block_figure(drawing);
+    const auto drawn = [&](const std::vector<Point>& points) {
+        Polyline line;
+        for (const Point& point : points) {
+            line.push_back(upright(PlanePoint<>(point)));
+        }
+        return line;
+    };
+    figure.series.emplace_back(
+        Line{.points = drawn(failure.left_standing), .legend = "ground left standing", .colour = Colour::black});
+    figure.series.emplace_back(Points{.points = drawn(failure.surface),
+                                      .legend = "foot, knee and top",
+                                      .colour = Colour::blue,
+                                      .marker = Marker::filled_square});
+    std::vector<Point> cracks;
+    for (const CrestCrack& crack : failure.crack) {
+        const double x = failure.crest.x() + crack.position;
+        const auto after = std::find_if(failure.ground.begin(), failure.ground.end(),
+                                        [&](const Point& point) { return point.x() >= x; });
+        cracks.emplace_back(x, after == failure.ground.end() ? failure.ground.back().y() : after->y());
+    }
+    if (!cracks.empty()) {
+        figure.series.emplace_back(Points{.points = drawn(cracks),
+                                          .legend = "open cracks at the crest",
+                                          .colour = Colour::vermilion,
+                                          .marker = Marker::filled_triangle});
+    }
+    return figure;
+}
+
+void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, Report& report) {
+    if (!made.post_failure || made.post_failure->ground.empty()) {
+        return;
+    }
+    const PostFailure& failure = *made.post_failure;
+    report.blocks.emplace_back(Heading{"What failed and what is left standing"});
+    if (made.scene.block.size() <= most_drawn_blocks) {
+        report.blocks.emplace_back(
+            folder.draw(left_standing_figure(made, failure, "Left standing"), "left_standing",
+                        "The blocks in the drawing, those that failed in the course of the run marked; the level left "
+                        "standing is that of the ground less the share of what failed below it."));
+    }
+    report.blocks.emplace_back(crack_table(failure));
+    report.blocks.emplace_back(crest_table(failure));
+    write_tables(failure, folder);
+}
+
+}  // namespace delabole

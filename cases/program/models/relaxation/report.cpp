@@ -1,0 +1,401 @@
+// Dynamic relaxation as the program reports it: how the run ended, the books and each block.
+#include "cases/program/case/model_cases.hpp"
+#include "cases/program/models/relaxation/checkpoint_file.hpp"
+#include "cases/program/models/relaxation/critical_report.hpp"
+#include "cases/program/models/relaxation/figures.hpp"
+#include "cases/program/models/relaxation/jointed_slope_figures.hpp"
+#include "cases/program/reader/units.hpp"
+#include "cases/program/results/model_reports.hpp"
+#include "cases/program/terminal/interrupt.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
+#include "dynamic_relaxation/study/strength_bound.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/drawing/atomic_file.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+// What the figures are drawn from.
+struct StudyAnswers {
+    RelaxationRun run;
+    std::optional<CriticalAnswer> critical = {};
+};
+
+// What a run took against what a search takes, as far as progress is concerned.
+constexpr double share_of_run = 0.2;
+
+std::string block_name(std::size_t index) {
+    return "block " + std::to_string(index + 1);
+}
+
+// Empty where the run ended as it was to end.
+std::string run_in_words(const RelaxationRun& made) {
+    switch (made.result.outcome) {
+    case RelaxationOutcome::undecided:
+        return made.unfinished()
+                   ? "the blocks neither came to rest nor failed within " +
+                         (made.result.cost.steps >= made.settings.most_steps
+                              ? std::to_string(made.settings.most_steps) + " steps: raise settings.most_steps"
+                              : value_in_words(made.settings.duration, Dimension::time) + ": raise settings.duration")
+                   : "";
+    case RelaxationOutcome::interrupted:
+        return "the run ended at " + value_in_words(made.result.time, Dimension::time) + " of model time";
+    case RelaxationOutcome::overlap_too_large: {
+        std::string text = "stopped because an overlap passed settings.overlap_limit";
+        if (made.result.overlap && made.result.overlap->share > made.settings.overlap_limit) {
+            const BlockOverlap& overlap = *made.result.overlap;
+            return text + ": " + block_name(overlap.block) + " and " + block_name(overlap.other) + " lie " +
+                   value_in_words(overlap.depth, Dimension::length) + " deep in each other, over " +
+                   value_in_words(overlap.area, Dimension::area);
+        }
+        if (made.result.deepest) {
+            const ContactName& contact = *made.result.deepest;
+            text += ": corner " + std::to_string(contact.corner + 1) + " of " + block_name(contact.block) +
+                    " is in face " + std::to_string(contact.edge + 1) + " of " + block_name(contact.other) + " by " +
+                    value_in_words(contact.overlap, Dimension::length);
+        }
+        return text;
+    }
+    case RelaxationOutcome::energy_not_balanced:
+        return "the energy ledger lacks " + number_in_words(100 * made.result.ledger.residual_share()) +
+               " % of what was turned over, more than the " + number_in_words(100 * most_energy_lacking) +
+               " % at which a run can be believed: lower settings.step_fraction";
+    case RelaxationOutcome::motion_not_finite:
+        return "stopped because the motion grew beyond all numbers: lower settings.step_fraction";
+    default:
+        return {};
+    }
+}
+
+// A step that was divided now and then is shorter in the mean.
+void append_divided_step_warning(const RelaxationRun& made, Analysis& analysis) {
+    const std::optional<double>& given = made.settings.time_step;
+    const std::uint64_t steps = made.result.cost.steps;
+    constexpr double rounding = 1e-9;
+    if (!given || steps == 0 || made.result.time >= (1 - rounding) * *given * static_cast<double>(steps)) {
+        return;
+    }
+    analysis.warnings.push_back("settings.time_step, " + value_in_words(*given, Dimension::time) +
+                                ", is longer than springs and dashpots bear and was divided: steps of " +
+                                value_in_words(made.result.time / static_cast<double>(steps), Dimension::time) +
+                                " in the mean were made");
+}
+
+// Keeps a study's progress in the checkpoint now and then, and when the work is told to end.
+class Keeper {
+  public:
+    Keeper(const AnalysisWork& work, const RelaxationStudy& study, KeepFrames frames)
+        : work_(work), study_(study), frames_(frames) {}
+
+    bool goes_on(double share, const std::string& what) {
+        ended_ = work_.watch && !work_.watch(share, what);
+        return !ended_;
+    }
+    bool due() const {
+        return !work_.checkpoint.empty() && (ended_ || Clock::now() - last_ >= work_.between_checkpoints);
+    }
+    void keep(const StudyProgress& progress) {
+        write_checkpoint(work_.checkpoint, study_, frames_, progress);
+        last_ = Clock::now();
+    }
+    StudyProgress take_up() const {
+        if (work_.checkpoint.empty()) {
+            return {};
+        }
+        KeptProgress kept = read_checkpoint(work_.checkpoint, study_, frames_);
+        if (kept.of_other) {
+            throw OutputError(work_.checkpoint,
+                              "what an interrupted run has left there " + kept.refusal +
+                                  ", and would be lost: run that one to its end, remove the file, or name another "
+                                  "folder (--out)");
+        }
+        if (work_.say && !kept.refusal.empty()) {
+            work_.say("warning: " + work_.checkpoint.string() + ' ' + kept.refusal + ": the run starts anew");
+        } else if (work_.say && kept.found) {
+            work_.say("going on from " + work_.checkpoint.string());
+        }
+        return std::move(kept.progress);
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    const AnalysisWork& work_;
+    const RelaxationStudy& study_;
+    KeepFrames frames_;
+    bool ended_ = false;
+    Clock::time_point last_ = Clock::now();
+};
+
+bool has_fixed_block(const RelaxationScene& scene) {
+    return std::ranges::any_of(scene.block, &RelaxationBlock::fixed);
+}
+
+// Free blocks that were there at the end.
+bool any_free_block_left(const RelaxationRun& made) {
+    for (std::size_t block = 0; block < made.scene.block.size(); ++block) {
+        if (!made.scene.block[block].fixed && made.end->removed[block] == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// How the start of the run differs from the drawing.
+void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
+    const std::optional<StartBalance>& start = made.result.start_balance;
+    if (start && start->cut_short && start->unbalanced_ratio > made.settings.equilibrium_ratio) {
+        analysis.warnings.push_back("preloading so many blocks was ended with one of them out of balance by " +
+                                    number_in_words(100 * start->unbalanced_ratio) +
+                                    " % of its load: at first they settle, as if dropped");
+    }
+    if (!has_fixed_block(made.scene) && !made.scene.belt) {
+        analysis.warnings.emplace_back("no block is fixed: all of them fall");
+    }
+    // Of the block's radius: springs give way by less, and so do blocks that slide or turn while equilibrium is looked
+    // for.
+    constexpr double unexpected = 5e-3;
+    std::size_t farthest = 0;
+    double way = 0;
+    const Bodies bodies = make_bodies(made.scene);
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        const Motion& origin = made.end->origin[block];
+        const double share = std::hypot(origin.x, origin.y) / bodies.radius[block];
+        if (share > way) {
+            way = share;
+            farthest = block;
+        }
+    }
+    if (way > unexpected) {
+        analysis.warnings.push_back(
+            "preloading closed gaps of the drawing, or found equilibrium only elsewhere: " + block_name(farthest) +
+            " begins " + value_in_words(way * bodies.radius[farthest], Dimension::length) +
+            " from where it is drawn; displacements count from there");
+    }
+}
+
+void append_run_warnings(const RelaxationRun& made, Analysis& analysis) {
+    append_start_warnings(made, analysis);
+    append_divided_step_warning(made, analysis);
+    const RelaxationResult& result = made.result;
+    if (result.outcome == RelaxationOutcome::equilibrium && result.onset_time) {
+        analysis.warnings.push_back("the blocks came to rest only after the onset of failure at " +
+                                    value_in_words(*result.onset_time, Dimension::time) +
+                                    ": this is equilibrium of another shape than the one drawn");
+    }
+    if (result.outcome == RelaxationOutcome::equilibrium && !any_free_block_left(made)) {
+        analysis.warnings.emplace_back("all free blocks have been taken away: nothing is left to move");
+    }
+    if (made.ends_with_duration && made.settings.local_damping > 0 && !made.scene.belt && result.onset_time) {
+        analysis.warnings.push_back("local damping slows what fails by " +
+                                    number_in_words(100 * made.settings.local_damping) +
+                                    " %: settings.local_damping = 0 gives motion in true time");
+    }
+    constexpr double large_residual = 0.02;
+    const double residual = result.ledger.residual_share();
+    if (std::abs(residual) > large_residual) {
+        analysis.warnings.push_back("the books of energy lack " + number_in_words(100 * residual) + " %" +
+                                    " of what was turned over: lower settings.step_fraction");
+    }
+}
+
+// Statics of 478 blocks takes 4 s for one strength and 25 s for the bound: more blocks are left alone.
+constexpr std::size_t most_blocks_in_programme = 500;
+
+bool is_small_enough(const RelaxationScene& scene) {
+    return static_cast<std::size_t>(std::ranges::count(scene.block, false, &RelaxationBlock::fixed)) <=
+           most_blocks_in_programme;
+}
+
+constexpr std::string_view corners_bear =
+    "only because corners bear on corners; the forces that faces can take do not suffice for an equilibrium. "
+    "Where a joint ends in a corner of other blocks, as at the toe of a slope with level ground in front of it, blocks "
+    "cannot slide out: lower that ground a little if this is not meant";
+
+void append_corner_warning(const RelaxationRun& made, Analysis& analysis) {
+    if (made.result.outcome == RelaxationOutcome::equilibrium && is_small_enough(made.scene) &&
+        stands_on_faces(made.scene, &interrupt_flag()) == false) {
+        analysis.warnings.push_back("the blocks stand " + std::string(corners_bear));
+    }
+}
+
+// Only where all joints lose strength alike is the bound one of what was searched.
+void append_bound_of_statics(const CriticalPlan& plan, const CriticalAnswer& critical, const RelaxationScene& scene,
+                             Analysis& analysis) {
+    if (plan.parameter != CriticalParameter::strength_reduction || plan.material.size() < scene.material.size() ||
+        !is_small_enough(scene)) {
+        return;
+    }
+    const std::optional<double> bound = greatest_strength_reduction(scene, &interrupt_flag());
+    answer_interrupt();
+    if (!bound) {
+        return;
+    }
+    analysis.outputs.push_back({"critical.bound_of_statics",
+                                "greatest factor at which faces can take forces in equilibrium, on whatever path",
+                                Dimension::ratio, *bound, false});
+    constexpr double model_error = 0.01;  // blocks turn and joints give way before they fail
+    if (critical.status == CriticalStatus::found && critical.value() > (1 + model_error) * *bound) {
+        analysis.warnings.push_back("beyond a factor of " + number_in_words(*bound) + " the blocks stand " +
+                                    std::string(corners_bear));
+    }
+}
+
+std::string joint_key(const RelaxationStudy& study, std::size_t material) {
+    if (std::holds_alternative<RelaxationPolygons>(study.model.scene) ||
+        std::holds_alternative<RelaxationSlope>(study.model.scene)) {
+        return indexed("scene.joint", material);
+    }
+    return material == 0 ? "scene.interface" : "scene.base";
+}
+
+}  // namespace
+
+std::string failure_without_run(const RelaxationStudy& study) {
+    const SceneFault fault = check(study);
+    return fault.check == SceneCheck::valid ? "" : std::string(word_of(fault.check));
+}
+
+Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
+    Analysis analysis;
+    const double share = study.critical ? share_of_run : 1;
+    StudyWork how;
+    how.frames = relaxation_scene(study).block.size() <= most_drawn_blocks ? KeepFrames::yes : KeepFrames::no;
+    how.threads = work.threads;
+    Keeper keeper(work, study, how.frames);
+    how.watch = [&](double done) { return keeper.goes_on(share * done, "dynamic relaxation"); };
+    how.keep_due = [&] { return keeper.due(); };
+    how.keep = [&](const StudyProgress& now) { keeper.keep(now); };
+    StudyProgress progress = keeper.take_up();
+    StudyAnswers answers{run(study, how, progress), {}};
+    const RelaxationRun& made = answers.run;
+    if (made.result.outcome == RelaxationOutcome::scene_not_valid) {
+        analysis.failure = word_of(made.result.fault.check);
+        return analysis;
+    }
+    append_outputs(analysis, answer_of(made));
+    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
+        append_cutting_warnings(*slope, analysis);
+    }
+    const auto leave_unfinished = [&](std::string_view status, std::string why) {
+        if (analysis.unfinished.empty() && !why.empty()) {
+            analysis.status = status;
+            analysis.unfinished = std::move(why);
+        }
+    };
+    leave_unfinished(word_of(made.result.outcome), run_in_words(made));
+    if (study.critical && made.result.outcome != RelaxationOutcome::interrupted) {
+        how.watch = [&](double done) {
+            return keeper.goes_on(share + (1 - share) * done,
+                                  human_name(name_of_critical(parameter_of(*study.critical))));
+        };
+        const CriticalPlan plan = critical_plan(study);
+        answers.critical = find_critical(study, how, progress);
+        append_critical(analysis, plan, *answers.critical);
+        append_bound_of_statics(plan, *answers.critical, made.scene, analysis);
+        leave_unfinished(word_of(answers.critical->worst_status()), search_in_words(plan, *answers.critical));
+    }
+    append_run_warnings(made, analysis);
+    append_corner_warning(made, analysis);
+    analysis.drawn_from = std::move(answers);
+    return analysis;
+}
+
+void append_case_figures(const RelaxationStudy& study, const Analysis& analysis, const ResultFolder& folder,
+                         Report& report) {
+    const auto& answers = std::any_cast<const StudyAnswers&>(analysis.drawn_from);
+    const RelaxationRun& made = answers.run;
+    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
+        append_section_figure(*slope, folder, report);
+    }
+    if (answers.critical) {
+        append_critical_figures(study, *answers.critical, folder, report);
+    }
+    append_block_figures(made, folder, report);
+    append_post_failure(made, folder, report);
+    append_frames(made, folder, report);
+    if (study.history) {
+        append_history(*study.history, made, folder, report);
+    }
+}
+
+void append_mechanism_figures(const RelaxationStudy& at_best, const MechanismFit&, const FitProblem&,
+                              const ResultFolder& folder, Report& report) {
+    append_block_figures(run(at_best), folder, report);
+}
+
+std::vector<std::string> blamed_keys(const RelaxationStudy& study, std::string_view) {
+    const SceneFault fault = check(study);
+    const std::string block = indexed("scene.block", fault.index);
+    switch (fault.check) {
+    case SceneCheck::outline_not_convex:
+    case SceneCheck::edge_too_short:
+    case SceneCheck::sizes_too_different:
+    case SceneCheck::overlap_at_start:
+        return {block + ".vertex", block + ".width", block + ".height", block, "scene.block"};
+    case SceneCheck::stiffness_too_soft:
+    case SceneCheck::stiffness_too_stiff:
+        return {"scene.base.normal_stiffness",
+                "scene.interface.normal_stiffness",
+                "scene.joint[1].normal_stiffness",
+                "settings.stiffness_ratio",
+                "settings.quality",
+                block};
+    case SceneCheck::stiffness_not_positive:
+        return {"gravity", joint_key(study, fault.index)};
+    case SceneCheck::friction_out_of_range:
+    case SceneCheck::strength_negative:
+        return {joint_key(study, fault.index) + ".friction_angle", joint_key(study, fault.index)};
+    case SceneCheck::density_not_positive:
+        return {block + ".density", "scene.density"};
+    case SceneCheck::setting_out_of_range:
+        return {"settings"};
+    case SceneCheck::no_free_block:
+        return {"scene.block[1].hold", "scene.block", "scene.fixed[1]", "scene.fixed"};
+    default:
+        return {"scene"};
+    }
+}
+
+std::string explain_failure(const RelaxationStudy& study, std::string_view, const std::string&) {
+    const SceneFault fault = check(study);
+    const std::string block = block_name(fault.index);
+    switch (fault.check) {
+    case SceneCheck::no_free_block:
+        return "every block is fixed: nothing can move";
+    case SceneCheck::stiffness_not_positive:
+        return "without gravity settings.stiffness_ratio gives no stiffness: every joint needs its normal_stiffness";
+    case SceneCheck::outline_not_convex:
+        return block + " is not convex, or its corners run clockwise: list them anticlockwise, the first one once";
+    case SceneCheck::edge_too_short:
+        return "a face of " + block + " is shorter than a millionth of the block";
+    case SceneCheck::sizes_too_different:
+        return "the blocks differ too much in size, see " + block +
+               ": the longest may be 100 000 times as long as the shortest face";
+    case SceneCheck::stiffness_too_soft:
+        return block + " would sink into its joint by more than a tenth of its size: raise the stiffness";
+    case SceneCheck::stiffness_too_stiff:
+        return "overlaps under the weight of " + block + " would drown in rounding: lower the stiffness";
+    case SceneCheck::overlap_at_start:
+        return block + " and " + block_name(fault.other.value_or(0)) +
+               " overlap in the drawing by more than ten times what their weight would do: they would explode";
+    case SceneCheck::bond_without_face:
+        return "the two faces of bond " + std::to_string(fault.index + 1) + " do not lie on each other in the drawing";
+    case SceneCheck::unknown_edge:
+        return "a load is on a face that does not exist, or two blocks with water between them share none";
+    case SceneCheck::unknown_block:
+        return "a load is on a block that does not exist: there are " +
+               std::to_string(relaxation_scene(study).block.size());
+    default:
+        return "the scene is not valid: " + human_name(word_of(fault.check));
+    }
+}
+
+}  // namespace delabole

@@ -1,0 +1,29 @@
+// The bound of linear programming on columns on a stepped base: answers, warnings and figures.
+#pragma once
+
+#include "limit_equilibrium/stepped_base/stepped_base_study.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace delabole {
+
+struct Analysis;
+struct Report;
+class ResultFolder;
+
+// "bound.factor_of_safety", "bound.blocks.factor_of_safety"
+constexpr std::string_view bound_prefix = "bound";
+constexpr std::string_view bound_of_blocks_prefix = "bound.blocks";
+
+// What to tell the user before a bound that takes long; empty otherwise.
+std::string announcement(const SteppedBaseStudy<>& study);
+
+// Ends by Interrupted; so do the figures.
+void append_bound(Analysis& analysis, const SteppedBase<>& problem, const LinearProgrammingBound& request);
+
+// Forces and mechanism of columns and blocks, and the way from the bound to the recursion.
+void append_bound_figures(const SteppedBase<>& problem, const SteppedBaseResult& recursion,
+                          const LinearProgrammingBound& request, const ResultFolder& folder, Report& report);
+
+}  // namespace delabole

@@ -1,0 +1,193 @@
+// Columns on a stepped base as the reader knows them.
+#include "cases/program/case/model_cases.hpp"
+#include "cases/program/models/stepped_base/bound.hpp"
+#include "cases/program/reader/units.hpp"
+#include "limit_equilibrium/stepped_base/stepped_base_study.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+namespace delabole {
+namespace {
+
+void check_layout(Checker& checker, const ColumnLayout<>& layout) {
+    if (const auto* blocks = std::get_if<BlockColumns<>>(&layout)) {
+        if (blocks->block.empty()) {
+            checker.complain("columns", "needs at least one [[columns.block]]");
+        }
+        return;
+    }
+    std::visit(
+        [&](const auto& cut) {
+            if constexpr (requires { cut.base_inclination; }) {
+                // As in the model: their difference may be nothing but rounding.
+                if (cut.base_inclination + cut.joint_dip < degrees(90) - 1e-9) {
+                    checker.complain("columns.joint_dip",
+                                     "cannot topple on this base: bases normal to the joints dip " +
+                                         readable_quantity(degrees(90) - cut.joint_dip, Dimension::angle) +
+                                         ", more than columns.base_inclination, so that the base would step downwards");
+                }
+            }
+        },
+        layout);
+}
+
+template <class Load>
+void check_blocks(Checker& checker, const ColumnScene<>& scene, const std::vector<Load>& loads,
+                  const std::string& list) {
+    const auto* blocks = std::get_if<BlockColumns<>>(&scene.columns);
+    for (std::size_t index = 0; index < loads.size(); ++index) {
+        const double block = loads[index].block;
+        const std::string key = indexed(list, index) + ".block";
+        if (block != std::floor(block)) {
+            checker.complain(key, "must be a whole number, 1 at the toe");
+        } else if (blocks != nullptr && !blocks->block.empty() && block > static_cast<double>(blocks->block.size())) {
+            checker.complain(key, "there are only " + std::to_string(blocks->block.size()) + " blocks");
+        }
+    }
+}
+
+void check_scene(Checker& checker, const ColumnScene<>& scene) {
+    const auto* blocks = std::get_if<BlockColumns<>>(&scene.columns);
+    check_layout(checker, scene.columns);
+    if (blocks == nullptr && !scene.slope) {
+        checker.complain("columns.kind", "cuts the columns out of a slope, so [slope] is required");
+    }
+    std::visit(
+        [&](const auto& water) {
+            if constexpr (requires { water.level; }) {
+                if (std::holds_alternative<WaterElevation<>>(water.level) &&
+                    !(scene.slope && scene.slope->toe_elevation)) {
+                    checker.complain("water.water_elevation",
+                                     "is an elevation, so slope.toe_elevation is required too");
+                }
+            }
+        },
+        scene.water);
+    if (const auto* line = std::get_if<PiezometricLineWater<>>(&scene.water)) {
+        if (line->point.size() < 2) {
+            checker.complain("water", "needs at least two [[water.point]]");
+        }
+        check_increasing(checker, line->point, &PiezometricPoint<>::x, "water.point", "x");
+    }
+    for (std::size_t index = 0; index < scene.surcharge.size(); ++index) {
+        if (!(scene.surcharge[index].from_distance < scene.surcharge[index].to_distance)) {
+            checker.complain(indexed("surcharge", index) + ".from_distance", "must be less than to_distance");
+        }
+    }
+    check_blocks(checker, scene, scene.point_load, "point_load");
+    check_blocks(checker, scene, scene.bolt, "bolt");
+    if (scene.slide_head) {
+        const bool ends = std::visit(
+            [](const auto& layout) {
+                if constexpr (requires { layout.base_end_height; }) {
+                    return layout.base_end_height.has_value();
+                } else {
+                    return false;
+                }
+            },
+            scene.columns);
+        if (!ends) {
+            checker.complain("slide_head", "rises from the end of the base, so columns.base_end_height is required");
+        }
+    }
+}
+
+// Cut columns carry nothing but their weight.
+void check_bound(Checker& checker, const LinearProgrammingBound& bound, const ColumnScene<>& scene) {
+    if (!bound.cross_joints) {
+        return;
+    }
+    const std::string key = "linear_programming_bound.cross_joints";
+    if (!(bound.cross_joints->stagger < bound.cross_joints->spacing)) {
+        checker.complain(key + ".stagger", "must be less than the spacing of the cross joints");
+    }
+    const std::array<std::pair<std::string_view, bool>, 7> loads{
+        {{"[water]", !std::holds_alternative<Dry>(scene.water)},
+         {"[seismic]", scene.seismic.has_value()},
+         {"[[surcharge]]", !scene.surcharge.empty()},
+         {"[[line_load]]", !scene.line_load.empty()},
+         {"[[point_load]]", !scene.point_load.empty()},
+         {"[[bolt]]", !scene.bolt.empty()},
+         {"[slide_head]", scene.slide_head.has_value()}}};
+    for (const auto& [section, given] : loads) {
+        if (given) {
+            checker.complain(
+                key, "cuts columns that carry nothing but their own weight, but the case has " + std::string(section));
+        }
+    }
+}
+
+// A slope of 60 m with columns 5 m thick, pushed by a wedge.
+SteppedBaseStudy<> example_study() {
+    SteppedBaseStudy<> study{};
+    ColumnScene<>& scene = study.model.scene;
+    scene.slope = SlopeSection<>{
+        .height = 60, .face_dip = degrees(65), .upper_surface_dip = 0, .bench = std::nullopt, .toe_elevation = 100};
+    scene.columns = ContinuousColumns<>{
+        .joint_dip = degrees(70), .spacing = 5, .base_inclination = degrees(35), .base_end_height = 25};
+    scene.rock = {.unit_weight = 26e3};
+    scene.water = WaterTable<>{.unit_weight = 9.81e3, .level = WaterDepth<>{8}};
+    scene.slide_head =
+        SlideHead<>{.joint_dip = degrees(70), .friction_angle = degrees(35), .cohesion = 0, .water = std::nullopt};
+    study.model.joints = {.friction_angle = degrees(35)};
+    study.model.bases = {.friction_angle = degrees(38), .cohesion = 0};
+    return study;
+}
+
+constexpr std::string_view further_parts = R"(
+[sources]                           # where a value comes from, by its key
+"slope.height" = "survey of 1966"
+
+[[expect]]                          # a printed value: delabole verify compares
+quantity = "factor_of_safety"
+value = 1
+tolerance = 10                      # absolute, or relative_tolerance
+source = "an earlier analysis"
+)";
+
+}  // namespace
+
+void check_case(Checker& checker, const SteppedBaseStudy<>& study) {
+    check_scene(checker, study.model.scene);
+    if (study.critical) {
+        const CriticalBaseSearch<>& search = *study.critical;
+        if (std::holds_alternative<BlockColumns<>>(study.model.scene.columns)) {
+            checker.complain("critical", "needs columns cut out of a slope: columns.kind = \"continuous\"");
+        }
+        if (search.lower_inclination && search.upper_inclination &&
+            !(*search.lower_inclination < *search.upper_inclination)) {
+            checker.complain("critical.lower_inclination",
+                             "bounds are reversed: must be less than critical.upper_inclination");
+        }
+        if (search.lower_end_height && search.upper_end_height &&
+            !(*search.lower_end_height < *search.upper_end_height)) {
+            checker.complain("critical.lower_end_height",
+                             "bounds are reversed: must be less than critical.upper_end_height");
+        }
+    }
+    check_required(checker, study.required, study);
+    check_blocks(checker, study.model.scene, study.required_cable, "required_cable");
+    if (study.linear_programming_bound) {
+        check_bound(checker, *study.linear_programming_bound, study.model.scene);
+    }
+}
+
+ModelExample<SteppedBaseStudy<>> example_case(const SteppedBaseStudy<>*) {
+    return {example_study(), "Columns toppling on a stepped base", further_parts};
+}
+
+std::vector<Quantity> possible_outputs(const SteppedBaseStudy<>&) {
+    std::vector<Quantity> outputs = model_interface(example_study()).outputs;  // has a datum, so all are there
+    for (const std::string_view part : {bound_prefix, bound_of_blocks_prefix}) {
+        for (Quantity quantity : outputs_of(BoundResult{})) {
+            quantity.name = std::string(part) + "." + quantity.name;
+            outputs.push_back(quantity);
+        }
+    }
+    return outputs;
+}
+
+}  // namespace delabole

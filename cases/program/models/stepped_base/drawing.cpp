@@ -1,0 +1,250 @@
+#include "cases/program/models/stepped_base/drawing.hpp"
+
+#include "limit_equilibrium/columns/base_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+constexpr std::size_t most_arrows = 30;
+
+// Directions of the columns' own axes in the section.
+struct Axes {
+    Point along;  // u
+    Point up;     // v
+
+    explicit Axes(double base_dip)
+        : along(std::cos(base_dip), std::sin(base_dip)), up(-std::sin(base_dip), std::cos(base_dip)) {}
+    Point at(double u, double v) const { return u * along + v * up; }
+    Point at(const Column<>& column, double u, double v) const { return at(column.base_u + u, column.base_v + v); }
+};
+
+// From in front of the toe to a distance behind it.
+Polyline ground_line(const SlopeSection<>& slope, double end) {
+    Polyline ground{Point(-slope.height / 4, 0), Point(0, 0),
+                    Point(slope.height / std::tan(slope.face_dip), slope.height)};
+    if (slope.bench) {
+        ground.push_back(ground.back() + slope.bench->width * Point(1, std::tan(slope.bench->dip)));
+    }
+    const double rest = std::max(end - ground.back().x(), slope.height / 20);
+    ground.push_back(ground.back() + rest * Point(1, std::tan(slope.upper_surface_dip)));
+    return ground;
+}
+
+double height_of(const Polyline& line, double x) {
+    for (std::size_t index = 1; index < line.size(); ++index) {
+        const Point& from = line[index - 1];
+        const Point& to = line[index];
+        if (x <= to.x() && to.x() > from.x()) {
+            return from.y() + (to.y() - from.y()) * (x - from.x()) / (to.x() - from.x());
+        }
+    }
+    return line.back().y();
+}
+
+double height_of(const WaterLevel<>& level, const std::optional<SlopeSection<>>& slope) {
+    if (const auto* depth = std::get_if<WaterDepth<>>(&level)) {
+        return depth->water_depth;
+    }
+    if (const auto* ratio = std::get_if<FilledRatio<>>(&level)) {
+        return ratio->filled_ratio * slope.value().height;
+    }
+    return std::get<WaterElevation<>>(level).water_elevation - slope.value().toe_elevation.value_or(0);
+}
+
+// Where a free surface lies below the ground. Without a slope there is no ground to end at.
+Polyline below_ground(const Polyline& surface, const Polyline& ground, double end) {
+    if (ground.empty()) {
+        return surface;
+    }
+    constexpr int points = 200;
+    Polyline line;
+    for (int index = 0; index <= points; ++index) {
+        const double x = end * index / points;
+        const double y = height_of(surface, x);
+        if (y <= height_of(ground, x) + 1e-9 * end) {
+            line.emplace_back(x, y);
+        }
+    }
+    return line;
+}
+
+Polyline water_line(const SteppedBase<>& problem, const ColumnSlope<>& slope, const Polyline& ground, double end) {
+    const ColumnWater<>& water = problem.scene.water;
+    if (const auto* table = std::get_if<WaterTable<>>(&water)) {
+        const double height = height_of(table->level, problem.scene.slope);
+        return below_ground({Point(0, height), Point(end, height)}, ground, end);
+    }
+    if (const auto* line = std::get_if<PiezometricLineWater<>>(&water)) {
+        Polyline surface;
+        for (const PiezometricPoint<>& point : line->point) {
+            surface.emplace_back(point.x, point.y);
+        }
+        surface.insert(surface.begin(), Point(std::min(0.0, surface.front().x() - end), surface.front().y()));
+        return below_ground(surface, ground, end);
+    }
+    if (const auto* drawn = std::get_if<DrawnDownWater<>>(&water)) {
+        const Axes axes(slope.base_dip);
+        const Column<>& last = slope.columns.back();
+        const double upper_end = axes.at(last.base_u + last.width, slope.end_v.value_or(last.base_v)).x();
+        const double level = height_of(drawn->level, problem.scene.slope);
+        return below_ground({Point(0, 0), Point(upper_end, level), Point(std::max(end, upper_end), level)}, ground,
+                            end);
+    }
+    Polyline tops;
+    if (const auto* filled = std::get_if<FilledJointsWater<>>(&water)) {
+        const Axes axes(slope.base_dip);
+        for (const Column<>& column : slope.columns) {
+            if (column.upper_contact > 0 && filled->filled_ratio > 0) {
+                tops.push_back(axes.at(column, column.width, filled->filled_ratio * column.upper_contact));
+            }
+        }
+    }
+    return tops;
+}
+
+void add_forces(BlockDrawing& drawing, const SteppedBase<>& problem, const ColumnSlope<>& slope,
+                const std::vector<ColumnResult>& columns, double factor) {
+    const Axes axes(slope.base_dip);
+    const double friction = std::tan(problem.joints.friction_angle) / factor;
+    const std::size_t step = 1 + columns.size() / (most_arrows + 1);
+    for (std::size_t index = 0; index < columns.size(); index += step) {
+        const ColumnResult& result = columns[index];
+        const Column<>& column = slope.columns[index];
+        const bool last = index + 1 == columns.size();
+        if (result.upper_force > 0 && !last) {
+            drawing.forces.push_back({axes.at(column, column.width, result.upper_force_height),
+                                      -result.upper_force * (axes.along + friction * axes.up), ForceKind::interblock});
+        }
+        if (std::isfinite(result.reaction_position)) {
+            const double position = std::clamp(result.reaction_position, 0.0, 1.0);
+            drawing.forces.push_back({axes.at(column, position * column.width, 0),
+                                      result.normal_reaction * axes.up + result.shear_reaction * axes.along,
+                                      ForceKind::base_reaction});
+        }
+    }
+    const JointForce<> head = head_force(slope, strength_of(problem), factor);
+    drawing.forces.push_back({axes.at(slope.columns.back(), slope.columns.back().width, head.height),
+                              -head.normal * axes.along - head.shear * axes.up, ForceKind::thrust});
+    const auto add_applied = [&](const auto& load, double share_of_width) {
+        const Column<>& column = slope.columns[static_cast<std::size_t>(load.block) - 1];
+        drawing.forces.push_back({axes.at(column, share_of_width * column.width, load.height),
+                                  load.force * Point(std::cos(load.plunge), -std::sin(load.plunge)),
+                                  ForceKind::applied});
+    };
+    for (const PointLoad<>& load : problem.scene.point_load) {
+        add_applied(load, 0.5);
+    }
+    for (const ColumnBolt<>& bolt : problem.scene.bolt) {
+        add_applied(bolt, 0);
+    }
+}
+
+}  // namespace
+
+DrawnMode drawn(ColumnMode mode) {
+    switch (mode) {
+    case ColumnMode::slides:
+        return DrawnMode::slides;
+    case ColumnMode::topples:
+        return DrawnMode::topples;
+    case ColumnMode::stays:
+        break;
+    }
+    return DrawnMode::stays;
+}
+
+BlockDrawing column_drawing(const SteppedBase<>& problem, const std::vector<ColumnResult>& columns, double factor,
+                            const std::string& title) {
+    BlockDrawing drawing;
+    drawing.title = title;
+    const ColumnSlope<> slope = make_columns(problem.scene);
+    if (slope.check != ColumnCheck::valid) {
+        return drawing;
+    }
+    const Axes axes(slope.base_dip);
+    double end = 0;
+    const std::vector<Polyline> outlines = column_outlines(problem.scene);
+    for (std::size_t index = 0; index < outlines.size(); ++index) {
+        for (const Point& point : outlines[index]) {
+            end = std::max(end, point.x());
+        }
+        const bool wedge = index >= columns.size();
+        drawing.blocks.push_back({outlines[index], wedge ? "wedge" : std::to_string(index + 1),
+                                  wedge ? DrawnMode::plain : drawn(columns[index].mode)});
+    }
+    end *= 1.1;
+    drawing.base = {axes.at(0, 0) - Point(end / 8, 0)};
+    for (const Column<>& column : slope.columns) {
+        drawing.base.push_back(axes.at(column, 0, 0));
+        drawing.base.push_back(axes.at(column, column.width, 0));
+    }
+    if (problem.scene.slope) {
+        drawing.ground = ground_line(*problem.scene.slope, end);
+        drawing.base.front() = drawing.ground.front();
+        drawing.toe_elevation = problem.scene.slope->toe_elevation.value_or(0.0);
+    }
+    // Behind the columns the rock goes on: along the wedge's joint, or the joint of the last column, up to the ground.
+    const Polyline& rear = outlines.back();
+    if (drawing.ground.empty()) {
+        drawing.base.emplace_back(drawing.base.back() + Point(end / 8, 0));
+    } else {
+        if (outlines.size() > columns.size()) {
+            drawing.base.push_back(rear[0]);
+            drawing.base.push_back(rear[1]);
+        } else {
+            drawing.base.push_back(rear[rear.size() > 3 ? 2 : 1]);
+        }
+        drawing.base.push_back(drawing.ground.back());
+    }
+    drawing.water = water_line(problem, slope, drawing.ground, end);
+    add_forces(drawing, problem, slope, columns, factor);
+    return drawing;
+}
+
+ForceAlongSlope force_along_columns(const std::vector<ColumnResult>& columns, const std::string& title) {
+    ForceAlongSlope data;
+    data.title = title;
+    for (const ColumnResult& column : columns) {
+        data.block.push_back(column.number);
+        data.toppling.push_back(column.against_toppling);
+        data.sliding.push_back(column.against_sliding);
+        data.acting.push_back(column.lower_force);
+        data.modes.push_back(drawn(column.mode));
+    }
+    return data;
+}
+
+void add_profiles(Figure& figure, const Polyline& observed, const Polyline& predicted, double toe_elevation) {
+    const auto raised = [&](Polyline line) {
+        for (Point& point : line) {
+            point.y() += toe_elevation;
+        }
+        return line;
+    };
+    if (!predicted.empty()) {
+        Line line;
+        line.points = raised(predicted);
+        line.legend = "predicted after the failure";
+        line.colour = Colour::green;
+        line.width = 6;
+        figure.series.emplace_back(line);
+    }
+    if (!observed.empty()) {
+        Line line;
+        line.points = raised(observed);
+        line.colour = Colour::black;
+        line.dash = Dash::dotted;
+        figure.series.emplace_back(line);
+        Points points;
+        points.points = raised(observed);
+        points.legend = "observed after the failure";
+        points.marker = Marker::circle;
+        figure.series.emplace_back(points);
+    }
+}
+
+}  // namespace delabole

@@ -1,0 +1,26 @@
+// Groundwater by tilting as the program reports it: numbers only.
+#include "cases/program/results/model_reports.hpp"
+#include "water/column_tilt.hpp"
+
+namespace delabole {
+
+Analysis analyse_case(const TiltedColumn<>& column) {
+    Analysis analysis;
+    append_outputs(analysis, column_tilt(column));
+    return analysis;
+}
+
+void append_case_figures(const TiltedColumn<>&, const ResultFolder&, Report&) {}
+
+void append_mechanism_figures(const TiltedColumn<>&, const MechanismFit&, const FitProblem&, const ResultFolder&,
+                              Report&) {}
+
+std::vector<std::string> blamed_keys(const TiltedColumn<>&, std::string_view) {
+    return {};
+}
+
+std::string explain_failure(const TiltedColumn<>&, std::string_view failure, const std::string&) {
+    return std::string(failure);
+}
+
+}  // namespace delabole

@@ -1,0 +1,68 @@
+// Tables of test data, CSV, into rows of a described struct (parameters/fields.hpp).
+//
+// Lines that begin with # are comments; the first other line names the columns. A column is a key of the struct, with
+// the unit of its numbers appended where they are not ratios: "slope_height_in", "density_kg_per_m3". Cells with commas
+// or quotes stand in quotes, inner quotes doubled. An empty cell is an absent number, or an empty text.
+#pragma once
+
+#include "cases/program/reader/described_reader.hpp"
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace delabole {
+
+struct TableColumnField {
+    enum class Kind { number, word, text };
+    std::string key;
+    Dimension dimension;
+    Kind kind;
+    bool required;  // a column without which no row can be read
+};
+
+// One Node of kind table for each row, keys without units, numbers with them; its place is the first cell. Complains
+// about columns that are unknown, missing, given twice or in a wrong unit, about rows of another length and about
+// quotes. Empty when a column is wrong.
+std::vector<Node> table_rows(std::string_view text, const std::vector<TableColumnField>& fields, Reading& reading);
+
+template <Described Row>
+std::vector<TableColumnField> table_fields() {
+    std::vector<TableColumnField> fields;
+    const auto add = [&]<class Member>(const FieldInfo& info, const Member&) {
+        using Kind = TableColumnField::Kind;
+        constexpr Kind kind = std::is_same_v<Member, std::string> ? Kind::text
+                              : std::is_enum_v<Member>            ? Kind::word
+                                                                  : Kind::number;
+        static_assert(kind != Kind::number || NumberType<Member> || is_optional<Member>,
+                      "a row holds numbers, optional numbers, words and texts");
+        fields.push_back({std::string(info.key), info.dimension, kind, !is_optional<Member>});
+    };
+    Row row{};
+    visit_fields(row, add);
+    return fields;
+}
+
+// What `check` of a table that has nothing to say about its rows as a whole is.
+inline constexpr auto any_rows = [](Reading&, const auto&, const std::vector<Node>&) {};
+
+// Throws CaseError with all that is wrong, each with line and column; `name` names the text in messages. Rows that are
+// right one by one are shown to `check(reading, rows, nodes)`, which may complain at the place of a node.
+template <Described Row, class Check = decltype(any_rows)>
+std::vector<Row> parse_table(std::string_view text, std::string_view name, const Check& check = any_rows) {
+    Reading reading{std::string(name)};
+    const std::vector<Node> nodes = table_rows(text, table_fields<Row>(), reading);
+    std::vector<Row> rows(nodes.size());
+    for (std::size_t index = 0; index < nodes.size(); ++index) {
+        Section section(reading, nodes[index], "");
+        read_fields(section, rows[index]);
+    }
+    if (reading.clean()) {
+        check(reading, rows, nodes);
+    }
+    reading.finish();
+    return rows;
+}
+
+}  // namespace delabole

@@ -1,0 +1,285 @@
+// Reads any described struct (parameters/fields.hpp) from a section: one walk over its table of fields.
+#pragma once
+
+#include "cases/program/reader/described_kinds.hpp"
+#include "cases/program/reader/section.hpp"
+#include "cases/program/reader/spelling.hpp"
+#include "parameters/fields.hpp"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+namespace delabole {
+
+template <Described Object>
+void read_fields(Section& section, Object& object);
+
+namespace detail {
+
+// Calls function.operator()<index, Alternative>() for each alternative of a variant.
+template <class Variant, class Function>
+void for_each_alternative(Function&& function) {
+    [&]<std::size_t... index>(std::index_sequence<index...>) {
+        (function.template operator()<index, std::variant_alternative_t<index, Variant>>(), ...);
+    }
+    (std::make_index_sequence<std::variant_size_v<Variant>>{});
+}
+
+template <class Alternative, class Function>
+void for_each_field_key(Function&& function) {
+    std::apply([&](const auto&... field) { (function(field.info.key), ...); }, Alternative::fields());
+}
+
+template <class Alternative>
+std::vector<std::string> field_keys() {
+    std::vector<std::string> keys;
+    for_each_field_key<Alternative>([&](std::string_view key) { keys.emplace_back(key); });
+    return keys;
+}
+
+// The keys that stand for an alternative of an inlined variant in a message.
+template <class Variant>
+std::vector<std::string> alternative_names() {
+    std::vector<std::string> names;
+    for_each_alternative<Variant>([&]<std::size_t, class Alternative>() {
+        std::string name;
+        for_each_field_key<Alternative>(
+            [&](std::string_view key) { name += (name.empty() ? "" : " with ") + std::string(key); });
+        names.push_back(std::move(name));
+    });
+    return names;
+}
+
+template <class Type>
+inline constexpr bool is_keyed_variant = false;
+template <class... Types>
+inline constexpr bool is_keyed_variant<std::variant<Types...>> = (requires { Types::kind; } && ...);
+
+template <class Variant>
+std::vector<std::string> kind_names() {
+    std::vector<std::string> names;
+    for_each_alternative<Variant>([&]<std::size_t, class Alternative>() { names.emplace_back(Alternative::kind); });
+    return names;
+}
+
+template <class Enum>
+std::vector<std::string> enum_words() {
+    std::vector<std::string> words;
+    for (const std::string_view word : enum_names(Enum{})) {
+        words.emplace_back(word);
+    }
+    return words;
+}
+
+template <class Variant>
+struct InlinedChoice {
+    std::vector<std::size_t> given;      // alternatives with at least one key in the section
+    std::vector<std::size_t> by_option;  // those of them with a key given by --set
+};
+
+template <class Variant>
+InlinedChoice<Variant> given_alternatives(const Section& section) {
+    InlinedChoice<Variant> choice;
+    for_each_alternative<Variant>([&]<std::size_t index, class Alternative>() {
+        bool given = false;
+        bool by_option = false;
+        for_each_field_key<Alternative>([&](std::string_view key) {
+            const Node* node = section.peek(key);
+            given = given || node != nullptr;
+            by_option = by_option || (node != nullptr && node->place.from_option);
+        });
+        if (given) {
+            choice.given.push_back(index);
+        }
+        if (by_option) {
+            choice.by_option.push_back(index);
+        }
+    });
+    return choice;
+}
+
+// Exactly one alternative's keys. A --set of another alternative replaces the one in the file.
+template <class Variant>
+void read_inlined_variant(Section& section, const FieldInfo& info, Variant& variant) {
+    for_each_alternative<Variant>([&]<std::size_t, class Alternative>() {
+        for_each_field_key<Alternative>([&](std::string_view key) { section.allow(key); });
+    });
+    InlinedChoice<Variant> choice = given_alternatives<Variant>(section);
+    if (choice.given.size() > 1 && choice.by_option.size() == 1) {
+        choice.given = choice.by_option;
+    }
+    if (choice.given.size() != 1) {
+        section.reading().lose_inputs();
+        const std::vector<std::string> names = alternative_names<Variant>();
+        std::vector<std::string> present;
+        for (const std::size_t index : choice.given) {
+            present.push_back(names[index]);
+        }
+        const std::string one_of = (present.empty() ? "needs one of " : "takes only one of ") + choices(names) + ": " +
+                                   std::string(info.meaning);
+        const std::string found = present.empty() ? "" : " (given: " + choices(present) + ")";
+        section.reading().complain(section.place(), section.path().empty() ? std::string("the case") : section.path(),
+                                   {}, one_of + found);
+        return;
+    }
+    for_each_alternative<Variant>([&]<std::size_t index, class Alternative>() {
+        if (choice.given.front() == index) {
+            read_fields(section, variant.template emplace<index>());
+        }
+    });
+}
+
+template <class Variant>
+std::string kinds_with_key(std::string_view key) {
+    std::vector<std::string> kinds;
+    for_each_alternative<Variant>([&]<std::size_t, class Alternative>() {
+        const std::vector<std::string> keys = field_keys<Alternative>();
+        if (std::ranges::find(keys, key) != keys.end()) {
+            kinds.emplace_back(Alternative::kind);
+        }
+    });
+    return choices(kinds);
+}
+
+template <class Variant>
+void read_keyed_variant(Section& section, Variant& variant) {
+    const std::vector<std::string> kinds = kind_names<Variant>();
+    constexpr std::string_view key = kind_key<Variant>();
+    const Node* kind = section.require(key, choices(kinds));
+    const auto chosen =
+        kind == nullptr ? std::nullopt : read_choice(section.reading(), *kind, section.path_of(key), kinds);
+    if (!chosen) {
+        section.reading().lose_inputs();
+        return;
+    }
+    for_each_alternative<Variant>([&]<std::size_t index, class Alternative>() {
+        if (*chosen == index) {
+            read_fields(section, variant.template emplace<index>());
+        }
+    });
+    section.finish([&](std::string_view unknown) {
+        const std::string others = kinds_with_key<Variant>(unknown);
+        const std::string of = " of " + std::string(key) + ' ';
+        return others.empty() ? "" : of + kinds[*chosen] + ", but" + of + others;
+    });
+}
+
+template <class Member>
+void read_node(Reading& reading, const Node& node, const std::string& path, const FieldInfo& info, Member& member) {
+    if constexpr (NumberType<Member>) {
+        member = read_number(reading, node, path, info.dimension, info.range).value_or(0);
+    } else if constexpr (std::same_as<Member, std::string>) {
+        member = read_text(reading, node, path).value_or("");
+    } else if constexpr (std::is_enum_v<Member>) {
+        const auto index = read_choice(reading, node, path, enum_words<Member>());
+        member = static_cast<Member>(index.value_or(0));
+    } else if constexpr (is_vector<Member>) {
+        const std::vector<Node>* tables = as_tables(reading, node, path);
+        if (tables == nullptr) {
+            reading.lose_inputs();
+            return;
+        }
+        for (std::size_t index = 0; index < tables->size(); ++index) {
+            Section element(reading, (*tables)[index], path + "[" + std::to_string(index + 1) + "]");
+            read_fields(element, member.emplace_back());
+            element.finish();
+        }
+    } else if constexpr (Described<Member> || is_keyed_variant<Member>) {
+        const Node* table = as_table(reading, node, path);
+        if (table == nullptr) {
+            reading.lose_inputs();
+            return;
+        }
+        Section inner(reading, *table, path);
+        if constexpr (is_keyed_variant<Member>) {
+            read_keyed_variant(inner, member);
+        } else {
+            read_fields(inner, member);
+            inner.finish();
+        }
+    }
+}
+
+template <class Member>
+std::string requirement(const FieldInfo& info) {
+    std::string text(info.meaning);
+    if constexpr (NumberType<Member>) {
+        const std::string range = readable_range(info.range, info.dimension);
+        text += " (" + (range.empty() ? std::string(dimension_phrase(info.dimension)) : range) + ")";
+    } else if constexpr (std::is_enum_v<Member>) {
+        text += " (" + choices(enum_words<Member>()) + ")";
+    } else if constexpr (is_keyed_variant<Member>) {
+        text += " (a section with " + std::string(kind_key<Member>()) + " = " + choices(kind_names<Member>()) + ")";
+    } else if constexpr (Described<Member>) {
+        text += " (a section)";
+    }
+    return text;
+}
+
+template <class Member>
+void read_member(Section& section, const FieldInfo& info, Member& member) {
+    if (info.key.empty()) {
+        if constexpr (is_variant<Member>) {
+            read_inlined_variant(section, info, member);
+        } else if constexpr (Described<Member>) {
+            read_fields(section, member);
+        }
+    } else if constexpr (is_list_of_texts<Member>) {
+        read_words(section, info.key, member);
+    } else if constexpr (is_optional<Member> || is_vector<Member>) {
+        if (const Node* node = section.take(info.key)) {
+            const auto read = [&](auto& value) {
+                read_node(section.reading(), *node, section.path_of(info.key), info, value);
+            };
+            if constexpr (is_optional<Member>) {
+                read(member.emplace());
+            } else {
+                read(member);
+            }
+        }
+    } else {
+        const Node* node = section.require(info.key, requirement<Member>(info));
+        if (node != nullptr) {
+            read_node(section.reading(), *node, section.path_of(info.key), info, member);
+        } else if constexpr (Described<Member> || is_variant<Member>) {
+            section.reading().lose_inputs();
+        }
+    }
+}
+
+}  // namespace detail
+
+// Reads every field of the table; complains about what is missing, wrong or out of range. Keys the table does not know
+// are left to the section's finish(). On a complaint the object holds zeros in that place.
+template <Described Object>
+void read_fields(Section& section, Object& object) {
+    visit_fields(object, [&](const FieldInfo& info, auto& member) { detail::read_member(section, info, member); });
+}
+
+// Reads only the fields that the section has, each replacing the object's former value wholly.
+template <Described Object>
+void replace_fields(Section& section, Object& object) {
+    visit_fields(object, [&](const FieldInfo& info, auto& member) {
+        using Member = std::remove_cvref_t<decltype(member)>;
+        if constexpr (Described<Member>) {
+            if (info.key.empty()) {
+                replace_fields(section, member);
+                return;
+            }
+        }
+        bool given = section.contains(info.key);
+        if constexpr (is_variant<Member>) {
+            given = given || (info.key.empty() && !detail::given_alternatives<Member>(section).given.empty());
+        }
+        if (given) {
+            member = Member{};
+            detail::read_member(section, info, member);
+        } else {
+            section.allow(info.key);
+        }
+    });
+}
+
+}  // namespace delabole

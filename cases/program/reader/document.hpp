@@ -1,0 +1,68 @@
+// The text of a case as a tree of plain values, each with its place. The only door to the TOML library.
+#pragma once
+
+#include "cases/program/reader/case_error.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+struct Place {
+    int line = 0;  // from 1; 0 for a value given by --set
+    int column = 0;
+    bool from_option = false;  // given by --set
+};
+
+struct Entry;
+
+// One value of the tree. Only the member that goes with `kind` is meaningful.
+struct Node {
+    enum class Kind { table, array, text, integer, real, boolean, date };
+
+    Kind kind = Kind::table;
+    Place place;      // of the value
+    Place key_place;  // of its key; of the value where it has none
+    std::string text;
+    std::int64_t integer = 0;
+    double real = 0;
+    bool boolean = false;
+    std::vector<Entry> entries;  // of a table, in the order of the file
+    std::vector<Node> elements;  // of an array
+
+    const Node* find(std::string_view key) const;
+    Node* find(std::string_view key);
+};
+
+struct Entry {
+    std::string key;
+    Node value;
+};
+
+inline constexpr std::size_t largest_case_bytes = std::size_t{4} << 20U;
+
+// Throws CaseError for text that is too long, not UTF-8, not TOML, nested too deep or made of too many values.
+// `name` names the text in messages.
+Node parse_document(std::string_view text, std::string_view name);
+
+// One `--set key=value`.
+struct Setting {
+    std::string key;    // "slope.height", "bolt[1].force"
+    std::string value;  // a TOML value, or any other text, which is taken as a string: 0.5, "40 m", 40 m
+};
+
+// Splits "key=value". Throws CaseError when there is no "=" or no key.
+Setting parse_setting(std::string_view text);
+
+// Sets or adds the value in the tree; missing sections are created. What cannot be done is added to `problems`.
+void apply_setting(Node& root, const Setting& setting, std::vector<Problem>& problems);
+
+// How a value is shown in a message: "40 m" in quotes, 0.5 without, at most about 60 characters, no control characters.
+std::string shown(const Node& node);
+
+// Text as it stands in a case file between double quotes, quotes included.
+std::string in_quotes(std::string_view text);
+
+}  // namespace delabole

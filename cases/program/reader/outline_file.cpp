@@ -1,0 +1,450 @@
+#include "cases/program/reader/outline_file.hpp"
+
+#include "cases/program/reader/ordinary_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+constexpr std::size_t largest_bytes = std::size_t{64} << 20U;
+constexpr std::size_t most_corners = 20000;
+
+constexpr std::string_view blank = " \t\r\n";
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(blank);
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
+template <class Number>
+std::optional<Number> number_of(std::string_view text) {
+    text = trimmed(text);
+    if (text.starts_with('+')) {
+        text.remove_prefix(1);
+    }
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) {
+        return std::nullopt;
+    }
+    if constexpr (std::is_floating_point_v<Number>) {
+        if (!std::isfinite(number)) {
+            return std::nullopt;
+        }
+    }
+    return number;
+}
+
+std::string_view next_line(std::string_view& text) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return line;
+}
+
+struct Chain {
+    std::vector<SectionPoint> point = {};
+    bool closed = false;
+};
+
+// One pair of a group code and its value, as a DXF file has them on two lines.
+struct Group {
+    int code = 0;
+    std::string_view value = {};
+};
+
+constexpr std::array<std::string_view, 5> curves{"ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX"};
+constexpr std::array<std::string_view, 8> passed_over{"TEXT",   "MTEXT",  "POINT",    "DIMENSION",
+                                                      "LEADER", "ATTDEF", "VIEWPORT", "MULTILEADER"};
+
+// Metres of the unit that $INSUNITS numbers.
+std::optional<double> metres_of_unit(int number) {
+    switch (number) {
+    case 0:
+    case 6:
+        return 1;
+    case 1:
+        return 0.0254;
+    case 2:
+        return 0.3048;
+    case 4:
+        return 1e-3;
+    case 5:
+        return 1e-2;
+    case 7:
+        return 1e3;
+    default:
+        return std::nullopt;
+    }
+}
+
+class DxfReader {
+  public:
+    // Blanks after the last line are cut off once: looked through at every line, they would cost lines times blanks.
+    explicit DxfReader(std::string_view text) : text_(text.substr(0, text.find_last_not_of(blank) + 1)) {}
+
+    OutlineFile read();
+
+  private:
+    // False at the end of the file, or where it is no DXF.
+    bool next() {
+        if (text_.empty()) {
+            return false;
+        }
+        ++line_;
+        const auto code = number_of<int>(next_line(text_));
+        if (!code) {
+            complain("line " + std::to_string(line_) + " should be a group code of a DXF file");
+            return false;
+        }
+        ++line_;
+        group_ = {*code, trimmed(next_line(text_))};
+        return true;
+    }
+
+    void complain(std::string problem) {
+        if (problem_.empty()) {
+            problem_ = std::move(problem);
+        }
+    }
+
+    double coordinate() {
+        const auto number = number_of<double>(group_.value);
+        if (!number) {
+            complain("line " + std::to_string(line_) + " should be a number");
+        }
+        return number.value_or(0);
+    }
+
+    void begin_entity();
+    void take_group();
+    void end_entity();
+    void set_x(std::size_t index) {
+        if (chain_.point.size() <= index) {
+            chain_.point.resize(index + 1);
+        }
+        chain_.point[index].x = coordinate();
+    }
+
+    std::string_view text_;
+    std::size_t line_ = 0;
+    Group group_ = {};
+    std::string problem_ = {};
+    std::string_view section_ = {};
+    std::string_view variable_ = {};  // of the header
+    std::string_view entity_ = {};
+    bool in_polyline_ = false;  // between POLYLINE and SEQEND
+    Chain chain_ = {};
+    std::vector<Chain> chains_ = {};
+    double unit_ = 1;  // m
+};
+
+// A POLYLINE goes on through its VERTEX entities to SEQEND; everything else ends where the next entity begins.
+void DxfReader::end_entity() {
+    if (!in_polyline_ && !chain_.point.empty()) {
+        chains_.push_back(std::exchange(chain_, {}));
+    }
+}
+
+void DxfReader::begin_entity() {
+    entity_ = group_.value;
+    if (entity_ == "SEQEND") {
+        in_polyline_ = false;
+        end_entity();
+        return;
+    }
+    if (entity_ == "VERTEX" && in_polyline_) {
+        chain_.point.push_back({0, 0});
+        return;
+    }
+    if (in_polyline_) {
+        complain("has a POLYLINE that does not end, before line " + std::to_string(line_));
+    }
+    end_entity();
+    if (std::find(curves.begin(), curves.end(), entity_) != curves.end()) {
+        complain("has a curve, " + std::string(entity_) + " at line " + std::to_string(line_) +
+                 ": an outline consists of straight parts; replace it by a polyline");
+    } else if (entity_ == "POLYLINE") {
+        in_polyline_ = true;
+    } else if (entity_ != "LINE" && entity_ != "LWPOLYLINE" &&
+               std::find(passed_over.begin(), passed_over.end(), entity_) == passed_over.end()) {
+        complain("has an entity that is no part of an outline, " + std::string(entity_.substr(0, 30)) + " at line " +
+                 std::to_string(line_));
+    }
+}
+
+void DxfReader::take_group() {
+    const bool light = entity_ == "LWPOLYLINE";
+    const bool vertex = entity_ == "VERTEX";
+    if (entity_ == "LINE") {
+        switch (group_.code) {
+        case 10:
+            set_x(0);
+            break;
+        case 11:
+            set_x(1);
+            break;
+        case 20:
+        case 21:
+            chain_.point.resize(std::max<std::size_t>(chain_.point.size(), group_.code == 20 ? 1 : 2));
+            chain_.point[group_.code == 20 ? 0 : 1].y = coordinate();
+            break;
+        default:
+            break;
+        }
+    } else if (light || vertex) {
+        if (group_.code == 10) {
+            set_x(light ? chain_.point.size() : chain_.point.size() - 1);
+        } else if (group_.code == 20 && !chain_.point.empty()) {
+            chain_.point.back().y = coordinate();
+        } else if (group_.code == 42 && coordinate() != 0) {
+            complain("has a polyline with an arc in it, line " + std::to_string(line_) +
+                     ": an outline consists of straight parts; replace the arc by several");
+        }
+    }
+    if ((light || entity_ == "POLYLINE") && group_.code == 70) {
+        chain_.closed = (number_of<int>(group_.value).value_or(0) & 1) != 0;
+    }
+}
+
+// Ends that differ by less than this, in the drawing's size, are one point.
+constexpr double same_point = 1e-6;
+
+double size_of(const std::vector<Chain>& chains) {
+    double size = 0;
+    const SectionPoint& first = chains.front().point.front();
+    for (const Chain& chain : chains) {
+        for (const SectionPoint& point : chain.point) {
+            size = std::max({size, std::abs(point.x - first.x), std::abs(point.y - first.y)});
+        }
+    }
+    return size;
+}
+
+// The ends of open chains by place: a chain that goes on from a point is found without looking at all others.
+class OpenEnds {
+  public:
+    OpenEnds(const std::vector<Chain>& chains, double near) : chains_(chains), near_(near) {
+        for (std::size_t index = 0; index < chains.size(); ++index) {
+            if (!chains[index].closed) {
+                cells_[cell_of(chains[index].point.front())].insert(index);
+                cells_[cell_of(chains[index].point.back())].insert(index);
+            }
+        }
+    }
+
+    bool meet(const SectionPoint& one, const SectionPoint& other) const {
+        return std::hypot(one.x - other.x, one.y - other.y) <= near_;
+    }
+
+    // The first of the chains that are still there.
+    std::optional<std::size_t> chain_at(const SectionPoint& point) const {
+        std::optional<std::size_t> first;
+        const Cell around = cell_of(point);
+        for (const double column : {-1, 0, 1}) {
+            for (const double row : {-1, 0, 1}) {
+                const auto cell = cells_.find({around.first + column, around.second + row});
+                if (cell == cells_.end()) {
+                    continue;
+                }
+                const auto found = std::ranges::find_if(cell->second, [&](std::size_t index) {
+                    return meet(point, chains_[index].point.front()) || meet(point, chains_[index].point.back());
+                });
+                if (found != cell->second.end() && (!first || *found < *first)) {
+                    first = *found;
+                }
+            }
+        }
+        return first;
+    }
+
+    void remove(std::size_t index) {
+        cells_[cell_of(chains_[index].point.front())].erase(index);
+        cells_[cell_of(chains_[index].point.back())].erase(index);
+    }
+
+  private:
+    using Cell = std::pair<double, double>;
+
+    // Points that meet lie in one cell or in two that touch. Where all points are one, there is one cell.
+    Cell cell_of(const SectionPoint& point) const {
+        const double width = 2 * near_;
+        const auto count = [&](double coordinate) { return width > 0 ? std::floor(coordinate / width) : 0; };
+        return {count(point.x), count(point.y)};
+    }
+
+    const std::vector<Chain>& chains_;
+    double near_;
+    std::map<Cell, std::set<std::size_t>> cells_ = {};
+};
+
+// Joins open chains at their ends; what cannot be joined stays apart.
+std::vector<Chain> joined(std::vector<Chain> chains) {
+    OpenEnds ends(chains, same_point * size_of(chains));
+    std::vector<bool> used(chains.size(), false);
+    std::vector<Chain> result;
+    for (std::size_t index = 0; index < chains.size(); ++index) {
+        if (used[index]) {
+            continue;
+        }
+        if (chains[index].closed) {
+            result.push_back(std::move(chains[index]));
+            continue;
+        }
+        ends.remove(index);
+        Chain chain = std::move(chains[index]);
+        while (const std::optional<std::size_t> next = ends.chain_at(chain.point.back())) {
+            ends.remove(*next);
+            used[*next] = true;
+            Chain& other = chains[*next];
+            if (!ends.meet(chain.point.back(), other.point.front())) {
+                std::reverse(other.point.begin(), other.point.end());
+            }
+            chain.point.insert(chain.point.end(), other.point.begin() + 1, other.point.end());
+        }
+        if (chain.point.size() > 3 && ends.meet(chain.point.front(), chain.point.back())) {
+            chain.point.pop_back();
+            chain.closed = true;
+        }
+        result.push_back(std::move(chain));
+    }
+    return result;
+}
+
+OutlineFile DxfReader::read() {
+    bool ended = false;
+    while (problem_.empty() && !ended && next()) {
+        if (group_.code == 0) {
+            const bool in_entities = section_ == "ENTITIES";
+            if (group_.value == "EOF" || group_.value == "ENDSEC") {
+                if (in_entities) {
+                    end_entity();
+                    entity_ = {};
+                }
+                ended = group_.value == "EOF";
+                section_ = {};
+            } else if (group_.value == "SECTION") {
+                section_ = "?";
+            } else if (in_entities) {
+                begin_entity();
+            }
+        } else if (section_ == "?" && group_.code == 2) {
+            section_ = group_.value;
+        } else if (section_ == "HEADER") {
+            if (group_.code == 9) {
+                variable_ = group_.value;
+            } else if (variable_ == "$INSUNITS" && group_.code == 70) {
+                const auto unit = metres_of_unit(number_of<int>(group_.value).value_or(-1));
+                if (!unit) {
+                    complain("is in a unit of length ($INSUNITS " + std::string(group_.value.substr(0, 10)) +
+                             ") that is none of m, km, cm, mm, ft, in");
+                }
+                unit_ = unit.value_or(1);
+            }
+        } else if (section_ == "ENTITIES") {
+            take_group();
+        }
+    }
+    if (problem_.empty() && !ended) {
+        complain("is no DXF file, or not a whole one: it does not end with EOF");
+    }
+    std::erase_if(chains_, [](const Chain& chain) { return chain.point.size() < 2; });
+    if (problem_.empty() && chains_.empty()) {
+        complain("has no LINE, LWPOLYLINE or POLYLINE that could be an outline");
+    }
+    if (problem_.empty() && chains_.size() > most_corners) {
+        complain("has more than " + std::to_string(most_corners) + " lines");
+    }
+    if (!problem_.empty()) {
+        return {{}, problem_};
+    }
+    std::vector<Chain> outlines = joined(std::move(chains_));
+    if (outlines.size() > 1) {
+        return {{}, "has " + std::to_string(outlines.size()) + " separate lines: an outline is one, closed"};
+    }
+    if (!outlines.front().closed) {
+        return {{}, "has a line that is not closed: its ends do not meet"};
+    }
+    OutlineFile file;
+    for (const SectionPoint& point : outlines.front().point) {
+        file.outline.push_back({unit_ * point.x, unit_ * point.y});
+    }
+    return file;
+}
+
+OutlineFile checked(OutlineFile file) {
+    if (file.problem.empty() && file.outline.size() < 3) {
+        file.problem = "has fewer than three corners";
+    }
+    if (file.problem.empty() && file.outline.size() > most_corners) {
+        file.problem = "has more than " + std::to_string(most_corners) + " corners";
+    }
+    // A coordinate in kilometres may be none in metres.
+    const auto finite = [](const SectionPoint& corner) { return std::isfinite(corner.x) && std::isfinite(corner.y); };
+    if (file.problem.empty() && !std::ranges::all_of(file.outline, finite)) {
+        file.problem = "has a corner beyond all numbers";
+    }
+    if (!file.problem.empty()) {
+        file.outline.clear();
+    }
+    return file;
+}
+
+}  // namespace
+
+OutlineFile outline_of_dxf(std::string_view text) {
+    return checked(DxfReader(text).read());
+}
+
+OutlineFile outline_of_csv(std::string_view text) {
+    OutlineFile file;
+    if (trimmed(next_line(text)) != "x_m,y_m") {
+        file.problem = "should begin with the line x_m,y_m";
+    }
+    for (std::size_t line = 2; file.problem.empty() && !text.empty(); ++line) {
+        const std::string_view row = trimmed(next_line(text));
+        if (row.empty()) {
+            continue;
+        }
+        const std::size_t comma = std::min(row.find(','), row.size());
+        const auto x = number_of<double>(row.substr(0, comma));
+        const auto y = comma < row.size() ? number_of<double>(row.substr(comma + 1)) : std::nullopt;
+        if (!x || !y) {
+            file.problem = "line " + std::to_string(line) + " should be two numbers with a comma between them";
+        } else {
+            file.outline.push_back({*x, *y});
+        }
+    }
+    return checked(std::move(file));
+}
+
+OutlineFile read_outline_file(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](char letter) {
+        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter + 32) : letter;
+    });
+    if (ending != ".dxf" && ending != ".csv") {
+        return {{}, "must end in .dxf or .csv"};
+    }
+    FileContent content = read_ordinary_file(path, "an outline", largest_bytes);
+    if (!content.fault.empty()) {
+        return {{}, std::move(content.fault)};
+    }
+    return ending == ".dxf" ? outline_of_dxf(content.bytes) : outline_of_csv(content.bytes);
+}
+
+}  // namespace delabole

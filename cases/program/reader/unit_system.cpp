@@ -1,0 +1,102 @@
+#include "cases/program/reader/unit_system.hpp"
+
+#include <udunits2.h>
+
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+
+namespace delabole {
+namespace {
+
+struct FreeSystem {
+    void operator()(ut_system* system) const { ut_free_system(system); }
+};
+struct FreeUnit {
+    void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+struct FreeConverter {
+    void operator()(cv_converter* converter) const { cv_free(converter); }
+};
+using System = std::unique_ptr<ut_system, FreeSystem>;
+using Unit = std::unique_ptr<ut_unit, FreeUnit>;
+using Converter = std::unique_ptr<cv_converter, FreeConverter>;
+
+System read_database() {
+    ut_set_error_message_handler(ut_ignore);
+    System system(ut_read_xml(nullptr));
+    if (!system) {
+        throw std::runtime_error("the unit database of udunits2 cannot be read: is it installed?");
+    }
+    return system;
+}
+
+}  // namespace
+
+std::string si_symbol(Dimension dimension) {
+    switch (dimension) {
+    case Dimension::angle:
+        return "rad";
+    case Dimension::length:
+        return "m";
+    case Dimension::area:
+        return "m2";
+    case Dimension::stress:
+        return "Pa";
+    case Dimension::unit_weight:
+        return "N/m3";
+    case Dimension::force_per_length:
+        return "N/m";
+    case Dimension::moment_per_length:
+        return "N m/m";
+    case Dimension::energy_per_length:
+        return "J/m";
+    case Dimension::density:
+        return "kg/m3";
+    case Dimension::stiffness:
+        return "N/m/m";
+    case Dimension::time:
+        return "s";
+    case Dimension::speed:
+        return "m/s";
+    case Dimension::acceleration:
+        return "m/s2";
+    case Dimension::angular_speed:
+        return "rad/s";
+    case Dimension::ratio:
+        break;
+    }
+    return {};
+}
+
+UnitFactor unit_factor(std::string_view unit, Dimension dimension) {
+    // The parser of udunits2 keeps its state in globals.
+    static std::mutex parsing;
+    const std::lock_guard lock(parsing);
+    static const System system = read_database();
+
+    const Unit from(ut_parse(system.get(), std::string(unit).c_str(), UT_UTF8));
+    if (!from) {
+        return {};
+    }
+    const Unit to(ut_parse(system.get(), dimension == Dimension::ratio ? "1" : si_symbol(dimension).c_str(), UT_UTF8));
+    if (!to || ut_are_convertible(from.get(), to.get()) == 0) {
+        return {.known = true, .si_per_unit = std::nullopt};
+    }
+    const Converter converter(ut_get_converter(from.get(), to.get()));
+    if (!converter) {
+        return {.known = true, .si_per_unit = std::nullopt};
+    }
+    const double factor = cv_convert_double(converter.get(), 1.0);
+    const bool linear = cv_convert_double(converter.get(), 0.0) == 0.0 &&
+                        std::abs(cv_convert_double(converter.get(), 2.0) - 2 * factor) <= 1e-15 * std::abs(factor);
+    // A reciprocal unit counts as convertible for udunits2 (s and Hz); its converter is not linear.
+    if (!linear || !(factor > 0) || !std::isfinite(factor)) {
+        return {.known = true, .si_per_unit = std::nullopt};
+    }
+    return {.known = true, .si_per_unit = factor};
+}
+
+}  // namespace delabole

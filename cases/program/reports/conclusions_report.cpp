@@ -1,0 +1,122 @@
+#include "cases/program/reports/conclusions_report.hpp"
+
+#include "cases/program/reader/units.hpp"
+#include "fitting/work/words.hpp"
+
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+std::string in_words(ConclusionVerdict verdict) {
+    return verdict == ConclusionVerdict::partly       ? "confirmed in part"
+           : verdict == ConclusionVerdict::not_tested ? "not tested"
+                                                      : std::string(word_of(verdict));
+}
+
+bool is_probability(const ConclusionTest& test) {
+    return std::holds_alternative<ClaimOfMechanisms>(test.of);
+}
+
+std::string limit_in_words(const ConclusionTest& test) {
+    return (test.relation == Relation::at_least ? "at least " : "at most ") +
+           value_in_words(test.limit, test.dimension);
+}
+
+std::string value_in_words(const ConclusionTest& test, const TestFinding& finding) {
+    if (std::isnan(finding.value)) {
+        return "";
+    }
+    if (is_probability(test)) {
+        return number_in_words(finding.value) + " \u00b1 " + number_in_words(2 * finding.standard_error);
+    }
+    const std::string middle = value_in_words(finding.value, test.dimension);
+    return finding.draws - finding.without_answer < 2
+               ? middle
+               : middle + " (" + value_in_words(finding.interval_68.lower, test.dimension) + " to " +
+                     value_in_words(finding.interval_68.upper, test.dimension) + ")";
+}
+
+std::string holding_in_words(const TestFinding& finding) {
+    if (finding.draws == 0) {
+        return "";
+    }
+    std::string text =
+        std::to_string(finding.holding) + " of " + std::to_string(finding.draws - finding.without_answer);
+    return finding.without_answer == 0 ? text
+                                       : text + ", " + std::to_string(finding.without_answer) + " without answer";
+}
+
+std::string asked_in_words(const ConclusionTest& test) {
+    const auto* claim = std::get_if<ClaimOfQuantity>(&test.of);
+    return claim != nullptr ? claim->mechanism + ": " + claim->quantity
+                            : "probability of " + list_in_words(std::get<ClaimOfMechanisms>(test.of).mechanisms);
+}
+
+Json json_of(const ConclusionTest& test, const TestFinding& finding) {
+    Json json;
+    json["claim"] = test.claim;
+    json["asked"] = asked_in_words(test);
+    json["verdict"] = word_of(finding.verdict);
+    json["relation"] = word_of(test.relation);
+    json["unit"] = display_unit(test.dimension).symbol;
+    json["limit"] = json_number(in_display_unit(test.limit, test.dimension));
+    json["value"] = json_number(in_display_unit(finding.value, test.dimension));
+    if (is_probability(test)) {
+        json["standard_error"] = json_number(finding.standard_error);
+    } else {
+        json["draws"] = finding.draws;
+        json["without_answer"] = finding.without_answer;
+        json["holding"] = finding.holding;
+    }
+    return json;
+}
+
+}  // namespace
+
+ConclusionDocuments document_conclusions(const std::vector<Conclusion>& conclusions,
+                                         const std::vector<ConclusionFinding>& findings, const ResultFolder& folder,
+                                         Report& report) {
+    ConclusionDocuments documents;
+    report.blocks.emplace_back(Heading{"Conclusions held against the fit"});
+    Table table{"What was concluded", {{"conclusion"}, {"statement"}, {"by this fit"}, {"source"}, {"note"}}, {}};
+    Table tests{
+        "How each was tested: the median over draws of the posterior, with the range of 68 % of them (of all "
+        "where they are fewer than twenty)",
+        {{"conclusion"}, {"claim"}, {"asked"}, {"found"}, {"claimed"}, {"holds in"}, {"verdict"}},
+        {}};
+    CsvTable csv({"conclusion", "claim", "asked", "value", "limit", "relation", "unit", "draws", "holding", "verdict"});
+    std::vector<std::vector<std::string>> screen{{"conclusion", "by this fit", "statement"}};
+    for (std::size_t index = 0; index < conclusions.size(); ++index) {
+        const Conclusion& conclusion = conclusions[index];
+        const std::string verdict = in_words(findings[index].verdict);
+        table.rows.push_back({conclusion.label, conclusion.statement, verdict, conclusion.source, conclusion.note});
+        screen.push_back({conclusion.label, verdict, conclusion.statement});
+        Json& json = documents.json[conclusion.label];
+        json["statement"] = conclusion.statement;
+        json["verdict"] = word_of(findings[index].verdict);
+        json["tests"] = Json::array();
+        for (std::size_t number = 0; number < conclusion.tests.size(); ++number) {
+            const ConclusionTest& test = conclusion.tests[number];
+            const TestFinding& finding = findings[index].tests[number];
+            tests.rows.push_back({conclusion.label, test.claim, asked_in_words(test), value_in_words(test, finding),
+                                  limit_in_words(test), holding_in_words(finding), in_words(finding.verdict)});
+            json["tests"].push_back(json_of(test, finding));
+            csv.add_row({conclusion.label, test.claim, asked_in_words(test),
+                         in_display_unit(finding.value, test.dimension), in_display_unit(test.limit, test.dimension),
+                         std::string(word_of(test.relation)), std::string(display_unit(test.dimension).symbol),
+                         static_cast<double>(finding.draws), static_cast<double>(finding.holding),
+                         std::string(word_of(finding.verdict))});
+        }
+    }
+    folder.write("conclusions.csv", csv.text());
+    report.blocks.emplace_back(std::move(table));
+    if (!tests.rows.empty()) {
+        report.blocks.emplace_back(std::move(tests));
+    }
+    documents.screen = '\n' + text_table(screen);
+    return documents;
+}
+
+}  // namespace delabole

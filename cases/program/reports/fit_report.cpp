@@ -1,0 +1,466 @@
+#include "cases/program/reports/fit_report.hpp"
+
+#include "cases/program/reader/units.hpp"
+#include "cases/program/reports/posterior_report.hpp"
+#include "cases/program/reports/surrogate_report.hpp"
+#include "cases/program/results/model_reports.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/figures/fit_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+Dimension dimension_of(const MechanismFit& fit, const std::string& parameter) {
+    const auto found = std::find_if(fit.parameters.begin(), fit.parameters.end(),
+                                    [&](const FreeParameter& candidate) { return candidate.name == parameter; });
+    return fit.dimensions[static_cast<std::size_t>(found - fit.parameters.begin())];
+}
+
+const ProfileLikelihood* profile_of(const MechanismFit& fit, const std::string& parameter, bool with_priors) {
+    const auto found = std::find_if(fit.profiles.begin(), fit.profiles.end(), [&](const ProfileLikelihood& profile) {
+        return profile.parameter == parameter && profile.with_priors == with_priors;
+    });
+    return found == fit.profiles.end() ? nullptr : &*found;
+}
+
+// An end at a bound of the search is no evidence.
+std::string interval_in_words(const ProfileLikelihood* profile, const FreeParameter& parameter, Dimension dimension) {
+    if (profile == nullptr) {
+        return "";
+    }
+    const auto end = [&](double value, double bound) {
+        return value_in_words(value, dimension) + (value == bound ? " (bound)" : "");
+    };
+    return end(profile->interval_95.lower, parameter.lower) + " to " + end(profile->interval_95.upper, parameter.upper);
+}
+
+std::string determination_in_words(const ProfileLikelihood* profile) {
+    if (profile == nullptr) {
+        return "";
+    }
+    switch (profile->determination) {
+    case Determination::determined:
+        return "determined";
+    case Determination::bounded_below:
+        return "only a lower limit";
+    case Determination::bounded_above:
+        return "only an upper limit";
+    case Determination::doubtful:
+        return "doubtful: see the verdict";
+    case Determination::undetermined:
+        break;
+    }
+    return "not identifiable";
+}
+
+std::string data_misfit_in_words(const MechanismFit& fit) {
+    const std::string misfit = number_in_words(fit.data_misfit);
+    if (!fit.surrogate || fit.best.empty()) {
+        return misfit;
+    }
+    const double run = fit.surrogate->misfit_of_run;
+    return misfit + " (run there: " + (std::isfinite(run) ? number_in_words(run) : "no answer") + ")";
+}
+
+Table ranking_table(const FitResult& result) {
+    Table table{"Mechanisms, best first",
+                {{"mechanism"},
+                 {"score", true},
+                 {"data misfit", true},
+                 {"prior misfit", true},
+                 {"data", true},
+                 {"unexplained", true},
+                 {"status"}},
+                {}};
+    for (const MechanismFit& fit : result.mechanisms) {
+        table.rows.push_back({fit.title.empty() ? fit.name : fit.title, number_in_words(fit.ranking_score),
+                              data_misfit_in_words(fit), number_in_words(fit.prior_misfit),
+                              std::to_string(fit.data_count), std::to_string(fit.unexplained.size()),
+                              std::string(word_of(fit.status))});
+    }
+    return table;
+}
+
+Table parameter_table(const MechanismFit& fit) {
+    Table table{"Fitted parameters (read the verdict first)",
+                {{"parameter"},
+                 {"best", true},
+                 {"95 % range with priors", true},
+                 {"95 % range from the data alone", true},
+                 {"the data alone"}},
+                {}};
+    for (std::size_t index = 0; index < fit.best.size(); ++index) {
+        const std::string& name = fit.parameters[index].name;
+        const Dimension dimension = fit.dimensions[index];
+        const ProfileLikelihood* data_only = profile_of(fit, name, false);
+        table.rows.push_back({name, value_in_words(fit.best[index], dimension),
+                              interval_in_words(profile_of(fit, name, true), fit.parameters[index], dimension),
+                              interval_in_words(data_only, fit.parameters[index], dimension),
+                              determination_in_words(data_only)});
+    }
+    return table;
+}
+
+// A pull of rounding is no pull.
+std::string pull_in_words(double pull) {
+    return std::abs(pull) < 5e-4 ? "0" : number_in_words(pull);
+}
+
+std::string relation_in_words(Relation relation) {
+    return relation == Relation::equal ? "" : relation == Relation::at_least ? "at least " : "at most ";
+}
+
+Table observation_table(const MechanismFit& fit) {
+    Table table{"Observed and predicted",
+                {{"observation"},
+                 {"observed", true},
+                 {"standard deviation", true},
+                 {"predicted", true},
+                 {"pull", true},
+                 {"source"}},
+                {}};
+    for (const ObservationFit& row : fit.observations) {
+        table.rows.push_back({row.label, relation_in_words(row.relation) + value_in_words(row.observed, row.dimension),
+                              value_in_words(row.standard_deviation, row.dimension),
+                              row.predicted ? value_in_words(*row.predicted, row.dimension) : "not predicted",
+                              row.predicted ? pull_in_words(row.pull) : "", row.source});
+    }
+    if (fit.profile_rms_m) {
+        table.rows.push_back({"post-failure profile (distance)", "0 m", "",
+                              value_in_words(std::round(*fit.profile_rms_m * 1e3) / 1e3, Dimension::length),
+                              pull_in_words(fit.profile_pull), ""});
+    }
+    return table;
+}
+
+Table minima_table(const MechanismFit& fit) {
+    Table table{"Minima found by the starts", {{"misfit", true}, {"starts", true}}, {}};
+    for (const FreeParameter& parameter : fit.parameters) {
+        table.columns.push_back({parameter.name, true});
+    }
+    for (const MinimumCluster& minimum : fit.minima) {
+        std::vector<std::string> row = {number_in_words(minimum.misfit), std::to_string(minimum.hits)};
+        for (std::size_t index = 0; index < minimum.parameters.size(); ++index) {
+            row.push_back(value_in_words(minimum.parameters[index], fit.dimensions[index]));
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+Table direction_table(const Identifiability& identifiability) {
+    Table table{
+        "Directions in the space of the parameters, scaled by their bounds, best determined first. Determined "
+        "are those with a singular value above 0.5: moving along them through the whole range changes the data "
+        "by more than half a standard deviation",
+        {{"singular value", true}},
+        {}};
+    for (const std::string& name : identifiability.parameters) {
+        table.columns.push_back({name, true});
+    }
+    for (std::size_t column = 0; column < identifiability.singular_values.size(); ++column) {
+        const double value = identifiability.singular_values[column];
+        std::vector<std::string> cells = {number_in_words(value < 1e-6 ? 0 : value)};
+        for (std::size_t row = 0; row < identifiability.parameters.size(); ++row) {
+            cells.push_back(number_in_words(
+                identifiability.directions(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column))));
+        }
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
+Table correlation_table(const MechanismFit& fit) {
+    const Identifiability& identifiability = fit.identifiability;
+    Table table{"Standard deviations and correlations, data and priors together, linear at the best point",
+                {{"parameter"}, {"standard deviation", true}},
+                {}};
+    for (const std::string& name : identifiability.parameters) {
+        table.columns.push_back({name, true});
+    }
+    const Eigen::MatrixXd& correlation = *identifiability.correlation;
+    for (Eigen::Index row = 0; row < correlation.rows(); ++row) {
+        const std::string& name = identifiability.parameters[static_cast<std::size_t>(row)];
+        const Dimension dimension = dimension_of(fit, name);
+        std::vector<std::string> cells = {
+            name, value_in_words(std::sqrt((*identifiability.covariance)(row, row)), dimension)};
+        for (Eigen::Index column = 0; column < correlation.cols(); ++column) {
+            cells.push_back(number_in_words(correlation(row, column)));
+        }
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
+std::string evaluations_in_words(const EvaluationCount& count) {
+    std::string text = std::to_string(count.total) + " evaluations of the model";
+    for (const auto& [cause, number] : count.failed_by_cause) {
+        text += ", " + std::to_string(number) + " without an answer (" + std::string(cause) + ")";
+    }
+    return text + ".";
+}
+
+Json json_of(const Interval& interval, Dimension dimension) {
+    return Json::array({json_number(in_display_unit(interval.lower, dimension)),
+                        json_number(in_display_unit(interval.upper, dimension))});
+}
+
+Json json_of(const MechanismFit& fit) {
+    Json json;
+    json["name"] = fit.name;
+    json["status"] = word_of(fit.status);
+    json["verdict"] = fit.identifiability.verdict;
+    json["identifiability"] = word_of(fit.identifiability.status);
+    json["rank"] = fit.identifiability.rank;
+    json["singular_values"] = fit.identifiability.singular_values;
+    json["directions"] = Json::array();
+    for (Eigen::Index column = 0; column < fit.identifiability.directions.cols(); ++column) {
+        const auto direction = fit.identifiability.directions.col(column);
+        json["directions"].push_back(std::vector<double>(direction.begin(), direction.end()));
+    }
+    json["ranking_score"] = json_number(fit.ranking_score);
+    json["data_misfit"] = json_number(fit.data_misfit);
+    json["prior_misfit"] = json_number(fit.prior_misfit);
+    json["parameters"] = Json::object();
+    for (std::size_t index = 0; index < fit.best.size(); ++index) {
+        const std::string& name = fit.parameters[index].name;
+        const Dimension dimension = fit.dimensions[index];
+        Json& entry = json["parameters"][column_name(name, dimension)];
+        entry["best"] = json_number(in_display_unit(fit.best[index], dimension));
+        for (const bool with_priors : {true, false}) {
+            if (const ProfileLikelihood* profile = profile_of(fit, name, with_priors)) {
+                Json& part = entry[with_priors ? "with_priors" : "data_only"];
+                part["interval_68"] = json_of(profile->interval_68, dimension);
+                part["interval_95"] = json_of(profile->interval_95, dimension);
+                part["determination"] = word_of(profile->determination);
+            }
+        }
+    }
+    json["rank_with_priors"] = fit.identifiability.rank_with_priors;
+    json["observations"] = Json::array();
+    for (const ObservationFit& row : fit.observations) {
+        Json entry;
+        entry["label"] = row.label;
+        entry["quantity"] = column_name(row.quantity, row.dimension);
+        entry["relation"] = word_of(row.relation);
+        entry["observed"] = json_number(in_display_unit(row.observed, row.dimension));
+        entry["predicted"] =
+            row.predicted ? Json(json_number(in_display_unit(*row.predicted, row.dimension))) : Json(nullptr);
+        entry["pull"] = json_number(row.pull);
+        json["observations"].push_back(std::move(entry));
+    }
+    if (fit.profile_rms_m) {
+        json["profile_rms_m"] = *fit.profile_rms_m;
+    }
+    json["minima"] = Json::array();
+    for (const MinimumCluster& minimum : fit.minima) {
+        Json entry;
+        entry["misfit"] = json_number(minimum.misfit);
+        entry["starts"] = minimum.hits;
+        for (std::size_t index = 0; index < minimum.parameters.size(); ++index) {
+            entry[column_name(fit.parameters[index].name, fit.dimensions[index])] =
+                json_number(in_display_unit(minimum.parameters[index], fit.dimensions[index]));
+        }
+        json["minima"].push_back(std::move(entry));
+    }
+    if (fit.identifiability.correlation) {
+        const Eigen::MatrixXd& correlation = *fit.identifiability.correlation;
+        json["correlation_with_priors"] = Json::array();
+        for (Eigen::Index row = 0; row < correlation.rows(); ++row) {
+            json["correlation_with_priors"].push_back(
+                std::vector<double>(correlation.row(row).begin(), correlation.row(row).end()));
+        }
+    }
+    if (fit.surrogate) {
+        json["surrogate"] = json_of_surrogate(fit);
+    }
+    json["explained"] = fit.explained;
+    json["unexplained"] = fit.unexplained;
+    if (fit.posterior) {
+        json["posterior"] = json_of_posterior(fit);
+    }
+    json["evaluations"] = fit.evaluations.total;
+    json["failed_evaluations"] = Json::object();
+    for (const auto& [cause, number] : fit.evaluations.failed_by_cause) {
+        json["failed_evaluations"][std::string(cause)] = number;
+    }
+    return json;
+}
+
+void write_tables(const MechanismFit& fit, const ResultFolder& folder) {
+    CsvTable profiles({"parameter", "with_priors", "value", "unit", "misfit"});
+    for (const ProfileLikelihood& profile : fit.profiles) {
+        const Dimension dimension = dimension_of(fit, profile.parameter);
+        for (std::size_t point = 0; point < profile.values.size(); ++point) {
+            profiles.add_row({profile.parameter, profile.with_priors ? "yes" : "no",
+                              in_display_unit(profile.values[point], dimension),
+                              std::string(display_unit(dimension).symbol), profile.misfits[point]});
+        }
+    }
+    folder.write(fit.name + "_profiles.csv", profiles.text());
+    CsvTable observations(
+        {"label", "quantity", "relation", "observed", "predicted", "standard_deviation", "unit", "pull"});
+    for (const ObservationFit& row : fit.observations) {
+        std::variant<double, std::string> predicted = std::string();
+        if (row.predicted) {
+            predicted = in_display_unit(*row.predicted, row.dimension);
+        }
+        observations.add_row({row.label, row.quantity, std::string(word_of(row.relation)),
+                              in_display_unit(row.observed, row.dimension), predicted,
+                              in_display_unit(row.standard_deviation, row.dimension),
+                              std::string(display_unit(row.dimension).symbol), row.pull});
+    }
+    folder.write(fit.name + "_observations.csv", observations.text());
+}
+
+// Figures of the mechanism's own model at the best point.
+void append_best_figures(Report& report, const ResultFolder& folder, const MechanismFit& fit, const CaseModel& model,
+                         const FitProblem& problem) {
+    if (fit.best.empty()) {
+        return;
+    }
+    std::vector<Condition> best;
+    for (std::size_t index = 0; index < fit.best.size(); ++index) {
+        best.push_back({fit.parameters[index].name, fit.best[index]});
+        for (const std::string& name : fit.parameters[index].also) {
+            best.push_back({name, fit.best[index]});
+        }
+    }
+    std::visit([&](const auto& at_best) { append_mechanism_figures(at_best, fit, problem, folder, report); },
+               with_conditions(model, best));
+}
+
+void append_mechanism(Report& report, const ResultFolder& folder, const MechanismFit& fit, const CaseModel& model,
+                      const FitProblem& problem) {
+    report.blocks.emplace_back(Heading{fit.title.empty() ? fit.name : fit.title});
+    report.blocks.emplace_back(Notice{NoticeKind::verdict, "What the data determine", {fit.identifiability.verdict}});
+    if (fit.best.empty() && !fit.parameters.empty()) {
+        report.blocks.emplace_back(
+            Notice{NoticeKind::warning,
+                   "No answer",
+                   {"the model has no answer anywhere within the bounds. " + evaluations_in_words(fit.evaluations)}});
+        append_posterior(fit, folder, report);
+        return;
+    }
+    if (fit.status != FitStatus::converged) {
+        report.blocks.emplace_back(
+            Notice{NoticeKind::warning,
+                   "Not converged",
+                   {"status: " + std::string(word_of(fit.status)) + "; the best point seen is shown"}});
+    }
+    if (fit.surrogate) {
+        report.blocks.emplace_back(Paragraph{surrogate_in_words(fit)});
+        write_runs(fit, folder);
+    }
+    report.blocks.emplace_back(parameter_table(fit));
+    append_posterior(fit, folder, report);
+    if (!fit.identifiability.singular_values.empty()) {
+        report.blocks.emplace_back(direction_table(fit.identifiability));
+    }
+    report.blocks.emplace_back(observation_table(fit));
+    if (!fit.explained.empty()) {
+        report.blocks.emplace_back(Paragraph{"Field evidence explained: " + list_in_words(fit.explained) + "."});
+    }
+    if (!fit.unexplained.empty()) {
+        report.blocks.emplace_back(Notice{NoticeKind::warning, "What it does not explain", fit.unexplained});
+    }
+    append_best_figures(report, folder, fit, model, problem);
+    if (const auto map = misfit_map_figure(fit)) {
+        report.blocks.emplace_back(folder.draw(*map, fit.name + "_misfit_map",
+                                               "Misfit (data and priors) over the first two parameters with the joint "
+                                               "68 and 95 % regions. Any further parameter is held at the best point, "
+                                               "which makes the regions smaller than they are; the profiles below "
+                                               "free it."));
+    }
+    for (std::size_t index = 0; index < fit.parameters.size(); ++index) {
+        const std::string& name = fit.parameters[index].name;
+        if (const auto profile = profile_likelihood_figure(fit, name)) {
+            report.blocks.emplace_back(folder.draw(*profile, fit.name + "_profile_" + std::to_string(index + 1),
+                                                   "Profile likelihood of " + name + "."));
+        }
+    }
+    if (fit.identifiability.correlation && fit.identifiability.covariance) {
+        report.blocks.emplace_back(correlation_table(fit));
+    }
+    report.blocks.emplace_back(minima_table(fit));
+    report.blocks.emplace_back(Paragraph{evaluations_in_words(fit.evaluations)});
+    write_tables(fit, folder);
+}
+
+std::string screen_of(const MechanismFit& fit) {
+    std::string text = (fit.title.empty() ? fit.name : fit.title) + " [" + fit.name + "]\n";
+    text += "  What the data determine: " + fit.identifiability.verdict + "\n";
+    std::vector<std::vector<std::string>> rows = {{"  parameter", "best", "95 % with priors", "95 % data alone", ""}};
+    const Table table = parameter_table(fit);
+    for (const auto& row : table.rows) {
+        rows.push_back(row);
+        rows.back().front().insert(0, "  ");
+    }
+    if (!table.rows.empty()) {
+        text += text_table(rows);
+    }
+    text += screen_of_posterior(fit);
+    if (fit.surrogate && !fit.best.empty()) {
+        text += "  " + surrogate_in_words(fit) + "\n";
+    }
+    text += "  misfit " + data_misfit_in_words(fit) + " of " + std::to_string(fit.data_count) + " data, priors " +
+            number_in_words(fit.prior_misfit) + "; " + std::string(word_of(fit.status)) + "\n";
+    for (const std::string& sentence : fit.unexplained) {
+        text += "  does not explain: " + sentence + "\n";
+    }
+    return text;
+}
+
+// Of the case's own section; 0 where it has none.
+double toe_elevation_of(const CaseModel& model) {
+    for (const Quantity& input : named_inputs(model)) {
+        if (input.name == "slope.toe_elevation") {
+            return input.value;
+        }
+    }
+    return 0;
+}
+
+const CaseModel& model_of(const CaseFile& file, const std::string& mechanism) {
+    const auto& mechanisms = file.fit->mechanisms;
+    return std::find_if(mechanisms.begin(), mechanisms.end(),
+                        [&](const FitMechanism& candidate) { return candidate.name == mechanism; })
+        ->model;
+}
+
+}  // namespace
+
+FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const FitResult& result,
+                          const ResultFolder& folder, Report& report) {
+    FitDocuments documents;
+    documents.json["status"] = "ok";
+    documents.json["title"] = file.title;
+    documents.json["mechanisms"] = Json::array();
+    report.blocks.emplace_back(Heading{"Mechanisms"});
+    report.blocks.emplace_back(ranking_table(result));
+    report.blocks.emplace_back(Paragraph{
+        "Score: the squared pulls of data and priors, and 4 for each datum or piece of field evidence that the "
+        "mechanism "
+        "says nothing about. A mechanism whose geometry is put in matches the observed surfaces by construction; one "
+        "that predicts them has to earn it."});
+    append_evidence(result, folder, report);
+    if (const auto profiles = profiles_figure(problem, result, toe_elevation_of(file.model))) {
+        report.blocks.emplace_back(folder.draw(*profiles, "profiles",
+                                               "Where the geometry is put in, the profile is no prediction: only a "
+                                               "mechanism that searches for its geometry can miss the observed one."));
+    }
+    for (const MechanismFit& fit : result.mechanisms) {
+        append_mechanism(report, folder, fit, model_of(file, fit.name), problem);
+        documents.json["mechanisms"].push_back(json_of(fit));
+        documents.screen += screen_of(fit) + "\n";
+    }
+    documents.json["evidence"] = json_of_evidence(result);
+    documents.screen += screen_of_evidence(result);
+    return documents;
+}
+
+}  // namespace delabole

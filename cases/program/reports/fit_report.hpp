@@ -1,0 +1,21 @@
+// The report, tables and JSON of a back-analysis.
+#pragma once
+
+#include "cases/program/case/case_file.hpp"
+#include "cases/program/results/result_folder.hpp"
+#include "fitting/mechanism/fit_result.hpp"
+
+#include <string>
+
+namespace delabole {
+
+struct FitDocuments {
+    Json json;           // everything but provenance
+    std::string screen;  // verdicts first, then values
+};
+
+// Figures and CSV tables are written into the folder, blocks are appended to the report.
+FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const FitResult& result,
+                          const ResultFolder& folder, Report& report);
+
+}  // namespace delabole

@@ -1,0 +1,407 @@
+#include "cases/program/reports/posterior_report.hpp"
+
+#include "cases/program/reader/units.hpp"
+#include "fitting/studies/comparison.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/figures/posterior_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+// The mechanisms that were sampled, with their weights against each other.
+struct Weighed {
+    std::vector<const MechanismFit*> fits;
+    std::vector<MechanismWeight> with_field_evidence;
+    std::vector<MechanismWeight> data_alone;
+};
+
+std::vector<MechanismWeight> weights_of(const std::vector<const MechanismFit*>& fits, bool with_field_evidence,
+                                        std::size_t variant = 0) {
+    std::vector<LogEvidence> evidences;
+    for (const MechanismFit* fit : fits) {
+        const Evidence& evidence = fit->posterior->evidences[variant].evidence;
+        evidences.push_back({fit->posterior->log_evidence(evidence, with_field_evidence), evidence.standard_error});
+    }
+    return weigh(evidences);
+}
+
+Weighed weighed(const FitResult& result) {
+    Weighed all;
+    for (const MechanismFit& fit : result.mechanisms) {
+        if (fit.posterior) {
+            all.fits.push_back(&fit);
+        }
+    }
+    all.with_field_evidence = weights_of(all.fits, true);
+    all.data_alone = weights_of(all.fits, false);
+    return all;
+}
+
+std::string title_of(const MechanismFit& fit) {
+    return fit.title.empty() ? fit.name : fit.title;
+}
+
+std::string percent_with_error(const MechanismWeight& weight) {
+    const std::string text = number_in_words(100 * weight.probability);
+    // An error that cannot be seen beside the number says nothing.
+    return weight.standard_error < 0.0005 ? text : text + " +- " + number_in_words(100 * weight.standard_error);
+}
+
+// "1 : 37" against the best.
+std::string bayes_factor_in_words(double log_bayes_factor) {
+    if (log_bayes_factor == 0) {
+        return "best";
+    }
+    return std::isfinite(log_bayes_factor) ? "1 : " + number_in_words(std::exp(-log_bayes_factor)) : "none";
+}
+
+std::string logarithm_in_words(double value, double error) {
+    return std::isfinite(value) ? number_in_words(value) + " +- " + number_in_words(error) : "none";
+}
+
+Table evidence_table_of(const Weighed& all) {
+    Table table{"Mechanisms by evidence",
+                {{"mechanism"},
+                 {"ln evidence", true},
+                 {"Bayes factor", true},
+                 {"probability, %", true},
+                 {"without field evidence, %", true},
+                 {"ln Occam factor", true},
+                 {"prior without answer, %", true}},
+                {}};
+    for (std::size_t index = 0; index < all.fits.size(); ++index) {
+        const MechanismPosterior& posterior = *all.fits[index]->posterior;
+        const bool estimated = posterior.evidence().status == EvidenceStatus::estimated;
+        table.rows.push_back({title_of(*all.fits[index]),
+                              logarithm_in_words(posterior.log_evidence(), posterior.evidence().standard_error),
+                              bayes_factor_in_words(all.with_field_evidence[index].log_bayes_factor),
+                              percent_with_error(all.with_field_evidence[index]),
+                              percent_with_error(all.data_alone[index]),
+                              estimated ? number_in_words(posterior.log_occam_factor()) : "none",
+                              number_in_words(100 * posterior.evidence().failed_share)});
+    }
+    return table;
+}
+
+// Whether the order of the mechanisms is the same whatever is changed.
+std::string dependence_in_words(const Weighed& all) {
+    std::vector<std::string> others;
+    const auto best_of = [&](std::size_t variant) {
+        const std::vector<MechanismWeight> weights = weights_of(all.fits, true, variant);
+        return std::max_element(weights.begin(), weights.end(),
+                                [](const auto& a, const auto& b) { return a.probability < b.probability; }) -
+               weights.begin();
+    };
+    const auto& variants = all.fits.front()->posterior->evidences;
+    const std::string best = all.fits[static_cast<std::size_t>(best_of(0))]->name;
+    for (std::size_t variant = 1; variant < variants.size(); ++variant) {
+        const std::string other = all.fits[static_cast<std::size_t>(best_of(variant))]->name;
+        if (other != best) {
+            others.push_back(std::string(word_of(variants[variant].variant)) + " (" + other + ")");
+        }
+    }
+    if (variants.size() < 2 || all.fits.size() < 2) {
+        return {};
+    }
+    if (others.empty()) {
+        return best +
+               " stays first when priors are halved, doubled or flat and when the model error of the factor of "
+               "safety is halved or doubled, as far as the case has them.";
+    }
+    return "The ranking hangs on what was put in: " + best + " is first as given, another with " +
+           list_in_words(others) + ".";
+}
+
+Table dependence_table(const Weighed& all) {
+    Table table{"ln evidence, field evidence included, when priors and model error are changed", {{"mechanism"}}, {}};
+    for (const VariantEvidence& variant : all.fits.front()->posterior->evidences) {
+        std::string word(word_of(variant.variant));
+        std::replace(word.begin(), word.end(), '_', ' ');
+        table.columns.push_back({word, true});
+    }
+    for (const MechanismFit* fit : all.fits) {
+        std::vector<std::string> row = {fit->name};
+        for (const VariantEvidence& variant : fit->posterior->evidences) {
+            row.push_back(logarithm_in_words(fit->posterior->log_evidence(variant.evidence, true),
+                                             variant.evidence.standard_error));
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+void write_evidence(const Weighed& all, const ResultFolder& folder) {
+    CsvTable csv({"mechanism", "variant", "status", "ln_evidence", "ln_evidence_with_field_evidence", "standard_error",
+                  "probability", "effective_size", "failed_share", "evaluations"});
+    for (std::size_t variant = 0; variant < all.fits.front()->posterior->evidences.size(); ++variant) {
+        const std::vector<MechanismWeight> weights = weights_of(all.fits, true, variant);
+        for (std::size_t index = 0; index < all.fits.size(); ++index) {
+            const MechanismPosterior& posterior = *all.fits[index]->posterior;
+            const VariantEvidence& entry = posterior.evidences[variant];
+            csv.add_row({all.fits[index]->name, std::string(word_of(entry.variant)),
+                         std::string(word_of(entry.evidence.status)), posterior.log_evidence(entry.evidence, false),
+                         posterior.log_evidence(entry.evidence, true), entry.evidence.standard_error,
+                         weights[index].probability, entry.evidence.effective_size, entry.evidence.failed_share,
+                         static_cast<double>(entry.evidence.evaluations.total)});
+        }
+    }
+    folder.write("evidence.csv", csv.text());
+}
+
+std::string interval_in_words(const Interval& interval, Dimension dimension) {
+    return value_in_words(interval.lower, dimension) + " to " + value_in_words(interval.upper, dimension);
+}
+
+Dimension dimension_of(const MechanismFit& fit, const std::string& parameter) {
+    const auto found = std::find_if(fit.parameters.begin(), fit.parameters.end(),
+                                    [&](const FreeParameter& candidate) { return candidate.name == parameter; });
+    return fit.dimensions[static_cast<std::size_t>(found - fit.parameters.begin())];
+}
+
+Table posterior_table(const MechanismFit& fit) {
+    Table table{"Posterior of the parameters",
+                {{"parameter"},
+                 {"median", true},
+                 {"68 %", true},
+                 {"95 %", true},
+                 {"R-hat", true},
+                 {"effective size, bulk", true},
+                 {"effective size, tails", true}},
+                {}};
+    for (const ParameterPosterior& parameter : fit.posterior->posterior.parameters) {
+        const Dimension dimension = dimension_of(fit, parameter.name);
+        // Four digits, or every R-hat would read 1.
+        const std::string r_hat = std::isfinite(parameter.diagnostics.r_hat)
+                                      ? std::to_string(parameter.diagnostics.r_hat).substr(0, 5)
+                                      : "infinite";
+        table.rows.push_back({parameter.name, value_in_words(parameter.median, dimension),
+                              interval_in_words(parameter.interval_68, dimension),
+                              interval_in_words(parameter.interval_95, dimension), r_hat,
+                              std::to_string(std::lround(parameter.diagnostics.bulk_size)),
+                              std::to_string(std::lround(parameter.diagnostics.tail_size))});
+    }
+    return table;
+}
+
+Table posterior_correlations(const MechanismFit& fit) {
+    const Posterior& posterior = fit.posterior->posterior;
+    Table table{"Means, standard deviations and correlations of the posterior",
+                {{"parameter"}, {"mean", true}, {"standard deviation", true}},
+                {}};
+    for (const ParameterPosterior& parameter : posterior.parameters) {
+        table.columns.push_back({parameter.name, true});
+    }
+    for (std::size_t row = 0; row < posterior.parameters.size(); ++row) {
+        const ParameterPosterior& parameter = posterior.parameters[row];
+        const Dimension dimension = dimension_of(fit, parameter.name);
+        std::vector<std::string> cells = {parameter.name, value_in_words(parameter.mean, dimension),
+                                          value_in_words(parameter.standard_deviation, dimension)};
+        for (Eigen::Index column = 0; column < posterior.correlation.cols(); ++column) {
+            cells.push_back(number_in_words(posterior.correlation(static_cast<Eigen::Index>(row), column)));
+        }
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
+std::string sampling_in_words(const Posterior& posterior) {
+    return "Sampled: " + std::string(word_of(posterior.status)) + ", " + std::to_string(posterior.steps) +
+           " steps of each chain, of which " + number_in_words(100 * posterior.acceptance) + " % moved, " +
+           std::to_string(posterior.evaluations.total) + " evaluations.";
+}
+
+void write_draws(const MechanismFit& fit, const ResultFolder& folder) {
+    std::vector<std::string> columns = {"chain"};
+    for (std::size_t index = 0; index < fit.parameters.size(); ++index) {
+        columns.push_back(column_name(fit.parameters[index].name, fit.dimensions[index]));
+    }
+    columns.emplace_back("data_misfit");
+    CsvTable csv(std::move(columns));
+    for (const Draw& draw : fit.posterior->posterior.draws) {
+        std::vector<std::variant<double, std::string>> row = {static_cast<double>(draw.chain + 1)};
+        for (std::size_t index = 0; index < draw.parameters.size(); ++index) {
+            row.emplace_back(in_display_unit(draw.parameters[index], fit.dimensions[index]));
+        }
+        row.emplace_back(draw.misfit);
+        csv.add_row(row);
+    }
+    folder.write(fit.name + "_draws.csv", csv.text());
+}
+
+Json json_of(const Interval& interval, Dimension dimension) {
+    return Json::array({json_number(in_display_unit(interval.lower, dimension)),
+                        json_number(in_display_unit(interval.upper, dimension))});
+}
+
+}  // namespace
+
+void append_evidence(const FitResult& result, const ResultFolder& folder, Report& report) {
+    const Weighed all = weighed(result);
+    if (all.fits.empty()) {
+        return;
+    }
+    report.blocks.emplace_back(evidence_table_of(all));
+    report.blocks.emplace_back(Paragraph{
+        "Evidence: the likelihood exp(-misfit / 2) averaged over the priors, so that a mechanism pays for parameters "
+        "that have to be tuned; the Occam factor is what is left of its greatest likelihood. A datum or a piece of "
+        "field evidence about which it says nothing counts as missed by two standard deviations. Probabilities hold "
+        "if one of these mechanisms is true and all are equally likely beforehand. Errors are those of the "
+        "computation."});
+    if (const auto figure = evidence_figure(result)) {
+        report.blocks.emplace_back(
+            folder.draw(*figure, "evidence", "Natural logarithm of the evidence and its parts: shorter is better."));
+    }
+    if (all.fits.front()->posterior->evidences.size() > 1) {
+        report.blocks.emplace_back(dependence_table(all));
+        const std::string sentence = dependence_in_words(all);
+        if (!sentence.empty()) {
+            report.blocks.emplace_back(Paragraph{sentence});
+        }
+    }
+    if (const auto figure = evidence_dependence_figure(result)) {
+        report.blocks.emplace_back(
+            folder.draw(*figure, "evidence_dependence",
+                        "Evidence when the standard deviations of all priors, or of the observed "
+                        "factors of safety (the model error), are changed. Bars: 95 % interval "
+                        "of the computation."));
+    }
+    if (const auto figure = chain_agreement_figure(result)) {
+        report.blocks.emplace_back(folder.draw(*figure, "chain_agreement",
+                                               "How far the chains disagree, by the length that was used of them."));
+    }
+    write_evidence(all, folder);
+}
+
+Json json_of_evidence(const FitResult& result) {
+    const Weighed all = weighed(result);
+    Json json = Json::array();
+    for (std::size_t index = 0; index < all.fits.size(); ++index) {
+        const MechanismPosterior& posterior = *all.fits[index]->posterior;
+        const Evidence& evidence = posterior.evidence();
+        Json entry;
+        entry["mechanism"] = all.fits[index]->name;
+        entry["status"] = word_of(evidence.status);
+        entry["ln_evidence"] = json_number(posterior.log_evidence());
+        entry["ln_evidence_without_field_evidence"] = json_number(posterior.log_evidence(evidence, false));
+        entry["standard_error"] = json_number(evidence.standard_error);
+        entry["ln_bayes_factor"] = json_number(all.with_field_evidence[index].log_bayes_factor);
+        entry["probability"] = json_number(all.with_field_evidence[index].probability);
+        entry["probability_error"] = json_number(all.with_field_evidence[index].standard_error);
+        entry["probability_without_field_evidence"] = json_number(all.data_alone[index].probability);
+        entry["ln_occam_factor"] = evidence.status == EvidenceStatus::estimated
+                                       ? Json(json_number(posterior.log_occam_factor()))
+                                       : Json(nullptr);
+        entry["prior_without_answer"] = json_number(evidence.failed_share);
+        for (const VariantEvidence& variant : posterior.evidences) {
+            Json& part = entry["variants"][std::string(word_of(variant.variant))];
+            part["ln_evidence"] = json_number(posterior.log_evidence(variant.evidence, true));
+            part["standard_error"] = json_number(variant.evidence.standard_error);
+        }
+        json.push_back(std::move(entry));
+    }
+    return json;
+}
+
+std::string screen_of_evidence(const FitResult& result) {
+    const Weighed all = weighed(result);
+    if (all.fits.empty()) {
+        return {};
+    }
+    std::vector<std::vector<std::string>> rows = {
+        {"Evidence", "ln evidence", "Bayes factor", "probability, %", "without field evidence, %"}};
+    for (std::size_t index = 0; index < all.fits.size(); ++index) {
+        const MechanismPosterior& posterior = *all.fits[index]->posterior;
+        rows.push_back({"  " + all.fits[index]->name,
+                        logarithm_in_words(posterior.log_evidence(), posterior.evidence().standard_error),
+                        bayes_factor_in_words(all.with_field_evidence[index].log_bayes_factor),
+                        percent_with_error(all.with_field_evidence[index]), percent_with_error(all.data_alone[index])});
+    }
+    const std::string sentence = dependence_in_words(all);
+    return text_table(rows) + (sentence.empty() ? "" : "  " + sentence + "\n") + "\n";
+}
+
+void append_posterior(const MechanismFit& fit, const ResultFolder& folder, Report& report) {
+    if (!fit.posterior) {
+        return;
+    }
+    const Posterior& posterior = fit.posterior->posterior;
+    if (!fit.posterior->warnings.empty()) {
+        report.blocks.emplace_back(
+            Notice{NoticeKind::warning, "Before the intervals are believed", fit.posterior->warnings});
+    }
+    if (posterior.draws.empty()) {
+        return;
+    }
+    report.blocks.emplace_back(posterior_table(fit));
+    report.blocks.emplace_back(Paragraph{sampling_in_words(posterior)});
+    if (const auto figure = posterior_corner_figure(fit)) {
+        report.blocks.emplace_back(folder.draw(*figure, fit.name + "_posterior",
+                                               "Posterior of each parameter over its prior, and of each pair. Vertical "
+                                               "lines and the diamond: the best point."));
+    }
+    if (const auto figure = running_quantiles_figure(fit)) {
+        report.blocks.emplace_back(folder.draw(*figure, fit.name + "_sampling",
+                                               "Convergence of the sampling: median and ends of the 95 % interval from "
+                                               "the first steps of all chains, less the final median and in final "
+                                               "standard deviations."));
+    }
+    if (posterior.parameters.size() > 1) {
+        report.blocks.emplace_back(posterior_correlations(fit));
+    }
+    write_draws(fit, folder);
+}
+
+Json json_of_posterior(const MechanismFit& fit) {
+    const Posterior& posterior = fit.posterior->posterior;
+    Json json;
+    json["status"] = word_of(posterior.status);
+    json["warnings"] = fit.posterior->warnings;
+    json["parameters"] = Json::object();
+    for (const ParameterPosterior& parameter : posterior.parameters) {
+        const Dimension dimension = dimension_of(fit, parameter.name);
+        Json& entry = json["parameters"][column_name(parameter.name, dimension)];
+        entry["mean"] = json_number(in_display_unit(parameter.mean, dimension));
+        entry["standard_deviation"] = json_number(in_display_unit(parameter.standard_deviation, dimension));
+        entry["median"] = json_number(in_display_unit(parameter.median, dimension));
+        entry["interval_68"] = json_of(parameter.interval_68, dimension);
+        entry["interval_95"] = json_of(parameter.interval_95, dimension);
+        entry["r_hat"] = json_number(parameter.diagnostics.r_hat);
+        entry["effective_size_bulk"] = json_number(parameter.diagnostics.bulk_size);
+        entry["effective_size_tails"] = json_number(parameter.diagnostics.tail_size);
+    }
+    json["correlation"] = Json::array();
+    for (Eigen::Index row = 0; row < posterior.correlation.rows(); ++row) {
+        json["correlation"].push_back(
+            std::vector<double>(posterior.correlation.row(row).begin(), posterior.correlation.row(row).end()));
+    }
+    json["steps_of_each_chain"] = posterior.steps;
+    json["acceptance"] = json_number(posterior.acceptance);
+    return json;
+}
+
+std::string screen_of_posterior(const MechanismFit& fit) {
+    if (!fit.posterior) {
+        return {};
+    }
+    std::string text;
+    for (const std::string& warning : fit.posterior->warnings) {
+        text += "  warning: " + warning + "\n";
+    }
+    const Table table = posterior_table(fit);
+    if (table.rows.empty()) {
+        return text;
+    }
+    std::vector<std::vector<std::string>> rows = {
+        {"  posterior", "median", "68 %", "95 %", "R-hat", "size, bulk", "size, tails"}};
+    for (const auto& row : table.rows) {
+        rows.push_back(row);
+        rows.back().front().insert(0, "  ");
+    }
+    return text + text_table(rows);
+}
+
+}  // namespace delabole

@@ -1,0 +1,23 @@
+// The part of a back-analysis's report that tells of posteriors and evidences.
+#pragma once
+
+#include "cases/program/results/result_folder.hpp"
+#include "fitting/mechanism/fit_result.hpp"
+
+#include <string>
+
+namespace delabole {
+
+// Evidences of all mechanisms against each other: table and figures for the report, evidence.csv. Nothing where no
+// posterior was asked for.
+void append_evidence(const FitResult& result, const ResultFolder& folder, Report& report);
+Json json_of_evidence(const FitResult& result);
+std::string screen_of_evidence(const FitResult& result);
+
+// One mechanism's intervals with their diagnostics, its draws as <name>_draws.csv. Nothing where the fit has no
+// posterior.
+void append_posterior(const MechanismFit& fit, const ResultFolder& folder, Report& report);
+Json json_of_posterior(const MechanismFit& fit);
+std::string screen_of_posterior(const MechanismFit& fit);
+
+}  // namespace delabole

@@ -1,0 +1,152 @@
+#include "cases/program/reports/sensitivity_parts.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+std::string end_in_words(const StudySubject& subject, const Evaluation& answer) {
+    return answer.valid() ? subject.in_words(answer.value)
+                          : human_name(answer.failure.empty() ? "not_a_number" : answer.failure);
+}
+
+}  // namespace
+
+void document_tornado(const StudySubject& subject, const TornadoResult& result, const ResultFolder& folder,
+                      Report& report, Json& json) {
+    const TornadoSettings& settings = *subject.study.tornado;
+    report.blocks.emplace_back(Heading{"One parameter at a time"});
+    const auto cell = [&](const Evaluation& answer) -> Cell {
+        if (answer.valid()) {
+            return subject.shown(answer.value);
+        }
+        return end_in_words(subject, answer);
+    };
+    Table table{"", {{"parameter"}, {"low", true}, {"high", true}, {"at low", true}, {"at high", true}}, {}};
+    CsvTable csv({"parameter", "unit", "low", "high", subject.column("at_low"), subject.column("at_high")});
+    json["at_medians"] = result.at_medians.valid() ? json_number(subject.shown(result.at_medians.value))
+                                                   : Json(std::string(result.at_medians.failure));
+    for (std::size_t index = 0; index < subject.names.size(); ++index) {
+        const TornadoBar& bar = result.bars[index];
+        const Dimension dimension = subject.dimensions[index];
+        table.rows.push_back({subject.names[index], value_in_words(bar.low.parameter, dimension),
+                              value_in_words(bar.high.parameter, dimension), end_in_words(subject, bar.low.answer),
+                              end_in_words(subject, bar.high.answer)});
+        csv.add_row({subject.names[index], std::string(display_unit(dimension).symbol),
+                     in_display_unit(bar.low.parameter, dimension), in_display_unit(bar.high.parameter, dimension),
+                     cell(bar.low.answer), cell(bar.high.answer)});
+        const auto swing = bar.swing(result.at_medians);
+        json["swing"][subject.names[index]] = swing ? json_number(subject.shown(*swing)) : Json(nullptr);
+    }
+    folder.write("tornado.csv", csv.text());
+    std::optional<double> limit;
+    if (subject.study.failure) {
+        limit = subject.study.failure->limit;
+    }
+    report.blocks.emplace_back(folder.draw(
+        tornado_range_figure(subject.quantity, result, settings, subject.study.parameters, subject.dimensions, limit),
+        "tornado",
+        "Each parameter alone between its quantiles, the others at their medians; correlations play no part. With all "
+        "at their medians: " +
+            end_in_words(subject, result.at_medians) + "."));
+    report.blocks.emplace_back(std::move(table));
+}
+
+void document_morris(const StudySubject& subject, const MorrisResult& result, const ResultFolder& folder,
+                     Report& report, Json& json) {
+    const MorrisSettings& settings = *subject.study.morris;
+    const double unit = display_unit(subject.quantity.dimension).si_per_unit;
+    report.blocks.emplace_back(Heading{"Screening by elementary effects (Morris)"});
+    report.blocks.emplace_back(
+        folder.draw(morris_figure(subject.quantity, result, subject.names), "morris",
+                    "Mean absolute effect of a parameter's range, from its " + percent(settings.lower_probability) +
+                        " to its " + percent(settings.upper_probability) +
+                        " quantile, against the deviation of the effects, with 95 % intervals (bootstrap); " +
+                        std::to_string(settings.trajectories) + " trajectories over " +
+                        std::to_string(settings.levels) + " levels. Correlations play no part."));
+    Table table{
+        "Effects of the whole range (95 % interval)",
+        {{"parameter"}, {"mean absolute", true}, {"mean", true}, {"standard deviation", true}, {"effects", true}},
+        {}};
+    CsvTable csv({"parameter", subject.column("mean_absolute"), subject.column("mean_absolute_lower"),
+                  subject.column("mean_absolute_upper"), subject.column("mean"), subject.column("standard_deviation"),
+                  subject.column("standard_deviation_lower"), subject.column("standard_deviation_upper"), "effects"});
+    for (std::size_t index = 0; index < subject.names.size(); ++index) {
+        const MorrisEffect& effect = result.parameters[index];
+        Json& entry = json["parameters"][subject.names[index]];
+        entry["effects"] = effect.effects;
+        if (effect.effects < 2) {
+            table.rows.push_back({subject.names[index], "too few answers", "", "", std::to_string(effect.effects)});
+            continue;
+        }
+        table.rows.push_back({subject.names[index], with_interval(effect.mean_absolute, unit),
+                              number_in_words(effect.mean / unit), with_interval(effect.standard_deviation, unit),
+                              std::to_string(effect.effects)});
+        csv.add_row({subject.names[index], effect.mean_absolute.value / unit,
+                     effect.mean_absolute.interval_95.lower / unit, effect.mean_absolute.interval_95.upper / unit,
+                     effect.mean / unit, effect.standard_deviation.value / unit,
+                     effect.standard_deviation.interval_95.lower / unit,
+                     effect.standard_deviation.interval_95.upper / unit, static_cast<double>(effect.effects)});
+        entry["mean_absolute"] = json_of(effect.mean_absolute, unit);
+        entry["mean"] = json_number(effect.mean / unit);
+        entry["standard_deviation"] = json_of(effect.standard_deviation, unit);
+    }
+    folder.write("morris.csv", csv.text());
+    json["evaluations"] = json_of(result.evaluations);
+    report.blocks.emplace_back(std::move(table));
+    report.blocks.emplace_back(Paragraph{evaluations_in_words(result.evaluations)});
+}
+
+void document_indices(const StudySubject& subject, const SobolIndicesResult& result, const ResultFolder& folder,
+                      Report& report, Json& json) {
+    report.blocks.emplace_back(Heading{"Shares of the variance (Sobol indices)"});
+    json["status"] = word_of(result.status);
+    json["evaluations"] = json_of(result.evaluations);
+    json["rows"] = result.rows;
+    json["rows_left_out"] = result.rows_without;
+    if (result.status != SobolIndicesStatus::found) {
+        report.blocks.emplace_back(
+            Notice{NoticeKind::warning,
+                   "No indices",
+                   {result.status == SobolIndicesStatus::no_variance
+                        ? "the quantity is the same at every sample"
+                        : "too few rows of samples have a value. " + evaluations_in_words(result.evaluations)}});
+        return;
+    }
+    report.blocks.emplace_back(folder.draw(
+        sobol_indices_figure(subject.quantity, result, subject.names), "sobol_indices",
+        "The share of the variance that would go if the parameter were known, and the share that would stay "
+        "if all others were; the difference is interaction. " +
+            std::to_string(result.rows) +
+            " rows of a Sobol sequence, estimators of Saltelli et al. (2010) "
+            "and Jansen (1999), intervals by bootstrap."));
+    Table table{"Sobol indices (95 % interval)", {{"parameter"}, {"first order", true}, {"total", true}}, {}};
+    CsvTable csv({"parameter", "first", "first_lower", "first_upper", "total", "total_lower", "total_upper"});
+    double sum = 0;
+    for (std::size_t index = 0; index < subject.names.size(); ++index) {
+        const auto& [first, total] = result.parameters[index];
+        table.rows.push_back({subject.names[index], with_interval(first, 1), with_interval(total, 1)});
+        csv.add_row({subject.names[index], first.value, first.interval_95.lower, first.interval_95.upper, total.value,
+                     total.interval_95.lower, total.interval_95.upper});
+        json["parameters"][subject.names[index]] = {{"first", json_of(first, 1)}, {"total", json_of(total, 1)}};
+        sum += first.value;
+    }
+    table.rows.push_back({"sum", number_in_words(sum), ""});
+    folder.write("sobol_indices.csv", csv.text());
+    report.blocks.emplace_back(std::move(table));
+    if (result.rows_without > 0) {
+        report.blocks.emplace_back(Notice{
+            NoticeKind::warning,
+            "Rows left out",
+            {std::to_string(result.rows_without) + " of " + std::to_string(result.rows) +
+             " rows have an evaluation without a value and were left out: the indices are those of the remaining "
+             "part of the space, in which the parameters are no longer quite independent."}});
+    }
+    report.blocks.emplace_back(Paragraph{evaluations_in_words(result.evaluations)});
+}
+
+}  // namespace delabole

@@ -1,0 +1,110 @@
+#include "cases/program/results/analysis.hpp"
+
+#include "cases/program/results/model_reports.hpp"
+#include "fitting/work/words.hpp"
+#include "kinematics/kinematics.hpp"
+#include "limit_equilibrium/block_row/block_row.hpp"
+#include "limit_equilibrium/stepped_base/stepped_base_study.hpp"
+#include "plane_failure/plane_failure.hpp"
+#include "water/column_tilt.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace delabole {
+
+const NamedOutput* Analysis::find(std::string_view name) const {
+    const auto found =
+        std::find_if(outputs.begin(), outputs.end(), [&](const NamedOutput& output) { return output.name == name; });
+    return found == outputs.end() ? nullptr : &*found;
+}
+
+void mark_none(Analysis& analysis, std::string_view prefix) {
+    for (NamedOutput& output : analysis.outputs) {
+        if (output.name.starts_with(prefix)) {
+            output.value = "none";
+            output.detail = true;
+        }
+    }
+}
+
+void append_required_value(Analysis& analysis, const std::string& parameter, double target, const Required& required) {
+    const std::string name = "required." + parameter;
+    const std::string meaning = parameter + " at a factor of safety of " + number_in_words(target);
+    switch (required.status) {
+    case RequiredStatus::several:
+        analysis.warnings.push_back(name + ": several values give this factor of safety; the smallest is shown");
+        [[fallthrough]];
+    case RequiredStatus::found:
+        analysis.outputs.push_back({name, meaning, required.dimension, required.value});
+        break;
+    case RequiredStatus::never_reached:
+        analysis.outputs.push_back({name, meaning, required.dimension, std::string("never_reached")});
+        analysis.warnings.push_back(
+            name +
+            (required.lowest_factor_of_safety < target && required.highest_factor_of_safety > target
+                 ? ": the factor of safety jumps over it, between "
+                 : ": the factor of safety stays between ") +
+            number_in_words(required.lowest_factor_of_safety) + " and " +
+            number_in_words(required.highest_factor_of_safety));
+        break;
+    case RequiredStatus::always_exceeded:
+        analysis.outputs.push_back({name, meaning, required.dimension, std::string("always_exceeded")});
+        analysis.warnings.push_back(name + ": the factor of safety is at least " +
+                                    number_in_words(required.lowest_factor_of_safety) + " whatever its value");
+        break;
+    case RequiredStatus::unknown_parameter:
+        throw std::invalid_argument("required: the case has no input '" + parameter + "'");
+    }
+}
+
+CaseModel with_conditions(const CaseModel& model, const std::vector<Condition>& conditions) {
+    CaseModel changed = model;
+    for (const Condition& condition : conditions) {
+        bool found = false;
+        std::visit(
+            [&](auto& parameters) {
+                for_each_named_number(parameters, [&](const std::string& path, const FieldInfo&, double& value) {
+                    if (path == condition.input) {
+                        value = condition.value;
+                        found = true;
+                    }
+                });
+            },
+            changed);
+        if (!found) {
+            throw std::invalid_argument("the case has no input '" + condition.input + "'");
+        }
+    }
+    return changed;
+}
+
+ModelInterface interface_of(const CaseModel& model) {
+    return std::visit([](const auto& parameters) { return model_interface(parameters); }, model);
+}
+
+Analysis analyse_model(const CaseModel& model, const AnalysisWork& work) {
+    return std::visit(
+        [&](const auto& parameters) {
+            if constexpr (requires { analyse_case(parameters, work); }) {
+                return analyse_case(parameters, work);
+            } else {
+                return analyse_case(parameters);
+            }
+        },
+        model);
+}
+
+std::string failure_of(const CaseModel& model) {
+    return std::visit(
+        [](const auto& parameters) -> std::string {
+            if constexpr (requires { failure_without_run(parameters); }) {
+                return failure_without_run(parameters);
+            } else {
+                return analyse_case(parameters).failure;
+            }
+        },
+        model);
+}
+
+}  // namespace delabole

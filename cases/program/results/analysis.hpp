@@ -1,0 +1,105 @@
+// One case analysed: every model behind the same few functions, so that run, verify and the loops need not know which.
+#pragma once
+
+#include "cases/program/case/case_file.hpp"
+#include "numerics/required_value.hpp"
+#include "parameters/model_interface.hpp"
+
+#include <any>
+#include <chrono>
+#include <concepts>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace delabole {
+
+// A number in SI or a word, under the name by which [[expect]], JSON and CSV know it. A quantity that has no value
+// keeps its name in every model: its value is then a word. "infinite" and "-infinite" are values; "none" says that
+// there is nothing to give a number of, a more telling word why none was found ("never_reached").
+struct NamedOutput {
+    std::string name;
+    std::string meaning;
+    Dimension dimension = Dimension::ratio;
+    std::variant<double, std::string> value;
+    bool detail = false;  // one of many alike: in the result files, but not in the short table of answers
+};
+
+struct Analysis {
+    std::string failure;  // name of the check that failed, empty where there is an answer
+    std::vector<NamedOutput> outputs;
+    std::vector<std::string> warnings;
+    std::string status = "ok";  // otherwise the word for what ended the work before it had a final answer,
+    std::string unfinished;     // and why, in words
+    std::any drawn_from;        // what the model's figures are made of, where making it again would take long
+
+    const NamedOutput* find(std::string_view name) const;
+};
+
+// "none" for every output whose name begins so; these are details then.
+void mark_none(Analysis& analysis, std::string_view prefix);
+
+// The value of a named input at which the factor of safety takes a given value, as "required.<input>".
+void append_required_value(Analysis& analysis, const std::string& parameter, double target, const Required& required);
+
+// Named numbers of the model set to other values than the case's. Unknown names: std::invalid_argument.
+CaseModel with_conditions(const CaseModel& model, const std::vector<Condition>& conditions);
+
+// Told now and then what share of the work is done, 0 to 1, and what is being done; returning false ends the work.
+using AnalysisWatch = std::function<bool(double share, const std::string& what)>;
+
+// How a model is analysed. The answer depends on none of it, except on a watch that ends the work.
+struct AnalysisWork {
+    AnalysisWatch watch = {};
+    std::function<void(const std::string&)> say = {};  // what the user should know before the answer
+    unsigned threads = 1;
+    // Long work keeps there what it has and goes on from it; OutputError where another's work stands there. Empty: it
+    // does neither.
+    std::filesystem::path checkpoint = {};
+    std::chrono::duration<double> between_checkpoints{60};
+};
+
+Analysis analyse_model(const CaseModel& model, const AnalysisWork& work = {});
+
+// Analysis::failure alone, where that takes less.
+std::string failure_of(const CaseModel& model);
+
+// The model as the loops see it.
+ModelInterface interface_of(const CaseModel& model);
+
+// Every number, word and text of a described result under its name. What stands in lists is detail. An empty text is
+// the word "none".
+template <Described Result>
+void append_outputs(Analysis& analysis, const Result& result, const std::string& path = {}, bool detail = false) {
+    visit_fields(result, [&](const FieldInfo& info, const auto& member) {
+        using Member = std::remove_cvref_t<decltype(member)>;
+        const std::string name = path + (path.empty() ? "" : ".") + std::string(info.key);
+        const auto append = [&](std::variant<double, std::string> value, Dimension dimension = Dimension::ratio) {
+            analysis.outputs.push_back({name, std::string(info.meaning), dimension, std::move(value), detail});
+        };
+        if constexpr (std::is_enum_v<Member>) {
+            append(std::string(word_of(member)));
+        } else if constexpr (std::same_as<Member, std::string>) {
+            append(member.empty() ? std::string("none") : member);
+        } else if constexpr (NumberType<Member>) {
+            append(static_cast<double>(member), info.dimension);
+        } else if constexpr (Described<Member>) {
+            append_outputs(analysis, member, name, detail);
+        } else if constexpr (is_optional<Member>) {
+            if (member) {
+                append_outputs(analysis, *member, name, detail);
+            }
+        } else if constexpr (is_vector<Member>) {
+            for (std::size_t index = 0; index < member.size(); ++index) {
+                append_outputs(analysis, member[index], name + "[" + std::to_string(index + 1) + "]", true);
+            }
+        }
+    });
+}
+
+}  // namespace delabole

@@ -1,0 +1,66 @@
+#include "cases/program/results/fit_problem_of_case.hpp"
+
+#include "cases/program/results/analysis.hpp"
+#include "fitting/back_analysis/check_problem.hpp"
+
+#include <utility>
+
+namespace delabole {
+
+FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::uint64_t> seed) {
+    const CaseFit& fit = *file.fit;
+    FitProblem problem;
+    for (const CaseObservation& observation : fit.observations) {
+        problem.observations.push_back(observation.observation);
+    }
+    problem.profile = fit.profile;
+    problem.evidence = fit.evidence;
+    for (const CaseCandidate& candidate : fit.candidates) {
+        problem.candidates.push_back(candidate.candidate);
+    }
+    problem.conclusions = fit.conclusions;
+    problem.settings = fit.settings;
+    problem.posterior = fit.posterior;
+    problem.settings.threads = threads;
+    problem.settings.seed = seed.value_or(fit.settings.seed);
+    for (const FitMechanism& mechanism : fit.mechanisms) {
+        Mechanism& made = problem.mechanisms.emplace_back(
+            Mechanism{mechanism.name, mechanism.title, interface_of(mechanism.model), mechanism.parameters});
+        if (mechanism.coarse) {
+            made.coarse = interface_of(*mechanism.coarse);
+        }
+        for (const CaseObservation& observation : mechanism.observations) {
+            made.own_observations.push_back(observation.observation);
+        }
+        for (const CaseSign& sign : mechanism.signs) {
+            made.signs.push_back(sign.sign);
+        }
+    }
+    std::vector<Problem> problems;
+    for (const std::string& sentence : check_problem(problem)) {
+        problems.push_back(problem_at(file, "fit", sentence));
+    }
+    if (!problems.empty()) {
+        throw CaseError(std::move(problems));
+    }
+    return problem;
+}
+
+std::vector<std::string> leave_out_costly(CaseFit& fit) {
+    std::vector<FitMechanism> others;
+    std::vector<std::string> names;
+    for (const FitMechanism& mechanism : fit.mechanisms) {
+        if (interface_of(mechanism.model).costly) {
+            names.push_back(mechanism.name);
+        } else {
+            others.push_back(mechanism);
+        }
+    }
+    if (others.empty()) {
+        return {};
+    }
+    fit.mechanisms = std::move(others);
+    return names;
+}
+
+}  // namespace delabole

@@ -1,0 +1,20 @@
+// From a case's [fit] section to a back-analysis of its models.
+#pragma once
+
+#include "cases/program/case/case_file.hpp"
+#include "fitting/posterior/fit_problem.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace delabole {
+
+// The case needs a [fit] section. Throws CaseError with every name that does not fit the mechanisms' models.
+FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::uint64_t> seed);
+
+// Takes out the mechanisms whose model is costly, unless there are no others. Returns their names.
+std::vector<std::string> leave_out_costly(CaseFit& fit);
+
+}  // namespace delabole

@@ -1,0 +1,41 @@
+#include "cases/program/results/impossible_case.hpp"
+
+#include "cases/program/reader/case_error.hpp"
+#include "cases/program/results/analysis.hpp"
+#include "cases/program/results/fit_problem_of_case.hpp"
+#include "cases/program/results/model_reports.hpp"
+#include "cases/program/results/sensitivity_problem_of_case.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace delabole {
+
+Problem impossible(const CaseFile& file, std::string_view failure) {
+    return std::visit(
+        [&](const auto& parameters) {
+            const std::vector<std::string> keys = blamed_keys(parameters, failure);
+            const auto blamed =
+                std::ranges::find_if(keys, [&](const std::string& key) { return file.places.contains(key); });
+            return blamed == keys.end()
+                       ? problem_at(file, keys.empty() ? "" : keys.front(), explain_failure(parameters, failure, ""))
+                       : problem_at(file, *blamed, explain_failure(parameters, failure, *blamed));
+        },
+        file.model);
+}
+
+void refuse_impossible(const CaseFile& file) {
+    const std::string failure = failure_of(file.model);
+    if (!failure.empty()) {
+        throw CaseError({impossible(file, failure)});
+    }
+    if (file.fit) {
+        fit_problem_of(file, 1, std::nullopt);
+    }
+    if (file.sensitivity) {
+        sensitivity_problem_of(file, 1, std::nullopt);
+    }
+}
+
+}  // namespace delabole

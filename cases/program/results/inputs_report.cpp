@@ -1,0 +1,40 @@
+#include "cases/program/results/inputs_report.hpp"
+
+#include "fitting/work/words.hpp"
+
+namespace delabole {
+
+Table inputs_table(const CaseFile& file) {
+    Table table{"Inputs of the case", {{"input"}, {"value", true}, {"meaning"}, {"source"}}, {}};
+    for (const Quantity& input : named_inputs(file.model)) {
+        const auto source = file.sources.find(input.name);
+        table.rows.push_back({input.name, readable_quantity(input.value, input.dimension), input.meaning,
+                              source == file.sources.end() ? "" : source->second});
+    }
+    return table;
+}
+
+Table evidence_table(const FitProblem& problem) {
+    Table table{"Evidence and priors", {{"kind"}, {"what"}, {"source"}}, {}};
+    for (const QuantityObservation& observation : problem.observations) {
+        table.rows.push_back({"observation", observation.label, observation.source});
+    }
+    if (problem.profile) {
+        table.rows.push_back(
+            {"profile", "standard deviation " + value_in_words(problem.profile->standard_deviation, Dimension::length),
+             problem.profile->source});
+    }
+    for (const FieldEvidence& evidence : problem.evidence) {
+        table.rows.push_back({"field evidence", evidence.statement, evidence.source});
+    }
+    for (const Mechanism& mechanism : problem.mechanisms) {
+        for (const FreeParameter& parameter : mechanism.parameters) {
+            if (parameter.prior) {
+                table.rows.push_back({"prior (" + mechanism.name + ")", parameter.name, parameter.prior->source});
+            }
+        }
+    }
+    return table;
+}
+
+}  // namespace delabole

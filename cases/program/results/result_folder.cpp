@@ -1,0 +1,252 @@
+#include "cases/program/results/result_folder.hpp"
+
+#include "cases/program/case/case_writer.hpp"
+#include "cases/program/terminal/interrupt.hpp"
+#include "fitting/work/ranks.hpp"
+#include "plots/drawing/atomic_file.hpp"
+#include "plots/drawing/text.hpp"
+#include "version/version.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+
+namespace delabole {
+
+namespace {
+
+// A number in full precision; what is none, as the words that JSON has for it.
+std::string shortest(double value) {
+    if (!std::isfinite(value)) {
+        return std::isnan(value) ? "undefined" : value > 0 ? "infinite" : "-infinite";
+    }
+    std::array<char, 32> buffer{};
+    return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
+bool is_number(std::string_view text) {
+    text.remove_prefix(text.starts_with('+') ? 1 : 0);
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc{} && end == text.data() + text.size();
+}
+
+bool may_be_formula(std::string_view text) {
+    return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos &&
+           !is_number(text);
+}
+
+std::string quoted(const std::string& text) {
+    const bool formula = may_be_formula(text);
+    if (!formula && text.find_first_of(",\"\n\r") == std::string::npos) {
+        return text;
+    }
+    std::string result = formula ? "\"'" : "\"";
+    for (const char letter : text) {
+        result += letter == '"' ? "\"\"" : std::string(1, letter);
+    }
+    return result + '"';
+}
+
+// Letters as a reader counts them: UTF-8 continuation bytes take no room.
+std::size_t width(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));
+}
+
+}  // namespace
+
+std::string stem_of(const CaseFile& file) {
+    return std::filesystem::path(file.name).stem().string();
+}
+
+std::vector<Setting> settings_of(const Options& options) {
+    std::vector<Setting> settings;
+    for (const std::string& text : options.settings) {
+        settings.push_back(parse_setting(text));
+    }
+    return settings;
+}
+
+std::string column_name(std::string_view name, Dimension dimension) {
+    return std::string(name) + std::string(display_unit(dimension).suffix);
+}
+
+double in_display_unit(double value, Dimension dimension) {
+    return value / display_unit(dimension).si_per_unit;
+}
+
+std::string in_six_digits(double value, Dimension dimension) {
+    const DisplayUnit unit = display_unit(dimension);
+    std::string text = human_number(value / unit.si_per_unit, 6);
+    if (!unit.symbol.empty()) {
+        text.append(" ").append(unit.symbol);
+    }
+    return text;
+}
+
+Json json_number(double value) {
+    if (std::isfinite(value)) {
+        return value;
+    }
+    return std::isnan(value) ? "undefined" : value > 0 ? "infinite" : "-infinite";
+}
+
+Json json_of(const std::vector<NamedOutput>& outputs) {
+    Json json = Json::object();
+    for (const NamedOutput& output : outputs) {
+        if (const auto* number = std::get_if<double>(&output.value)) {
+            json[column_name(output.name, output.dimension)] = json_number(in_display_unit(*number, output.dimension));
+        } else {
+            json[output.name] = std::get<std::string>(output.value);
+        }
+    }
+    return json;
+}
+
+std::string json_text(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+CsvTable::CsvTable(std::vector<std::string> columns) {
+    add_row({columns.begin(), columns.end()});
+}
+
+void CsvTable::add_row(const std::vector<std::variant<double, std::string>>& row) {
+    for (std::size_t index = 0; index < row.size(); ++index) {
+        text_ += index == 0 ? "" : ",";
+        if (const auto* number = std::get_if<double>(&row[index])) {
+            text_ += shortest(*number);
+        } else {
+            text_ += quoted(std::get<std::string>(row[index]));
+        }
+    }
+    text_ += '\n';
+}
+
+Json provenance(const CaseFile& file, const std::string& command, const Options& options, double wall_seconds) {
+    Json json;
+    json["program"] = "delabole " + std::string(version());
+    json["revision"] = std::string(revision());
+    json["command"] = command;
+    json["case"] = file.name;
+    json["case_hash"] = case_hash(file);
+    json["settings"] = options.settings;
+    if (options.seed) {
+        json["seed"] = *options.seed;
+    }
+    json["threads"] = options.threads;
+    if (options.ranks != nullptr && !options.ranks->alone()) {
+        json["ranks"] = options.ranks->count();
+    }
+    json["wall_seconds"] = wall_seconds;
+    return json;
+}
+
+Provenance provenance_block(const Json& provenance) {
+    Provenance block;
+    for (const auto& [key, value] : provenance.items()) {
+        block.entries.emplace_back(key, value.is_string() ? value.get<std::string>()
+                                                          : value.dump(-1, ' ', false, Json::error_handler_t::replace));
+    }
+    return block;
+}
+
+std::filesystem::path result_path(const Options& options, const std::string& name) {
+    if (!options.out.empty()) {
+        return options.out;
+    }
+    if (name.empty() || name == "." || name == "..") {
+        throw UsageError("\"" + name + "\" cannot be the name of a folder in results: name one with --out");
+    }
+    return std::filesystem::path("results") / name;
+}
+
+ResultFolder::ResultFolder(const Options& options, const std::string& name, OnInterrupt on_interrupt)
+    : path_(result_path(options, name)), threads_(options.threads), on_interrupt_(on_interrupt) {
+    if (options.out.empty()) {
+        refuse_link(path_.parent_path());
+        refuse_link(path_);
+    }
+    for (const std::string_view written : {"result.json", "resolved.toml", "report.html", "figures", "frames"}) {
+        refuse_link(path_ / written);
+    }
+    const std::filesystem::path result = path_ / "result.json";
+    std::error_code ignored;
+    if (std::filesystem::is_directory(result, ignored)) {
+        throw OutputError(result, "it is a folder");
+    }
+    if (leads(options)) {
+        claim_ = std::make_unique<FolderClaim>(path_);
+    } else {
+        create_output_folder(path_);
+    }
+}
+
+void ResultFolder::enter(const std::vector<std::string>& names) const {
+    if (claim_ != nullptr) {
+        claim_->enter(names);
+    }
+}
+
+void ResultFolder::report_progress(double share, const std::string& what) const {
+    if (on_progress_) {
+        on_progress_(share, what);
+    }
+}
+
+void ResultFolder::write(const std::string& name, std::string_view text) const {
+    enter({name});
+    write_file_atomically(path_ / name, text);
+}
+
+FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name, const std::string& caption) const {
+    if (on_interrupt_ == OnInterrupt::stop) {
+        stop_if_interrupted();
+    }
+    constexpr double still_drawn = 0.7;  // s; with the rest of the report, Ctrl-C ends a command within 2 s
+    if (seconds_since_interrupt() > still_drawn) {
+        gnuplot_runs_.none_because = "the work was interrupted";
+    }
+    const std::string file = "figures/" + name;
+    enter({file + ".gp", file + ".svg", file + ".png"});
+    const FigureFiles files = write_figure(figure, path_ / "figures", name, gnuplot_runs_);
+    if (files.write_error) {
+        throw *files.write_error;
+    }
+    if (files.status != FigureStatus::ok && !interrupt_flag()) {
+        std::cerr << "warning: figure " << name << " was not drawn: " << files.message << '\n';
+    }
+    return {files, caption};
+}
+
+void ResultFolder::write_report(const Report& report) const {
+    enter({"report.html"});
+    delabole::write_report(report, path_ / "report.html");
+}
+
+std::string text_table(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t column = 0; column < row.size(); ++column) {
+            widths[column] = std::max(widths[column], width(row[column]));
+        }
+    }
+    std::string text;
+    for (const auto& row : rows) {
+        std::string line;
+        for (std::size_t column = 0; column < row.size(); ++column) {
+            const std::string padding(widths[column] - width(row[column]), ' ');
+            line += column == 0 ? "" : "  ";
+            line += column == 0 ? row[column] + padding : padding + row[column];
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + '\n';
+    }
+    return text;
+}
+
+}  // namespace delabole

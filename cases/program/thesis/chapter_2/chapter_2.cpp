@@ -1,0 +1,186 @@
+// The calculations of the thesis's chapter 2.
+#include "cases/program/thesis/chapter_2/chapter_2.hpp"
+#include "cases/program/reader/units.hpp"
+#include "cases/program/thesis/chapter_2/fig_2_8.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/figures/figures.hpp"
+#include "water/column_tilt.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace delabole {
+
+namespace {
+
+constexpr double foot = 0.3048;
+
+Table solutions_table(CsvTable& csv) {
+    Table table{"Crack depth z that makes the slope just fail, for plausible unit weights",
+                {{"reading of \"full\""},
+                 {"unit weight", true},
+                 {"z", true},
+                 {"depth of the crack", true},
+                 {"level of its bottom", true},
+                 {"it opens in"},
+                 {"FS half full, c = 0", true},
+                 {"restoring / overturning", true}},
+                {}};
+    for (const FilledFraction reading : {FilledFraction::of_z_below_crest, FilledFraction::of_the_crack_itself}) {
+        const std::string words(word_of(reading));
+        for (const double unit_weight : {24e3, 25e3, 26e3, 27e3, 28e3, 29e3}) {
+            const Fig28Solution solution = solve_fig_2_8(reading, unit_weight);
+            const std::string weight = value_in_words(unit_weight, Dimension::unit_weight);
+            if (!solution.z) {
+                table.rows.push_back({words, weight, "no solution"});
+                csv.add_row({words, unit_weight / 1e3, std::string("none")});
+                continue;
+            }
+            const double base_level = 350 + solution.state.crack_base_height / foot;
+            const std::string place(word_of(solution.state.crack_location));
+            table.rows.push_back({words, weight, value_in_words(std::round(*solution.z * 10) / 10, Dimension::length),
+                                  value_in_words(solution.state.crack_depth, Dimension::length),
+                                  number_in_words(base_level) + " ft", place,
+                                  number_in_words(solution.factor_half_full),
+                                  number_in_words(solution.state.overturning_factor)});
+            csv.add_row({words, unit_weight / 1e3, *solution.z, solution.state.crack_depth, base_level, place,
+                         solution.factor_half_full, solution.state.overturning_factor});
+        }
+    }
+    return table;
+}
+
+WaterDepthCurves fig_2_8_curves(const Fig28Solution& solution) {
+    WaterDepthCurves curves;
+    curves.title = "Thesis Fig 2.8(b), recomputed";
+    curves.ratio = "depth of water / z";
+    for (const double share : {0.0, 0.5, 1.0}) {
+        NamedCurve curve;
+        curve.legend = "c = " + number_in_words(30 * share) + " lbf/in2";
+        curve.points = fig_2_8_curve(solution.reading, solution.unit_weight, *solution.z, share * fig_2_8_cohesion);
+        curves.curves.push_back(std::move(curve));
+    }
+    curves.statements = {{"stable, half full, c = 0 (printed)", Point(0.5, solution.factor_half_full)},
+                         {"fails, two thirds full, c = 30 lbf/in2 (printed)", Point(2.0 / 3, 1)}};
+    return curves;
+}
+
+Reproduction reproduce_fig_2_8(const ResultFolder& folder, Report& report) {
+    const Fig28Solution solution = solve_fig_2_8(FilledFraction::of_z_below_crest, 27e3);
+    if (!solution.z) {
+        throw std::logic_error("fig2.8: no depth of crack meets the printed statement");
+    }
+    Reproduction result;
+    result.rows.push_back({"FS, crack two thirds full, c = 30 lbf/in2", "1 (unstable beyond)",
+                           readable_quantity(solution.state.factor_of_safety, Dimension::ratio),
+                           difference_in_words(solution.state.factor_of_safety - 1), "z is solved for this statement"});
+    result.rows.push_back({"FS, crack half full, c = 0", "more than 1 (stable)",
+                           number_in_words(solution.factor_half_full), "", statement(solution.factor_half_full > 1)});
+    report.blocks.emplace_back(Heading{"Fig 2.8: plane failure with a crack in the face"});
+    report.blocks.emplace_back(
+        Paragraph{"H, z and the unit weight are not printed. H is taken between the printed levels 575 and 350 ft; z "
+                  "follows from "
+                  "the printed statement that two thirds of the crack must be full for the slope to fail with 30 "
+                  "lbf/in2; the other "
+                  "statement, stable when half full without cohesion, is then a check."});
+    report.blocks.emplace_back(printed_table("Printed statements", result.rows));
+    CsvTable csv({"full_means", "unit_weight_kN_per_m3", "z_m", "crack_depth_m", "crack_base_level_ft",
+                  "crack_location", "factor_half_full", "overturning_factor"});
+    report.blocks.emplace_back(solutions_table(csv));
+    report.blocks.emplace_back(Paragraph{
+        "z is measured from crest level in the printed formulas (A = (H - z) cosec psi_p), so a crack in the face is "
+        "shallower than z. Read as a fraction of z, every unit weight from 25 kN/m3 on gives a crack in the face whose "
+        "bottom lies within 11 ft of the level, 425 ft, at which the observed surfaces meet. Read as a fraction of the "
+        "crack's own depth there is no crack in the face that meets the statement. Restoring over overturning moment "
+        "about the toe is below 1: the mass would overturn before it slides, which the printed force balance does not "
+        "see."});
+    report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(fig_2_8_curves(solution)), "fig_2_8b",
+                                           "Factor of safety against the filled fraction of z, at 27 kN/m3."));
+    folder.write("fig_2_8.csv", csv.text());
+    result.json["z_m"] = *solution.z;
+    result.json["unit_weight_kN_per_m3"] = 27;
+    result.json["factor_half_full"] = solution.factor_half_full;
+    return result;
+}
+
+Reproduction reproduce_tilting(const ResultFolder& folder, Report& report) {
+    const double saturated = degrees(47.5);
+    const ColumnTilt half = column_tilt({degrees(70), saturated, 0.5});
+    const ColumnTilt full = column_tilt({degrees(70), saturated, 1.0});
+    Reproduction result;
+    const auto row = [&](const std::string& what, double printed_degrees, double computed, const std::string& remark) {
+        result.rows.push_back({what, number_in_words(printed_degrees) + " deg",
+                               value_in_words(computed, Dimension::angle),
+                               difference_in_words(computed / degrees(1) - printed_degrees) + " deg", remark});
+    };
+    row("tilt, fully saturated", 47.5, full.tilt, "input");
+    row("tilt, half saturated", 12, half.tilt, "predicted from the other");
+    report.blocks.emplace_back(Heading{"Groundwater by tilting the model (2.3.5)"});
+    report.blocks.emplace_back(
+        Paragraph{"A joint-A column (70 deg) with triangular pressure on its joint. The printed tilt of the saturated "
+                  "column fixes "
+                  "water force over weight, U / W = " +
+                  number_in_words(full.water_force_over_weight) +
+                  "; half the height of water gives a quarter of it, and so the tilt of the half saturated column."});
+    report.blocks.emplace_back(printed_table("Tilt of the model", result.rows));
+    Figure figure;
+    figure.title = "Tilt that stands for water in joint A";
+    figure.x.title = "filled ratio of the joint";
+    figure.y.title = "tilt";
+    figure.y.unit = "deg";
+    Line curve;
+    curve.legend = "one column, 47.5 deg when full";
+    for (int index = 0; index <= 100; ++index) {
+        curve.points.emplace_back(index / 100.0,
+                                  column_tilt({degrees(70), saturated, index / 100.0}).tilt / degrees(1));
+    }
+    Points printed;
+    printed.legend = "printed";
+    printed.points = {Point(0.5, 12), Point(1, 47.5)};
+    printed.colour = Colour::vermilion;
+    figure.series = {curve, printed};
+    report.blocks.emplace_back(
+        folder.draw(figure, "groundwater_tilt", "Tilt against filled ratio, printed tilts marked."));
+    result.json["half_saturated_tilt_deg"] = half.tilt / degrees(1);
+    return result;
+}
+
+Reproduction reproduce_dry_friction(const ResultFolder&, Report& report) {
+    const double gentle = std::tan(degrees(30)) / std::tan(degrees(40));
+    const double steep = std::tan(degrees(40)) / std::tan(degrees(50));
+    Reproduction result;
+    result.rows.push_back({"F = cot(psi_p) tan(phi), 30 on 40 deg against 40 on 50 deg", "no considerable change",
+                           number_in_words(gentle) + " against " + number_in_words(steep),
+                           number_in_words(100 * (steep / gentle - 1)) + " %",
+                           statement(std::abs(steep / gentle - 1) < 0.05)});
+    report.blocks.emplace_back(Heading{"Ten degrees more of friction and of dip (2.3.3.2 A)"});
+    report.blocks.emplace_back(printed_table("Factor of safety of a dry slope without cohesion", result.rows));
+    result.json["relative_change"] = steep / gentle - 1;
+    return result;
+}
+
+}  // namespace
+
+ReproductionChapter chapter_2() {
+    return {"chapter2",
+            "the calculations of chapter 2",
+            "Thesis, chapter 2: printed and computed",
+            {
+                {"fig2.8", "plane failure of the west face; its unprinted crack depth and curves", reproduce_fig_2_8},
+                {"tilting", "groundwater by tilting the model, section 2.3.5", reproduce_tilting},
+                {"mechanisms", "modes of failure tried on models of the west face, verdicts of section 2.3.3.2",
+                 reproduce_mechanisms},
+                {"drawings", "Figs 2.4, 2.5, 2.7 and 2.10: the failure and the models", reproduce_slope_drawings},
+                {"plates", "Plates 2.I to 2.VI as runs in motion, scored by the field criteria", reproduce_plates,
+                 ReproductionCost::minutes},
+                {"groundwater", "one column with groundwater: tests and observations of section 2.3.5",
+                 reproduce_groundwater},
+                {"trends", "Figs 2.11 to 2.14 as trends of runs, conclusions (i) to (iv) of section 2.3.4",
+                 reproduce_trends, ReproductionCost::minutes},
+                {"column_motion", "one column with groundwater in motion: observations 1 to 4 of section 2.3.5",
+                 reproduce_column_motion, ReproductionCost::minutes},
+                {"dry_friction", "dry factor of safety of section 2.3.3.2 A", reproduce_dry_friction},
+            }};
+}
+
+}  // namespace delabole

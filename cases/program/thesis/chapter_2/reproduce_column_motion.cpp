@@ -1,0 +1,212 @@
+// Groundwater on one column in motion, 2.3.5 of the thesis: the tests of groundwater_tests.csv run on a belt, and
+// observations 1 to 4 held against them.
+#include "cases/program/models/relaxation/figures.hpp"
+#include "cases/program/reader/units.hpp"
+#include "cases/program/thesis/chapter_2/chapter_2.hpp"
+#include "cases/program/thesis/chapter_2/slope_models.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace delabole {
+
+namespace {
+
+// Mean movement of the column at which tests are compared.
+constexpr double compared_way = 0.003;  // m
+
+struct ColumnMotion {
+    GroundwaterTest test;
+    SlopeRun run;
+    std::optional<double> time = {};  // s, to the mean movement compared; absent: the column does not get there
+    double rotation = 0;              // rad, mean out of the slope at that time, or at the end
+};
+
+double friction_of(const GroundwaterTest& test) {
+    return (test.friction_least + test.friction_most) / 2;
+}
+
+struct Means {
+    double way = 0;
+    double rotation = 0;
+};
+
+Means means_of(const Bodies& bodies, const MotionFrame& frame) {
+    Means means;
+    double mass = 0;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (bodies.fixed[block] == 0) {
+            mass += bodies.mass[block];
+            means.way += bodies.mass[block] * frame.outcome[block].displacement;
+            means.rotation += bodies.mass[block] * frame.outcome[block].rotation;
+        }
+    }
+    return {means.way / mass, means.rotation / mass};
+}
+
+RelaxationStudy study_of(const GroundwaterTest& test) {
+    RelaxationStudy study = slope_model("groundwater_column");
+    auto& slope = std::get<RelaxationSlope>(study.model.scene);
+    slope.tilt = test.rotation;
+    slope.rock.front().density = test.density;
+    for (SlopeJoint& joint : slope.joint) {
+        joint.strength.friction_angle = friction_of(test);
+    }
+    return study;
+}
+
+ColumnMotion move(const GroundwaterTest& test) {
+    ColumnMotion motion{test, run_slope(study_of(test))};
+    const Bodies bodies = make_bodies(motion.run.run.scene);
+    Means before;
+    double time_before = 0;
+    for (const MotionFrame& frame : motion.run.run.frames) {
+        const Means now = means_of(bodies, frame);
+        if (now.way >= compared_way) {
+            const double share = (compared_way - before.way) / (now.way - before.way);
+            motion.time = time_before + share * (frame.time - time_before);
+            motion.rotation = before.rotation + share * (now.rotation - before.rotation);
+            return motion;
+        }
+        before = now;
+        time_before = frame.time;
+        motion.rotation = now.rotation;
+    }
+    return motion;
+}
+
+// The test of that material, friction near enough, and rotation.
+const ColumnMotion& find(const std::vector<ColumnMotion>& motions, std::string_view material, double friction,
+                         double rotation) {
+    return *std::ranges::find_if(motions, [&](const ColumnMotion& motion) {
+        return motion.test.material == material && std::abs(friction_of(motion.test) - friction) < degrees(0.6) &&
+               std::abs(motion.test.rotation - rotation) < degrees(0.1);
+    });
+}
+
+std::string time_in_words(const ColumnMotion& motion) {
+    return motion.time ? human_number(*motion.time, 3) + " s" : "rests";
+}
+
+std::string rotation_in_words(const ColumnMotion& motion) {
+    return motion.time ? human_number(motion.rotation / degrees(1), 2) + "°" : "rests";
+}
+
+bool quicker(const ColumnMotion& one, const ColumnMotion& other) {
+    constexpr double never = 1e9;
+    return one.time.value_or(never) < other.time.value_or(never);
+}
+
+Table motion_table(const std::vector<ColumnMotion>& motions) {
+    Table table{"Time to a mean movement of 3 mm, and the mean rotation then.",
+                {{"material"}, {"friction, °", true}, {"turned by, °", true}, {"time"}, {"rotation"}, {"plate"}},
+                {}};
+    for (const ColumnMotion& motion : motions) {
+        table.rows.push_back({motion.test.material, human_number(friction_of(motion.test) / degrees(1), 3),
+                              human_number(motion.test.rotation / degrees(1), 3), time_in_words(motion),
+                              rotation_in_words(motion), motion.test.plate});
+    }
+    return table;
+}
+
+// `needed`: those that have to get as far for there to be anything to compare.
+void compare(Reproduction& result, const std::string& what, const std::string& printed, const std::string& computed,
+             const std::vector<const ColumnMotion*>& needed, bool met) {
+    const bool comparable =
+        std::ranges::all_of(needed, [](const ColumnMotion* motion) { return motion->time.has_value(); });
+    result.rows.push_back(
+        {what, printed, computed, "", comparable ? statement(met) : "not compared: it comes to rest"});
+    result.json["statements"].push_back({{"what", what}, {"compared", comparable}, {"met", comparable && met}});
+}
+
+}  // namespace
+
+Reproduction reproduce_column_motion(const ResultFolder& folder, Report& report) {
+    const std::vector<GroundwaterTest> tests = groundwater_tests();
+    std::vector<ColumnMotion> motions(tests.size());
+    run_part(folder, {"columns", 0, 1}, tests.size(), [&](std::size_t index) { motions[index] = move(tests[index]); });
+    constexpr double mixture = degrees(40.5);
+    constexpr double plain = degrees(43);
+    constexpr double once = degrees(29.5);
+    constexpr double twice = degrees(19);
+    constexpr double half = degrees(12);
+    constexpr double full = degrees(47.5);
+    const auto at = [&](std::string_view material, double friction, double rotation) -> const ColumnMotion& {
+        return find(motions, material, friction, rotation);
+    };
+    Reproduction result;
+    const auto times = [&](const ColumnMotion& one, const ColumnMotion& other) {
+        return time_in_words(one) + " against " + time_in_words(other);
+    };
+    const auto turns = [&](const ColumnMotion& one, const ColumnMotion& other) {
+        return rotation_in_words(one) + " against " + rotation_in_words(other);
+    };
+    for (const double rotation : {0.0, half}) {
+        const std::string water = rotation > 0 ? "half saturated" : "dry";
+        const ColumnMotion& heavy = at("mixture", mixture, rotation);
+        const ColumnMotion& light = at("cork", plain, rotation);
+        compare(result, "1: mixture against cork, " + water + ": time", "mixture quicker", times(heavy, light),
+                {&heavy, &light}, quicker(heavy, light));
+        compare(result, "1: mixture against cork, " + water + ": rotation", "cork topples more", turns(heavy, light),
+                {&heavy, &light}, light.rotation > heavy.rotation);
+    }
+    for (const auto& [material, friction] : {std::pair{"mixture", mixture}, std::pair{"cork", plain}}) {
+        compare(result, std::string("2: ") + material + ", half saturated against dry: time", "half saturated quicker",
+                times(at(material, friction, half), at(material, friction, 0)), {&at(material, friction, half)},
+                quicker(at(material, friction, half), at(material, friction, 0)));
+        compare(result, std::string("2: ") + material + ", fully against half saturated: time",
+                "another picture: it hangs over", times(at(material, friction, full), at(material, friction, half)),
+                {&at(material, friction, full)}, quicker(at(material, friction, full), at(material, friction, half)));
+    }
+    compare(result, "2: cork, half saturated against dry: rotation", "topples more",
+            turns(at("cork", plain, half), at("cork", plain, 0)), {&at("cork", plain, half), &at("cork", plain, 0)},
+            at("cork", plain, half).rotation > at("cork", plain, 0).rotation);
+    for (const double rotation : {0.0, half}) {
+        const std::string water = rotation > 0 ? "half saturated" : "dry";
+        const std::array by_friction{&at("cork", twice, rotation), &at("cork", once, rotation),
+                                     &at("cork", plain, rotation)};
+        compare(result, "3: cork, " + water + ", friction 19, 29.5 and 43°: time", "less friction, faster",
+                list_in_words(
+                    {time_in_words(*by_friction[0]), time_in_words(*by_friction[1]), time_in_words(*by_friction[2])}),
+                {by_friction[0], by_friction[1]},
+                std::ranges::is_sorted(by_friction, [](const ColumnMotion* one, const ColumnMotion* other) {
+                    return quicker(*one, *other);
+                }));
+        compare(
+            result, "4: likewise: rotation", "more friction, more toppling",
+            list_in_words({rotation_in_words(*by_friction[0]), rotation_in_words(*by_friction[1]),
+                           rotation_in_words(*by_friction[2])}),
+            {by_friction[0], by_friction[1], by_friction[2]},
+            by_friction[0]->rotation < by_friction[1]->rotation && by_friction[1]->rotation < by_friction[2]->rotation);
+    }
+    for (const ColumnMotion& motion : motions) {
+        result.json["tests"].push_back({{"material", motion.test.material},
+                                        {"friction_deg", friction_of(motion.test) / degrees(1)},
+                                        {"rotation_deg", motion.test.rotation / degrees(1)},
+                                        {"time_s", motion.time.value_or(-1)},
+                                        {"column_rotation_deg", motion.rotation / degrees(1)}});
+    }
+    report.blocks.emplace_back(Heading{"Groundwater on one column in motion (2.3.5)"});
+    report.blocks.emplace_back(
+        Paragraph{"One column of joint A, cut by joint B and the cleavage, on a belt whose direction is turned for the "
+                  "water. The shape of the thesis's column is not printed. Compared at a mean movement of 3 mm."});
+    report.blocks.emplace_back(printed_table("Observations 1 to 4", result.rows));
+    report.blocks.emplace_back(motion_table(motions));
+    for (const double rotation : {0.0, half, full}) {
+        const SlopeRun& run = at("cork", plain, rotation).run;
+        const std::string degree = human_number(rotation / degrees(1), 3);
+        report.blocks.emplace_back(folder.draw(moved_slope_figure(run.run, run.run.frames[run.early_frame], run.end,
+                                                                  "Cork, friction 43°, turned by " + degree + "°"),
+                                               "column_" + std::to_string(static_cast<int>(rotation / degrees(1))),
+                                               "In motion."));
+    }
+    return result;
+}
+
+}  // namespace delabole

@@ -1,0 +1,106 @@
+// Plates 2.I to 2.VI of the thesis as runs in motion: base friction models of the west face, scored by the field
+// criteria of 2.3.3.2 beside the thesis's verdicts.
+#include "cases/program/models/relaxation/figures.hpp"
+#include "cases/program/thesis/chapter_2/chapter_2.hpp"
+#include "cases/program/thesis/chapter_2/slope_models.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace delabole {
+
+namespace {
+
+struct Plate {
+    std::string_view plate;  // as mechanisms.csv has it
+    std::string_view file;   // of cases/chapter_2
+};
+
+constexpr std::array plates{Plate{"2.I", "plate_2_i"},
+                            Plate{"2.I without cleavage", "plate_2_i_without_cleavage"},
+                            Plate{"2.I continuity arranged", "plate_2_i_continuity"},
+                            Plate{"2.II", "plate_2_ii"},
+                            Plate{"2.II joints C", "plate_2_ii_joints_c"},
+                            Plate{"2.III", "plate_2_iii"},
+                            Plate{"2.IV", "plate_2_iv"},
+                            Plate{"2.IV divided", "plate_2_iv_divided"},
+                            Plate{"2.V", "plate_2_v"},
+                            Plate{"2.VI", "plate_2_vi"}};
+
+std::string stated(FieldVerdict printed, FieldVerdict computed) {
+    return printed == FieldVerdict::not_said ? "" : statement(printed == computed);
+}
+
+void add_rows(const MechanismVerdict& printed, const FieldScore& score, Reproduction& result) {
+    const auto row = [&](const std::string& criterion, FieldVerdict said, FieldVerdict found,
+                         const std::string& words) {
+        result.rows.push_back({printed.plate + ": " + criterion, human_name(word_of(said)),
+                               std::string(word_of(found)) + ": " + words, "", stated(said, found)});
+    };
+    row("profile", printed.profile, score.profile, score.profile_in_words);
+    row("crest cracks", printed.cracks, score.cracks, score.cracks_in_words);
+    row("block movements", printed.movements, score.movements, score.movements_in_words);
+}
+
+Json json_of(const SlopeRun& run, const FieldScore& score) {
+    const PostFailureAnswer& end = run.end.answer;
+    return {{"outcome", word_of(run.run.result.outcome)},
+            {"blocks", run.run.scene.block.size()},
+            {"failed_area_m2", end.failed_area},
+            {"failed_width_m", end.failed_width},
+            {"lower_angle_deg", end.lower_angle / degrees(1)},
+            {"upper_angle_deg", end.upper_angle / degrees(1)},
+            {"knee_level_m", end.knee_level},
+            {"profile", word_of(score.profile)},
+            {"cracks", word_of(score.cracks)},
+            {"movements", word_of(score.movements)}};
+}
+
+void draw(const Plate& plate, const SlopeRun& run, const ResultFolder& folder, Report& report) {
+    const std::string name = "plate_" + std::string(plate.file.substr(6));
+    const std::string title = "Plate " + std::string(plate.plate);
+    const auto& frames = run.run.frames;
+    const auto at = [](double time) { return ", after " + human_number(time, 2) + " s"; };
+    report.blocks.emplace_back(folder.draw(
+        moved_slope_figure(run.run, frames[run.early_frame], run.end, title + at(frames[run.early_frame].time)),
+        name + "_early", "When half of what fails in the end has begun to."));
+    report.blocks.emplace_back(
+        folder.draw(moved_slope_figure(run.run, frames.back(), run.end, title + at(frames.back().time)), name + "_end",
+                    "At the end of the run."));
+    report.blocks.emplace_back(folder.draw(left_standing_figure(run.run, run.end, title + ", left standing"),
+                                           name + "_left_standing", "The blocks that failed, and the ground left."));
+}
+
+}  // namespace
+
+Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
+    const std::vector<MechanismVerdict> verdicts = mechanism_verdicts();
+    std::vector<SlopeRun> runs(plates.size());
+    run_part(folder, {"slopes", 0, 1}, plates.size(),
+             [&](std::size_t index) { runs[index] = run_slope(slope_model(plates[index].file)); });
+    Reproduction result;
+    for (std::size_t index = 0; index < plates.size(); ++index) {
+        const auto printed = std::ranges::find(verdicts, plates[index].plate, &MechanismVerdict::plate);
+        const FieldScore score = score_of(runs[index]);
+        add_rows(*printed, score, result);
+        result.json[printed->plate] = json_of(runs[index], score);
+    }
+    report.blocks.emplace_back(Heading{"Plates 2.I to 2.VI as runs (2.3.3.2)"});
+    report.blocks.emplace_back(Paragraph{
+        "Profile: 40 to 45° up to a third of the height and 70 to 75° above, each within 5° and 0.1 of the height; in "
+        "part: a lower surface that rises into the slope, gentler than the upper one by 15°. Cracks: two or more along "
+        "joints that dip steeply into the slope. Movements: rock near the face to the pit, the wedge between the "
+        "cracks down and turned into the slope. Cracks and movements when half of what fails in the end has begun to, "
+        "the profile at the end. What counts as in part was settled when the runs had been seen. Joint C of Plate 2.I "
+        "dips 10° more than in the field, as the friction does, and so does the lower surface that is arranged with "
+        "it."});
+    report.blocks.emplace_back(printed_table("Field criteria: the thesis's verdict and the run's", result.rows));
+    for (std::size_t index = 0; index < plates.size(); ++index) {
+        draw(plates[index], runs[index], folder, report);
+    }
+    return result;
+}
+
+}  // namespace delabole

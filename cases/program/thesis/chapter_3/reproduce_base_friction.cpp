@@ -1,0 +1,343 @@
+// Tables 3.1 to 3.3 and Fig 3.2 of the thesis: base friction tests of slopes with toppling columns.
+#include "cases/program/reader/units.hpp"
+#include "cases/program/thesis/chapter_3/chapter_3.hpp"
+#include "cases/program/thesis/physical_models.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace delabole {
+
+namespace {
+
+constexpr double inch = 0.0254;
+constexpr double minute = 60;
+
+using States = std::vector<BaseFrictionState>;
+using Selection = std::function<bool(const BaseFrictionState&)>;
+
+long count(const States& states, const Selection& selected) {
+    return std::ranges::count_if(states, selected);
+}
+
+long count(const States& states, double slope_angle, SlopeBehaviour behaviour) {
+    return count(states, [&](const BaseFrictionState& state) {
+        return std::abs(state.slope_angle - slope_angle) < degrees(0.5) && state.behaviour == behaviour;
+    });
+}
+
+std::string of(long part, std::size_t whole) {
+    return std::to_string(part) + " of " + std::to_string(whole);
+}
+
+States chosen(const States& states, const Selection& selected) {
+    States result;
+    std::ranges::copy_if(states, std::back_inserter(result), selected);
+    return result;
+}
+
+std::string tests_and_times(const States& states) {
+    std::vector<std::string> words;
+    for (const BaseFrictionState& state : states) {
+        words.push_back(state.test + " (" + number_in_words(state.crack_time_to.value_or(0) / minute) + " min)");
+    }
+    return list_in_words(words);
+}
+
+bool is_steep(const BaseFrictionState& state) {
+    return state.slope_angle > degrees(69.5);
+}
+
+constexpr std::array slope_angles{60.0, 65.0, 70.0, 80.0};  // deg, of the tests
+constexpr std::array behaviours{SlopeBehaviour::stable, SlopeBehaviour::limiting, SlopeBehaviour::unstable};
+
+Table behaviour_table(const States& states, Json& json) {
+    Table table{"States by slope angle",
+                {{"slope angle, deg", true}, {"stable", true}, {"limiting", true}, {"unstable", true}},
+                {}};
+    for (const double angle : slope_angles) {
+        std::vector<std::string> row = {number_in_words(angle)};
+        for (const SlopeBehaviour behaviour : behaviours) {
+            const long number = count(states, degrees(angle), behaviour);
+            row.push_back(std::to_string(number));
+            json["by_slope_angle"][number_in_words(angle)].push_back(number);
+        }
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+struct Guess {
+    std::string rule;
+    Selection fails;
+};
+
+constexpr double mixture_friction = degrees(40.5);  // 40 to 41 deg (3.2)
+
+// Columns slip past one another where the face is steeper than 90 deg - dip + phi (Goodman & Bray 1976).
+bool columns_slip(const BaseFrictionState& state) {
+    return state.slope_angle > degrees(90) - state.joint_dip + mixture_friction;
+}
+
+// What any prediction of the tests has to be better than. The last rule was made after the tests were seen.
+std::vector<Guess> guesses() {
+    return {{"every slope fails", [](const BaseFrictionState&) { return true; }},
+            {"slopes of 70 deg and more fail", is_steep},
+            {"columns slip past one another: slope steeper than 90 deg - dip + 40.5 deg", columns_slip},
+            {"slopes of 70 deg and more, on the frame, or with a changed toe fail (seen after the tests)",
+             [](const BaseFrictionState& state) {
+                 return is_steep(state) || state.foundation != SlopeFoundation::model_material ||
+                        state.toe != ToeChange::as_built;
+             }}};
+}
+
+Table guess_table(const States& states, Json& json) {
+    Table table{"What guessing scores", {{"rule"}, {"right", true}, {"of", true}}, {}};
+    // A limiting state is neither right nor wrong.
+    const States decided =
+        chosen(states, [](const BaseFrictionState& state) { return state.behaviour != SlopeBehaviour::limiting; });
+    for (const Guess& guess : guesses()) {
+        const long right = count(decided, [&](const BaseFrictionState& state) {
+            return guess.fails(state) == (state.behaviour == SlopeBehaviour::unstable);
+        });
+        table.rows.push_back({guess.rule, std::to_string(right), std::to_string(decided.size())});
+        json["guesses"].push_back({{"rule", guess.rule}, {"right", right}, {"of", decided.size()}});
+    }
+    return table;
+}
+
+Table doubt_table(const States& states) {
+    Table table{"Doubtful rows of Table 3.2", {{"test"}, {"slope angle, deg", true}, {"doubt"}}, {}};
+    for (const BaseFrictionState& state : states) {
+        if (!state.doubt.empty()) {
+            table.rows.push_back({state.test, number_in_words(state.slope_angle / degrees(1)), state.doubt});
+        }
+    }
+    return table;
+}
+
+// Every test at its place, those at the same place side by side.
+Figure behaviour_figure(const States& states) {
+    constexpr std::array legends{"stable", "limiting equilibrium", "unstable"};
+    constexpr std::array colours{Colour::blue, Colour::orange, Colour::vermilion};
+    constexpr std::array markers{Marker::filled_circle, Marker::filled_diamond, Marker::filled_square};
+    Figure figure;
+    figure.title = "Base friction tests (Table 3.2)";
+    figure.x.title = "slope angle";
+    figure.x.unit = "deg";
+    figure.x.range = {56, 84};
+    figure.y.title = "slope height / joint spacing";
+    figure.y.range = {10, 26};
+    std::array<Points, behaviours.size()> series;
+    const auto place_of = [](const BaseFrictionState& state) {
+        return Point(state.slope_angle / degrees(1), state.height_over_spacing);
+    };
+    for (const BaseFrictionState& state : states) {
+        const Point place = place_of(state);
+        const auto same = [&](const BaseFrictionState& other) { return (place_of(other) - place).norm() < 0.1; };
+        const long all = count(states, same);
+        const long before = std::count_if(states.data(), &state, same);
+        // In lines of six, one above the other, centred at the place.
+        const long line = before / 6;
+        const long in_line = std::min(6L, all - 6 * line);
+        const double right = 0.6 * (static_cast<double>(before % 6) - static_cast<double>(in_line - 1) / 2);
+        const double up = 0.8 * static_cast<double>(line);
+        series[static_cast<std::size_t>(state.behaviour)].points.emplace_back(place.x() + right, place.y() + up);
+    }
+    for (std::size_t index = 0; index < series.size(); ++index) {
+        series[index].legend = legends[index];
+        series[index].colour = colours[index];
+        series[index].marker = markers[index];
+        figure.series.emplace_back(series[index]);
+    }
+    return figure;
+}
+
+// The bottom of a model: the face over the height and the ground behind the crest, cut by joints of one spacing.
+double columns_at_bottom(const BaseFrictionState& state, double slope_surface) {
+    return (state.slope_height() / std::tan(state.slope_angle) + slope_surface) * std::sin(state.joint_dip) /
+           state.joint_spacing;
+}
+
+void add_base_columns(const States& states, Reproduction& result) {
+    for (const BaseFrictionState& state : states) {
+        if (!state.base_columns || !state.slope_surface) {
+            continue;
+        }
+        const double columns = columns_at_bottom(state, *state.slope_surface);
+        result.rows.push_back({state.test + ": columns at the bottom", number_in_words(*state.base_columns),
+                               human_number(columns, 3), number_in_words(std::floor(columns) - *state.base_columns),
+                               statement(std::floor(columns) == *state.base_columns) +
+                                   ": whole columns in face and surface of the slope"});
+        result.json["base_columns"][state.test] = columns;
+    }
+}
+
+// Initiation gets later as a cross-jointed slope gets lower: 11''_S, 11''_S1, 11''_S2.
+bool lower_is_later(const States& states) {
+    std::vector<std::pair<double, double>> height_and_time;
+    for (const BaseFrictionState& state : states) {
+        if (state.test.starts_with("11''_S")) {
+            height_and_time.emplace_back(-state.slope_height(), state.crack_time_from.value_or(0));
+        }
+    }
+    std::ranges::sort(height_and_time);
+    return height_and_time.size() == 3 &&
+           std::ranges::is_sorted(height_and_time, std::ranges::less{}, &std::pair<double, double>::second);
+}
+
+void add_crack_angles(const States& states, Reproduction& result) {
+    const States cracked =
+        chosen(states, [](const BaseFrictionState& state) { return state.crack_angle_from.has_value(); });
+    double least = degrees(90);
+    double most = 0;
+    long usual = 0;
+    for (const BaseFrictionState& state : cracked) {
+        const double middle = (*state.crack_angle_from + state.crack_angle_to.value_or(0)) / 2;
+        least = std::min(least, *state.crack_angle_from);
+        most = std::max(most, state.crack_angle_to.value_or(0));
+        usual += middle > degrees(24.999) && middle < degrees(35.001) ? 1 : 0;
+    }
+    result.rows.push_back({"critical crack path, greatest inclination", "hardly above 41 deg",
+                           value_in_words(most, Dimension::angle), "", statement(most < degrees(41.001))});
+    result.rows.push_back({"its least", "never below 20 deg", value_in_words(least, Dimension::angle), "",
+                           statement(least > degrees(19.999))});
+    result.rows.push_back({"its usual range", "mostly 25 to 35 deg", of(usual, cracked.size()), "",
+                           statement(2 * usual > static_cast<long>(cracked.size()))});
+    result.json["crack_angle_deg"] = {
+        {"least", least / degrees(1)}, {"most", most / degrees(1)}, {"from_25_to_35", usual}, {"of", cracked.size()}};
+}
+
+// One line of Fig 3.2: right or left slopes over the height, in inches.
+template <class Value>
+Line height_line(const std::string& legend, Colour colour, const Value& value) {
+    Line line;
+    line.legend = legend;
+    line.colour = colour;
+    for (const SlopeHeightVariation& row : slope_height_variations()) {
+        if (const std::optional<double> at = value(row)) {
+            line.points.emplace_back(row.slope_height / inch, *at);
+        }
+    }
+    return line;
+}
+
+void add_marks(Figure& figure) {
+    const std::vector<Series> lines = figure.series;
+    for (const Series& series : lines) {
+        const Line& line = std::get<Line>(series);
+        Points points;
+        points.points = line.points;
+        points.colour = line.colour;
+        figure.series.emplace_back(points);
+    }
+}
+
+}  // namespace
+
+Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report) {
+    const States states = base_friction_states();
+    Reproduction result;
+    result.rows.push_back({"base friction tests, states of models", "over 50", std::to_string(states.size()), "",
+                           statement(states.size() > 50)});
+    const States steep = chosen(states, is_steep);
+    const long failed =
+        count(steep, [](const BaseFrictionState& state) { return state.behaviour == SlopeBehaviour::unstable; });
+    result.rows.push_back({"slopes of 70 deg or more that failed", "all", of(failed, steep.size()), "",
+                           statement(failed == static_cast<long>(steep.size()))});
+    const States slow =
+        chosen(steep, [](const BaseFrictionState& state) { return state.crack_time_to.value_or(0) > 5.5 * minute; });
+    result.rows.push_back({"those that failed within five minutes", "all, very quickly",
+                           of(static_cast<long>(steep.size() - slow.size()), steep.size()), "",
+                           slow.empty() ? "" : "all but " + tests_and_times(slow)});
+    const States gentle = chosen(states, [](const BaseFrictionState& state) { return !is_steep(state); });
+    const long stood =
+        count(gentle, [](const BaseFrictionState& state) { return state.behaviour != SlopeBehaviour::unstable; });
+    result.rows.push_back({"slopes of 60 and 65 deg that did not fail", "some", of(stood, gentle.size()), "",
+                           statement(stood > 0 && stood < static_cast<long>(gentle.size()))});
+    add_crack_angles(states, result);
+    add_base_columns(states, result);
+    result.rows.push_back({"lower cross-jointed slopes (11''_S, _S1, _S2)", "fail later",
+                           lower_is_later(states) ? "later" : "not later", "", statement(lower_is_later(states))});
+    for (const SlopeBehaviour behaviour : behaviours) {
+        const long number = count(states, [&](const BaseFrictionState& state) { return state.behaviour == behaviour; });
+        result.json["behaviour"][std::string(word_of(behaviour))] = number;
+    }
+    result.json["steep"] = {{"failed", failed}, {"of", steep.size()}};
+    report.blocks.emplace_back(Heading{"Tables 3.1 and 3.2: base friction tests"});
+    report.blocks.emplace_back(
+        Paragraph{"Statements of sections 3.2 and 3.4.1, counted in the tables. A model that was changed during its "
+                  "test has a state for each configuration."});
+    report.blocks.emplace_back(printed_table("Statements and tables", result.rows));
+    report.blocks.emplace_back(behaviour_table(states, result.json));
+    report.blocks.emplace_back(guess_table(states, result.json));
+    report.blocks.emplace_back(folder.draw(behaviour_figure(states), "table_3_2",
+                                           "Behaviour over slope angle and height; tests of one geometry side by "
+                                           "side."));
+    report.blocks.emplace_back(doubt_table(states));
+    return result;
+}
+
+Reproduction reproduce_fig_3_2(const ResultFolder& folder, Report& report) {
+    using Row = SlopeHeightVariation;
+    const std::vector<Row> rows = slope_height_variations();
+    long right_earlier = 0;
+    long left_steeper = 0;
+    long pairs = 0;
+    bool later = true;
+    for (std::size_t index = 0; index < rows.size(); ++index) {
+        const Row& row = rows[index];
+        if (row.left_crack_time && row.left_crack_angle) {
+            ++pairs;
+            right_earlier += row.right_crack_time < *row.left_crack_time ? 1 : 0;
+            left_steeper += row.right_crack_angle < *row.left_crack_angle ? 1 : 0;
+        }
+        // Model 6 was not consolidated.
+        later = later && (index < 2 || row.right_crack_time > rows[index - 1].right_crack_time);
+    }
+    Reproduction result;
+    const auto pair_row = [&](const std::string& what, long number) {
+        result.rows.push_back(
+            {what, "every pair", of(number, static_cast<std::size_t>(pairs)), "", statement(number == pairs)});
+    };
+    pair_row("right slope fails before the left one", right_earlier);
+    pair_row("crack path of the left slope is the steeper one", left_steeper);
+    result.rows.push_back({"higher slopes fail later, models 7 to 10", "yes", later ? "yes" : "no", "",
+                           statement(later) + "; model 13, with two columns less, fails in 2 min"});
+    result.json["higher_fails_later"] = later;
+    result.json["right_earlier"] = {{"pairs", right_earlier}, {"of", pairs}};
+    result.json["left_steeper"] = {{"pairs", left_steeper}, {"of", pairs}};
+    Figure times;
+    times.title = "Time to the critical crack path (Table 3.3)";
+    times.x.title = "slope height";
+    times.x.unit = "in";
+    Figure angles = times;
+    times.y.title = "time";
+    times.y.unit = "min";
+    times.series = {
+        height_line("right slope", Colour::blue, [](const Row& row) { return row.right_crack_time / minute; }),
+        height_line("left slope", Colour::vermilion, [](const Row& row) -> std::optional<double> {
+            return row.left_crack_time ? std::optional(*row.left_crack_time / minute) : std::nullopt;
+        })};
+    angles.title = "Inclination of the critical crack path (Fig 3.2)";
+    angles.y.title = "inclination";
+    angles.y.unit = "deg";
+    angles.series = {
+        height_line("right slope", Colour::blue, [](const Row& row) { return row.right_crack_angle / degrees(1); }),
+        height_line("left slope", Colour::vermilion, [](const Row& row) -> std::optional<double> {
+            return row.left_crack_angle ? std::optional(*row.left_crack_angle / degrees(1)) : std::nullopt;
+        })};
+    add_marks(times);
+    add_marks(angles);
+    report.blocks.emplace_back(Heading{"Fig 3.2 and Table 3.3: slope height"});
+    report.blocks.emplace_back(printed_table("Statements on models 6 to 10", result.rows));
+    report.blocks.emplace_back(folder.draw(angles, "fig_3_2", "Slope angle 60 deg, joint dip 70 deg."));
+    report.blocks.emplace_back(folder.draw(times, "table_3_3_times", "The 12 inch slabs were not consolidated."));
+    return result;
+}
+
+}  // namespace delabole

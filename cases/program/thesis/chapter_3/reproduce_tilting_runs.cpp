@@ -1,0 +1,351 @@
+// Figs 3.4, 3.6, 3.7 and Plate 3.XIV of the thesis as runs on a tilting frame, with plaster's scatter.
+#include "cases/program/models/relaxation/figures.hpp"
+#include "cases/program/terminal/interrupt.hpp"
+#include "cases/program/thesis/chapter_3/chapter_3.hpp"
+#include "cases/program/thesis/chapter_3/tilting_runs.hpp"
+#include "cases/program/thesis/chapter_4/chapter_4.hpp"
+#include "cases/program/thesis/physical_models.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
+#include "plots/figures/block_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+namespace delabole {
+
+namespace {
+
+constexpr int least_height = 2;  // in, of the tests
+constexpr int most_height = 9;
+constexpr std::uint64_t samples = 4;
+
+// Short slips at 8 to 22 deg between columns, sliding for good at 29 to 36.5 deg (3.3.2.1, 4.2): the middle of either,
+// and two standard deviations to its ends.
+PlasterFriction plaster_friction() {
+    return {degrees(15), degrees(33), degrees(3.5)};
+}
+
+// Mean and range over the samples of one place in a figure.
+struct Sampled {
+    double x = 0;
+    std::vector<double> value = {};  // rad
+
+    double mean() const {
+        double sum = 0;
+        for (const double one : value) {
+            sum += one;
+        }
+        return value.empty() ? std::numeric_limits<double>::quiet_NaN() : sum / static_cast<double>(value.size());
+    }
+};
+
+struct Curve {
+    std::string legend;
+    Colour colour;
+    std::vector<Sampled> at;
+};
+
+// Runs of all the places of curves; `value` is the tilt of a place, by its curve, number and sample.
+void sample(std::vector<Curve>& curves, std::uint64_t per_place, const ResultFolder& folder, const PartOfWork& part,
+            const std::function<std::optional<double>(std::size_t, const Sampled&, std::uint64_t)>& value) {
+    struct Task {
+        std::size_t curve;
+        std::size_t place;
+        std::uint64_t seed;
+    };
+    std::vector<Task> tasks;
+    for (std::size_t curve = 0; curve < curves.size(); ++curve) {
+        for (std::size_t place = 0; place < curves[curve].at.size(); ++place) {
+            for (std::uint64_t seed = 1; seed <= per_place; ++seed) {
+                tasks.push_back({curve, place, seed});
+            }
+        }
+    }
+    std::vector<std::optional<double>> found(tasks.size());
+    run_part(folder, part, tasks.size(), [&](std::size_t number) {
+        const Task& task = tasks[number];
+        found[number] = value(task.curve, curves[task.curve].at[task.place], task.seed);
+    });
+    for (std::size_t number = 0; number < tasks.size(); ++number) {
+        if (found[number]) {
+            curves[tasks[number].curve].at[tasks[number].place].value.push_back(*found[number]);
+        }
+    }
+}
+
+std::vector<Sampled> places(int from, int to) {
+    std::vector<Sampled> result;
+    for (int place = from; place <= to; ++place) {
+        result.push_back({static_cast<double>(place), {}});
+    }
+    return result;
+}
+
+void draw_curves(Figure& figure, const std::vector<Curve>& curves) {
+    for (const Curve& curve : curves) {
+        Line line;
+        line.legend = curve.legend;
+        line.colour = curve.colour;
+        Points points;
+        points.colour = curve.colour;
+        points.size = 0.7;
+        for (const Sampled& at : curve.at) {
+            line.points.emplace_back(at.x, at.mean() / degrees(1));
+            for (const double value : at.value) {
+                points.points.emplace_back(at.x, value / degrees(1));
+            }
+        }
+        figure.series.emplace_back(line);
+        figure.series.emplace_back(points);
+    }
+}
+
+Line single_column_theory(double from, double to) {
+    return curve(from, to, "atan(b / a)", Colour::grey, Dash::dashed,
+                 [](double height) { return std::atan(1 / height) / degrees(1); });
+}
+
+std::string in_degrees(double angle) {
+    return human_number(angle / degrees(1), 3) + " deg";
+}
+
+void add_single_columns(const ResultFolder& folder, Report& report, Reproduction& result) {
+    constexpr double wear = 0.022;   // in: a column of 2 in then fails a degree early
+    constexpr double offset = 0.04;  // in
+    std::vector<Curve> curves = {
+        {"one piece, worn edges", Colour::blue, places(least_height, most_height)},
+        {"cubes, worn edges, out of line", Colour::vermilion, places(least_height, most_height)}};
+    sample(curves, samples, folder, {"single columns", 0, 0.2},
+           [&](std::size_t number, const Sampled& at, std::uint64_t seed) -> std::optional<double> {
+               const bool cubes = number == 1;
+               if (!cubes && seed > 1) {
+                   return std::nullopt;
+               }
+               return critical_tilt(WornColumn{static_cast<int>(at.x), cubes, wear, offset, seed});
+           });
+    const auto deficit = [&](std::size_t number, std::size_t place) {
+        const Sampled& at = curves[number].at[place];
+        return std::atan(1 / at.x) - at.mean();
+    };
+    const std::size_t last = curves.front().at.size() - 1;
+    result.rows.push_back({"column of 2 in, one piece: tilt below atan(b/a)", "1 deg", in_degrees(deficit(0, 0)), "",
+                           "the wear of the edges, 0.56 mm, is chosen for this"});
+    result.rows.push_back({"column of 9 in, one piece", "no difference", in_degrees(deficit(0, last)), "",
+                           "predicted: worn edges matter less to a tall column"});
+    result.rows.push_back({"cubes: 2 and 9 in", "about 1 deg",
+                           in_degrees(deficit(1, 0)) + " and " + in_degrees(deficit(1, last)), "",
+                           "cubes up to 1 mm out of line, an assumption"});
+    result.json["single_deficit_deg"] = {deficit(0, 0) / degrees(1), deficit(0, last) / degrees(1)};
+    result.json["cubes_deficit_deg"] = {deficit(1, 0) / degrees(1), deficit(1, last) / degrees(1)};
+    Figure figure = tilt_figure("Single columns on the tilting frame, runs", "height", "in");
+    figure.series.emplace_back(single_column_theory(least_height, most_height));
+    draw_curves(figure, curves);
+    report.blocks.emplace_back(folder.draw(figure, "fig_3_4_runs", "Fig 3.4; the tests' points are not printed."));
+}
+
+void add_equal_columns(const ResultFolder& folder, Report& report, Reproduction& result) {
+    constexpr std::array colours{Colour::grey, Colour::blue, Colour::vermilion, Colour::green};
+    constexpr std::array legends{"one column", "two", "three", "four"};
+    std::vector<Curve> curves;
+    for (std::size_t count = 1; count <= legends.size(); ++count) {
+        curves.push_back({legends[count - 1], colours[count - 1], places(least_height, most_height)});
+    }
+    curves.push_back({"two on tin", Colour::purple, places(least_height, most_height)});
+    const double tin = degrees(18);
+    sample(curves, samples, folder, {"equal columns", 0.2, 0.6},
+           [&](std::size_t number, const Sampled& at, std::uint64_t seed) -> std::optional<double> {
+               const bool on_tin = number == 4;
+               FrameRow row{std::vector<double>(on_tin ? 2 : number + 1, at.x), plaster_friction(), seed};
+               if (on_tin) {
+                   row.friction.base = tin;
+                   row.friction.deviation = degrees(0.5);
+               }
+               const std::optional<FrameFailure> failure = tilt_until_failure(row);
+               return failure ? std::optional(failure->tilt) : std::nullopt;
+           });
+    int stabler = 0;
+    int steps = 0;
+    for (std::size_t count = 1; count < legends.size(); ++count) {
+        for (std::size_t place = 0; place < curves[count].at.size(); ++place) {
+            ++steps;
+            stabler += curves[count].at[place].mean() > curves[count - 1].at[place].mean() ? 1 : 0;
+        }
+    }
+    double gain = 0;
+    double on_tin = 0;
+    for (std::size_t place = 0; place < curves[0].at.size(); ++place) {
+        gain = std::max(gain, curves[3].at[place].mean() - curves[0].at[place].mean());
+        if (curves[0].at[place].x > 3) {
+            on_tin = std::max(on_tin, std::abs(curves[4].at[place].mean() - curves[1].at[place].mean()));
+        }
+    }
+    result.rows.push_back(
+        {"one column more", "stands at greater tilt",
+         std::to_string(stabler) + " of " + std::to_string(steps) + " greater", "",
+         "means of " + std::to_string(samples) + " rows each; four over one: at most " + in_degrees(gain)});
+    result.rows.push_back({"two columns on tin against plaster, 4 in and more", "quite close",
+                           "within " + in_degrees(on_tin), "", "lower ones slide on the tin first"});
+    result.json["equal_columns"] = {
+        {"stabler", stabler}, {"steps", steps}, {"gain_deg", gain / degrees(1)}, {"tin_deg", on_tin / degrees(1)}};
+    Figure figure = tilt_figure("Equal columns on the tilting frame, runs", "height", "in");
+    draw_curves(figure, curves);
+    report.blocks.emplace_back(folder.draw(figure, "fig_3_6_runs", "Fig 3.6: lines are means, dots single rows."));
+}
+
+std::vector<double> growing_and_falling(int count) {
+    std::vector<double> heights;
+    for (int column = 1; column <= count; ++column) {
+        heights.push_back(std::min(column, count + 1 - column));
+    }
+    return heights;
+}
+
+void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) {
+    constexpr int least = 3;
+    constexpr int most = 18;
+    std::vector<Curve> curves = {{"rows", Colour::blue, places(least, most)}};
+    std::mutex counting;
+    int at_three_inches = 0;
+    int cracks = 0;
+    sample(curves, 2, folder, {"rows of growing and falling height", 0.6, 1},
+           [&](std::size_t, const Sampled& at, std::uint64_t seed) -> std::optional<double> {
+               const int columns = static_cast<int>(at.x);
+               const std::optional<FrameFailure> failure =
+                   tilt_until_failure({growing_and_falling(columns), plaster_friction(), seed});
+               if (!failure) {
+                   return std::nullopt;
+               }
+               if (columns >= 8 && columns <= 17 && columns != 16) {
+                   const std::scoped_lock lock(counting);
+                   ++cracks;
+                   at_three_inches += failure->crack_after + 3 == static_cast<std::size_t>(columns) ? 1 : 0;
+               }
+               return std::min(failure->tilt, failure->crack_tilt);
+           });
+    int falling = 0;
+    const std::vector<Sampled>& rows = curves.front().at;
+    for (std::size_t place = 1; place < rows.size(); ++place) {
+        falling += rows[place].mean() <= rows[place - 1].mean() ? 1 : 0;
+    }
+    result.rows.push_back({"one column more in a row of growing and falling height", "less stable",
+                           std::to_string(falling) + " of " + std::to_string(most - least), "", ""});
+    result.rows.push_back({"first crack in front of the column of 3 in, 8 to 17 columns but 16", "in all",
+                           std::to_string(at_three_inches) + " of " + std::to_string(cracks), "", ""});
+    result.json["rows"] = {{"falling", falling}, {"at_three_inches", at_three_inches}, {"cracks", cracks}};
+    Figure figure = tilt_figure("Columns of growing and falling height, runs", "number of columns", "");
+    figure.series.emplace_back(curve(
+        least, most, "highest column alone", Colour::grey, Dash::dashed,
+        [](double columns) { return std::atan(2 / (std::floor((columns + 1) / 2) * 2)) / degrees(1); }, most - least));
+    draw_curves(figure, curves);
+    report.blocks.emplace_back(folder.draw(figure, "fig_3_7_runs", "Fig 3.7."));
+}
+
+const MotionFrame& frame_at(const RelaxationRun& made, double tilt) {
+    const auto found = std::ranges::find_if(made.frames, [&](const MotionFrame& frame) { return frame.tilt >= tilt; });
+    return found == made.frames.end() ? made.frames.back() : *found;
+}
+
+// "1 slides; 2 to 6 turn": each column by what it has done since the start.
+std::string movements_in_words(const MotionFrame& frame, std::size_t columns) {
+    std::string words;
+    for (std::size_t column = 0; column < columns; ++column) {
+        words += (column > 0 ? ", " : "") + std::to_string(column + 1) + " " +
+                 human_name(word_of(frame.outcome[column].movement));
+    }
+    return words;
+}
+
+double fastest(const MotionFrame& frame, std::size_t columns) {
+    double speed = 0;
+    for (std::size_t column = 0; column < columns; ++column) {
+        speed = std::max(speed, std::hypot(frame.motion[column].vx, frame.motion[column].vy));
+    }
+    return speed;
+}
+
+Figure frame_figure(const RelaxationRun& made, const MotionFrame& frame, const std::string& title) {
+    const Bodies bodies = make_bodies(made.scene);
+    BlockDrawing drawing;
+    drawing.title = title;
+    for (std::size_t index = 0; index < bodies.size(); ++index) {
+        DrawnBlock block;
+        for (std::size_t corner = bodies.range[index].begin; corner < bodies.range[index].end; ++corner) {
+            const PlanePoint<> at = moved_corner(bodies, frame.motion, corner);
+            block.outline.emplace_back(std::cos(frame.tilt) * at.x() - std::sin(frame.tilt) * at.y(),
+                                       std::sin(frame.tilt) * at.x() + std::cos(frame.tilt) * at.y());
+        }
+        const bool fixed = bodies.fixed[index] != 0;
+        block.label = label_of(index, fixed);
+        block.mode = fixed ? DrawnMode::fixed : DrawnMode::plain;
+        drawing.blocks.push_back(std::move(block));
+    }
+    return block_figure(drawing);
+}
+
+// Plate 3.XIV: friction between the columns from the tilt of the first crack, all else from the run.
+void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& result) {
+    constexpr std::size_t columns = 9;
+    constexpr double printed = degrees(16);
+    FrameRow row{growing_and_falling(columns), plaster_friction(), 0};
+    row.friction.deviation = 0;
+    double low = degrees(2);
+    double high = degrees(20);
+    for (int halving = 0; halving < 6; ++halving) {
+        stop_if_interrupted();
+        row.friction.interface = (low + high) / 2;
+        const std::optional<FrameFailure> failure = tilt_until_failure(row);
+        (failure && std::min(failure->tilt, failure->crack_tilt) < printed ? low : high) = row.friction.interface;
+    }
+    row.friction.interface = high;
+    const std::optional<FrameFailure> failure = tilt_until_failure(row);
+    const RelaxationRun made = tilt_all_the_way(row);
+    if (!failure || made.frames.empty()) {
+        result.rows.push_back({"Plate 3.XIV", "", "the run broke off", "", ""});
+        return;
+    }
+    result.rows.push_back({"nine columns: tilt of the first crack", "16 deg", in_degrees(failure->crack_tilt), "",
+                           "friction between columns set for it: " + in_degrees(row.friction.interface) +
+                               "; on the base " + in_degrees(row.friction.base)});
+    result.rows.push_back(
+        {"nine columns: place of the crack", "between 6 and 7",
+         "between " + std::to_string(failure->crack_after) + " and " + std::to_string(failure->crack_after + 1), "",
+         statement(failure->crack_after == 6)});
+    for (const double tilt : {30.0, 32.0}) {
+        const MotionFrame& frame = frame_at(made, degrees(tilt));
+        const double speed = fastest(frame, columns);
+        const bool reached = frame.tilt >= degrees(tilt);
+        result.rows.push_back({"nine columns at " + number_in_words(tilt) + " deg",
+                               tilt < 31 ? "stable, turned columns on their edges" : "all slide on their edges",
+                               reached
+                                   ? "fastest column " + human_number(speed * 1e3, 2) + " mm/s"
+                                   : "collapsed at " + in_degrees(frame.tilt) + ", column 1 beyond the end of the base",
+                               "", movements_in_words(frame, columns)});
+        const std::string number = human_number(frame.tilt / degrees(1), 3);
+        report.blocks.emplace_back(folder.draw(frame_figure(made, frame, "Nine columns at " + number + " deg"),
+                                               "plate_3_xiv_" + number_in_words(tilt),
+                                               "Plate 3.XIV, gravity downwards; F: the base."));
+    }
+    result.json["nine_columns"] = {{"interface_friction_deg", row.friction.interface / degrees(1)},
+                                   {"crack_tilt_deg", failure->crack_tilt / degrees(1)},
+                                   {"crack_after", failure->crack_after}};
+}
+
+}  // namespace
+
+Reproduction reproduce_tilting_runs(const ResultFolder& folder, Report& report) {
+    Reproduction result;
+    stop_if_interrupted();
+    report.blocks.emplace_back(Heading{"The tilting frame as runs"});
+    add_single_columns(folder, report, result);
+    add_equal_columns(folder, report, result);
+    add_rows(folder, report, result);
+    add_nine_columns(folder, report, result);
+    report.blocks.emplace_back(printed_table("Statements of section 3.3", result.rows));
+    return result;
+}
+
+}  // namespace delabole

@@ -1,0 +1,160 @@
+// The thesis's chapter 4 but for Bray's analysis (Appendix A), with the theoretical curve of Fig 3.4: single blocks
+// here, rows of blocks in reproduce_two_blocks.cpp and reproduce_multiple_blocks.cpp.
+#include "cases/program/thesis/chapter_4/chapter_4.hpp"
+#include "cases/program/models/single_block/chart.hpp"
+#include "fitting/work/words.hpp"
+#include "limit_equilibrium/block_row/single_block.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace delabole {
+
+Reproduction reproduce_fig_3_4(const ResultFolder& folder, Report& report) {
+    Figure figure = tilt_figure("Single column: critical tilt", "a / b", "");
+    Line theory;
+    theory.legend = "tan θ = b / a";
+    theory.colour = Colour::blue;
+    theory.width = 4;
+    Reproduction result;
+    Line cubes;
+    cubes.legend = "columns of cubes, roughly 1° less (text)";
+    cubes.colour = Colour::vermilion;
+    cubes.dash = Dash::dashed;
+    for (int step = 0; step <= 90; ++step) {
+        const double slenderness = 1 + step / 10.0;
+        theory.points.emplace_back(slenderness, std::atan(1 / slenderness) / degrees(1));
+        cubes.points.emplace_back(slenderness, std::atan(1 / slenderness) / degrees(1) - 1);
+    }
+    figure.series = {theory, cubes};
+    SingleBlock<> block{};
+    block.block = {.height = 3, .width = 1, .unit_weight = 24e3};
+    block.base = {.inclination = degrees(10), .friction_angle = degrees(35), .cohesion = 0};
+    const double model = analyse(block).critical_toppling_inclination;
+    result.rows.push_back({"a/b = 3: θ by the model against atan(b/a)",
+                           value_in_words(std::atan(1.0 / 3), Dimension::angle),
+                           value_in_words(model, Dimension::angle),
+                           difference_in_words((model - std::atan(1.0 / 3)) / degrees(1)) + " deg",
+                           "single block; the test points are not printed as numbers"});
+    report.blocks.emplace_back(Heading{"Fig 3.4: single column on the tilting frame, theoretical curve"});
+    report.blocks.emplace_back(printed_table("Single column", result.rows));
+    report.blocks.emplace_back(folder.draw(figure, "fig_3_4",
+                                           "The theoretical curve; test points are not printed. Tested columns of one "
+                                           "piece failed up to 1 degree earlier where they were short, "
+                                           "columns of cubes about 1 degree earlier throughout (3.3.1)."));
+    result.json["critical_tilt_deg"] = model / degrees(1);
+    return result;
+}
+
+namespace {
+
+BlockMotion onset(double slenderness_angle, double inclination, double friction_angle) {
+    SingleBlock<> block{};
+    block.block = {.height = 1, .width = std::tan(slenderness_angle), .unit_weight = 24e3};
+    block.base = {inclination, friction_angle, 0};
+    return analyse(block).onset_mode;
+}
+
+Reproduction reproduce_fig_4_1(const ResultFolder& folder, Report& report) {
+    constexpr double friction = degrees(35);
+    const double slenderness = std::atan(1.0 / 3);
+    Reproduction result;
+    for (const double inclination : {25.0, 30.0, 45.0}) {
+        const double boundary = toe_slip_friction_angle(degrees(inclination), slenderness);
+        const bool both_sides =
+            onset(slenderness, degrees(inclination), boundary + degrees(0.01)) == BlockMotion::topples &&
+            onset(slenderness, degrees(inclination), boundary - degrees(0.01)) == BlockMotion::slides_and_topples;
+        const std::string at = number_in_words(inclination);
+        result.rows.push_back({"a/b = 3 at " + at + " deg: friction above which it topples without sliding",
+                               at + " deg (superposed)", value_in_words(boundary, Dimension::angle),
+                               difference_in_words(boundary / degrees(1) - inclination) + " deg",
+                               both_sides ? "the equations of motion change over there" : "NOT met by the model"});
+        result.json["topples_above_friction_deg"][at] = boundary / degrees(1);
+    }
+    const BlockMotion stocky = onset(degrees(30), degrees(60), degrees(25));
+    result.rows.push_back({"atan(b/a) = 30 deg, friction 25 deg, on 60 deg", "slides and topples",
+                           human_name(word_of(stocky)), "",
+                           "friction below atan(b/a): the block slides and never topples, however steep"});
+    result.json["friction_below_slenderness_angle"] = std::string(word_of(stocky));
+    report.blocks.emplace_back(Heading{"Fig 4.1: criteria for a single block"});
+    report.blocks.emplace_back(Paragraph{
+        "Fig 4.1(b) superposes two static criteria. Where both are exceeded that says nothing of what happens: a block "
+        "that slides is not pressed on its toe as a resting one is, and one that turns presses the base with another "
+        "force. Solving the motion released from rest gives the same stable region and other regions beyond it."});
+    report.blocks.emplace_back(printed_table("Single block", result.rows));
+    report.blocks.emplace_back(
+        folder.draw(mode_chart_figure(single_block_chart(friction, BlockCriteria::superposed_static,
+                                                         "Static criteria, friction 35 deg")),
+                    "fig_4_1_static", "As printed: sliding and toppling criteria superposed."));
+    report.blocks.emplace_back(
+        folder.draw(mode_chart_figure(single_block_chart(friction, BlockCriteria::onset_of_motion,
+                                                         "Onset of motion, friction 35 deg")),
+                    "fig_4_1_dynamic", "What a dry block released from rest does."));
+    return result;
+}
+
+}  // namespace
+
+PrintedRow angle_row(const std::string& what, double printed, double computed, const std::string& remark) {
+    return {what, number_in_words(printed) + " deg", human_number(computed, 4) + " deg",
+            difference_in_words(computed - printed) + " deg", remark};
+}
+
+Figure tilt_figure(const std::string& title, const std::string& x, const std::string& x_unit) {
+    Figure figure;
+    figure.title = title;
+    figure.x.title = x;
+    figure.x.unit = x_unit;
+    figure.y.title = "critical tilt θ";
+    figure.y.unit = "deg";
+    return figure;
+}
+
+double tangent(double angle_in_degrees) {
+    return std::tan(degrees(angle_in_degrees));
+}
+
+double in_degrees(double tangent_of_angle) {
+    return std::atan(tangent_of_angle) / degrees(1);
+}
+
+double tilt_or_gap(double tangent_of_tilt) {
+    return tangent_of_tilt > 0 ? in_degrees(tangent_of_tilt) : std::numeric_limits<double>::quiet_NaN();
+}
+
+Line curve(double from, double to, const std::string& legend, Colour colour, Dash dash,
+           const std::function<double(double)>& value, int steps) {
+    Line line;
+    line.legend = legend;
+    line.colour = colour;
+    line.dash = dash;
+    line.width = 3.5;
+    for (int step = 0; step <= steps; ++step) {
+        const double x = from + (to - from) * step / steps;
+        line.points.emplace_back(x, value(x));
+    }
+    return line;
+}
+
+ReproductionChapter chapter_4() {
+    return {"chapter4",
+            "blocks on a plane, chapter 4",
+            "Thesis, chapter 4: printed and computed",
+            {
+                {"fig3.4", "single column on the tilting frame, theoretical curve", reproduce_fig_3_4},
+                {"fig4.1", "criteria for a single block, static and dynamic", reproduce_fig_4_1},
+                {"fig4.3", "two blocks: tilt against base friction for several interfaces", reproduce_fig_4_3},
+                {"fig4.4", "two blocks of 2 to 9 inches, friction 20 against 35 deg", reproduce_fig_4_4},
+                {"fig4.6", "two blocks, forward and backward mode, all fourteen ratios", reproduce_fig_4_6},
+                {"fig4.7", "two blocks, a/b = 9: boundary friction and the weights behind it", reproduce_fig_4_7},
+                {"fig4.8", "boundary base friction against a/b", reproduce_fig_4_8},
+                {"fig4.9", "the modes of three and four blocks", reproduce_fig_4_9},
+                {"fig4.10", "three blocks, friction the same everywhere", reproduce_fig_4_10},
+                {"eq14-19", "equations (14) to (19) printed and derived; does a third block help?",
+                 reproduce_equations_14_to_19},
+            }};
+}
+
+}  // namespace delabole

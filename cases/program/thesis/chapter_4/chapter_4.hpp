@@ -1,0 +1,41 @@
+// The items of the thesis's chapter 4: rows of two blocks, and of three and four.
+#pragma once
+
+#include "cases/program/thesis/reproduction.hpp"
+#include "plots/drawing/figure.hpp"
+
+#include <functional>
+#include <string>
+
+namespace delabole {
+
+Reproduction reproduce_fig_3_4(const ResultFolder& folder, Report& report);
+
+Reproduction reproduce_fig_4_3(const ResultFolder& folder, Report& report);
+Reproduction reproduce_fig_4_4(const ResultFolder& folder, Report& report);
+Reproduction reproduce_fig_4_6(const ResultFolder& folder, Report& report);
+Reproduction reproduce_fig_4_7(const ResultFolder& folder, Report& report);
+Reproduction reproduce_fig_4_8(const ResultFolder& folder, Report& report);
+
+Reproduction reproduce_fig_4_9(const ResultFolder& folder, Report& report);
+Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report);
+Reproduction reproduce_equations_14_to_19(const ResultFolder& folder, Report& report);
+
+// A printed angle beside the computed one, degrees.
+PrintedRow angle_row(const std::string& what, double printed, double computed, const std::string& remark);
+
+// A figure of a tilt over an angle or a ratio.
+Figure tilt_figure(const std::string& title, const std::string& x, const std::string& x_unit);
+
+double tangent(double angle_in_degrees);
+
+double in_degrees(double tangent_of_angle);
+
+// Degrees; NaN, a gap in a curve, where the tangent of an equation is no tilt between 0 and 90 deg.
+double tilt_or_gap(double tangent_of_tilt);
+
+// Of a function over so many equal steps.
+Line curve(double from, double to, const std::string& legend, Colour colour, Dash dash,
+           const std::function<double(double)>& value, int steps = 100);
+
+}  // namespace delabole

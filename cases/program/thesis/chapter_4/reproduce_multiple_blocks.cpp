@@ -1,0 +1,283 @@
+// Figs 4.9 and 4.10 and equations (14) to (19) of the thesis: three and four blocks of equal size on a plane.
+#include "cases/program/models/block_row/drawing.hpp"
+#include "cases/program/thesis/chapter_4/chapter_4.hpp"
+#include "fitting/work/words.hpp"
+#include "limit_equilibrium/block_row/block_row.hpp"
+#include "limit_equilibrium/block_row/closed_forms.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+BlockRow<> equal_row(int count, double slenderness, double interface_friction, double base_friction) {
+    BlockRow<> row{};
+    row.base = {degrees(10), degrees(base_friction)};
+    row.interface = {degrees(interface_friction)};
+    row.block.assign(static_cast<std::size_t>(count), {slenderness, 1, WeightOfBlock<>{1e3}, {}, {}});
+    return row;
+}
+
+// The modes in which all blocks turn, each by itself: what the thesis counts.
+std::vector<RowModeSummary> whole_row_modes(int count, double slenderness, double phi, double psi) {
+    std::vector<RowModeSummary> modes;
+    for (const RowModeSummary& mode : analyse(equal_row(count, slenderness, phi, psi)).mode) {
+        if (mode.roles.find_first_not_of("FPB") == std::string::npos) {
+            modes.push_back(mode);
+        }
+    }
+    return modes;
+}
+
+std::string tilt_shown(double tilt) {
+    return tilt < degrees(90) ? human_number(tilt / degrees(1), 4) : "none";
+}
+
+struct ToeMotion {
+    char role;
+    std::string_view legend;
+    Colour colour;
+    double along;  // way of the toe along the plane, in widths of a block
+};
+
+constexpr std::array toe_motions{ToeMotion{row_role::forward, "F: toe slides forward", Colour::blue, -0.7},
+                                 ToeMotion{row_role::backward, "B: toe slides backward", Colour::vermilion, 0.7}};
+
+// All modes side by side, each block with its letter, turned, and its toe with the way it slides: a turn of 15 deg
+// moves toes apart by only 1 / cos 15 deg - 1 = 4 % of a width, too little to be seen.
+Figure mode_gallery(int count) {
+    constexpr double slenderness = 3;
+    constexpr double tilt = degrees(20);
+    constexpr double turn = degrees(15);
+    constexpr double below = 0.3;  // of the arrows, below the plane
+    const Point along(std::cos(tilt), std::sin(tilt));
+    const Point up(-along.y(), along.x());
+    std::array<Arrows, toe_motions.size()> slips;
+    for (std::size_t index = 0; index < slips.size(); ++index) {
+        slips[index].legend = toe_motions[index].legend;
+        slips[index].colour = toe_motions[index].colour;
+    }
+    Points pivots;
+    pivots.legend = "P: toe does not slide";
+    BlockDrawing gallery;
+    gallery.displaced_legend = "turned by 15 deg";
+    gallery.title = number_in_words(count) + " blocks: every block turns";
+    int place = 0;
+    for (const RowModeSummary& mode : whole_row_modes(count, slenderness, 20, 30)) {
+        const int in_a_row = count == 3 ? 3 : 4;
+        const int line = place / in_a_row;
+        const Point shift((count + 2.2) * (place % in_a_row), -(slenderness + count / 2.0 + 1) * line);
+        BlockDrawing drawing = row_drawing(equal_row(count, slenderness, 20, 30), mode.roles, tilt, {}, "", turn);
+        for (std::size_t index = 0; index < drawing.blocks.size(); ++index) {
+            DrawnBlock& block = drawing.blocks[index];
+            block.label = std::string(1, mode.roles[index]);
+            for (Point& corner : block.outline) {
+                corner += shift;
+            }
+            for (Point& corner : block.displaced) {
+                corner += shift;
+            }
+            const Point toe = shift + static_cast<double>(index) * along;
+            for (std::size_t kind = 0; kind < slips.size(); ++kind) {
+                if (toe_motions[kind].role == mode.roles[index]) {
+                    const Point middle = toe - below * up;
+                    const Point half = toe_motions[kind].along / 2 * along;
+                    slips[kind].shafts.push_back({middle - half, middle + half});
+                }
+            }
+            if (mode.roles[index] == row_role::pivot) {
+                pivots.points.push_back(toe);
+            }
+            block.mode = DrawnMode::plain;
+            gallery.blocks.push_back(std::move(block));
+        }
+        ++place;
+    }
+    Figure figure = block_figure(gallery);
+    figure.frame = false;
+    for (Arrows& arrows : slips) {
+        figure.series.emplace_back(std::move(arrows));
+    }
+    figure.series.emplace_back(std::move(pivots));
+    return figure;
+}
+
+Line mode_line(double slenderness, const std::string& legend, Colour colour, Dash dash,
+               double (*formula)(const double&, const double&, const double&, const double&)) {
+    const auto tilt = [&](double friction) {
+        return tilt_or_gap(formula(slenderness, 1.0, tangent(friction), tangent(friction)));
+    };
+    return curve(in_degrees(1 / slenderness), 45, legend, colour, dash, tilt, 80);
+}
+
+}  // namespace
+
+Reproduction reproduce_fig_4_9(const ResultFolder& folder, Report& report) {
+    constexpr std::array<std::string_view, 3> printed{"3", "5", "7"};
+    Reproduction result;
+    Table table{"Modes in which every block turns; a/b = 3, interface 20 deg, base 30 deg",
+                {{"blocks", true}, {"mode"}, {"begins at tilt, °", true}, {"what the model says of it"}},
+                {}};
+    for (int count = 2; count <= 4; ++count) {
+        const std::vector<RowModeSummary> modes = whole_row_modes(count, 3, 20, 30);
+        const std::string words = std::to_string(count);
+        result.rows.push_back(
+            {"modes of " + words + " blocks", std::string(printed[static_cast<std::size_t>(count) - 2]),
+             std::to_string(modes.size()), "",
+             statement(std::to_string(modes.size()) == printed[static_cast<std::size_t>(count) - 2])});
+        for (const RowModeSummary& mode : modes) {
+            table.rows.push_back(
+                {words, mode.roles, tilt_shown(mode.critical_tilt), human_name(word_of(mode.admissibility))});
+            result.json["modes_of_" + words + "_blocks"].push_back(mode.roles);
+        }
+    }
+    report.blocks.emplace_back(Heading{"Fig 4.9: the modes of three and four blocks"});
+    report.blocks.emplace_back(Paragraph{
+        "The figure is lost, its counts are in the text. Blocks that turn by one angle with faces in contact need more "
+        "room along the plane, so their toes move apart: from below, first toes that slide forward (F), then at most "
+        "one that does not slide (P), then toes that slide backward (B). N blocks have N modes with a pivot and N - 1 "
+        "without, 2N - 1 in all: the counts of the text."});
+    report.blocks.emplace_back(printed_table("Counts", result.rows));
+    report.blocks.emplace_back(
+        folder.draw(mode_gallery(3), "fig_4_9_three",
+                    "The five modes of three blocks; arrows show which way a toe slides, not how far."));
+    report.blocks.emplace_back(
+        folder.draw(mode_gallery(4), "fig_4_9_four",
+                    "The seven modes of four blocks; arrows show which way a toe slides, not how far."));
+    report.blocks.emplace_back(table);
+    return result;
+}
+
+Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report) {
+    Reproduction result;
+    report.blocks.emplace_back(Heading{"Fig 4.10: three blocks, one friction angle"});
+    report.blocks.emplace_back(Paragraph{
+        "Mode (a) is FFP, (b) FPB, (c) PBB. The printed (14) is the formula of two blocks and lies below FFP as "
+        "derived; so (a) is the least stable one only up to a friction angle that falls as the "
+        "columns get taller."});
+    for (const int ratio : {3, 5, 7}) {
+        const std::string words = std::to_string(ratio);
+        Figure figure = tilt_figure("Three blocks, a/b = " + words, "friction φ = ψ", "deg");
+        figure.series.emplace_back(mode_line(ratio, "(a) as printed, (14) = (8)", Colour::grey, Dash::dashed,
+                                             closed_form::two_equal_blocks_forward<double>));
+        figure.series.emplace_back(mode_line(ratio, "(a) FFP as derived", Colour::blue, Dash::solid,
+                                             closed_form::three_blocks_two_forward<double>));
+        figure.series.emplace_back(mode_line(ratio, "(b) FPB, (15)", Colour::green, Dash::solid,
+                                             closed_form::three_blocks_forward_backward<double>));
+        figure.series.emplace_back(mode_line(ratio, "(c) PBB, (16)", Colour::vermilion, Dash::solid,
+                                             closed_form::three_blocks_two_backward<double>));
+        report.blocks.emplace_back(folder.draw(figure, "fig_4_10_ratio_" + words, "Tilt by mode, blocks in contact."));
+        const auto line = [&](std::size_t index) -> const Polyline& {
+            return std::get<Line>(figure.series[index]).points;
+        };
+        constexpr std::array<std::string_view, 3> letters{"(a)", "(b)", "(c)"};
+        const auto least_of_three = [&](std::size_t point, std::size_t first) {
+            const std::array tilts{line(first)[point].y(), line(2)[point].y(), line(3)[point].y()};
+            return static_cast<std::size_t>(std::ranges::min_element(tilts) - tilts.begin());
+        };
+        // Both with (14) as printed and as derived; the curves end in common points, which are left out.
+        const auto least_in_words = [&](std::size_t first) {
+            std::size_t least = least_of_three(1, first);
+            std::string text(letters[least]);
+            for (std::size_t point = 1; point + 1 < line(first).size(); ++point) {
+                if (const std::size_t now = least_of_three(point, first); now != least) {
+                    least = now;
+                    text += " up to " + human_number(line(first)[point].x(), 3) + " deg, then " +
+                            std::string(letters[least]);
+                }
+            }
+            return text;
+        };
+        double highest_up_to = 45;
+        for (std::size_t point = 1; point + 1 < line(3).size(); ++point) {
+            if (line(3)[point].y() < std::max(line(1)[point].y(), line(2)[point].y())) {
+                highest_up_to = std::min(highest_up_to, line(3)[point].x());
+            }
+        }
+        const std::string derived = least_in_words(1);
+        const std::string as_printed = least_in_words(0);
+        result.rows.push_back(
+            {"a/b = " + words + ": least stable mode", "(a)", derived, "", "with (14) as printed: " + as_printed});
+        result.rows.push_back({"a/b = " + words + ": most unlikely mode", "(c)",
+                               "(c) up to " + human_number(highest_up_to, 3) + " deg", "",
+                               highest_up_to < 45 ? "statement met below that" : "statement met"});
+        result.json["ratio_" + words] = {{"least_stable", derived},
+                                         {"least_stable_as_printed", as_printed},
+                                         {"backward_mode_highest_up_to_deg", highest_up_to}};
+    }
+    report.blocks.emplace_back(printed_table("Statements on Fig 4.10", result.rows));
+    return result;
+}
+
+Reproduction reproduce_equations_14_to_19(const ResultFolder&, Report& report) {
+    namespace form = closed_form;
+    constexpr double a = 3;
+    constexpr double b = 1;
+    const double mu = tangent(20);
+    const double c = tangent(30);
+    const double m = mu * c;
+    Reproduction result;
+    const auto row = [&](const std::string& name, double printed, double derived, const std::string& remark) {
+        result.rows.push_back({name, human_number(in_degrees(printed), 5) + " deg",
+                               human_number(in_degrees(derived), 5) + " deg",
+                               difference_in_words(in_degrees(derived) - in_degrees(printed)) + " deg", remark});
+        result.json[name] = {{"printed_deg", in_degrees(printed)}, {"derived_deg", in_degrees(derived)}};
+    };
+    row("(14) FFP", form::two_equal_blocks_forward(a, b, mu, c), form::three_blocks_two_forward(a, b, mu, c),
+        "printed equal to (8): the third block left out of the thrusts");
+    row("(15) FPB", form::three_blocks_forward_backward(a, b, mu, c), form::equal_blocks(1, 1, a, b, mu, c), "right");
+    const double lost = form::equal_blocks(0, 2, a, b, mu, c);
+    result.rows.push_back(
+        {"(16) PBB", "lost", human_number(in_degrees(lost), 5) + " deg", "", "tan θ = b(1 + 3μc) / [a(1 + μc) - 2bμ]"});
+    result.json["(16) PBB"] = {{"derived_deg", in_degrees(lost)}};
+    row("(17) FBB, equal thrusts", form::three_blocks_equal_thrusts(mu, c), c * (3 * m - 1) / (3 - m),
+        "right, but over-determined: no dimension of the blocks in it");
+    row("(18) FFPB", form::four_blocks_printed(a, b, mu, c), form::four_blocks_two_forward_one_backward(a, b, mu, c),
+        "wrong: (2 + μc) where 2(1 + μc) belongs, μ by itself in the numerator");
+    const double same = tangent(30);
+    row("(19) FFPB, μ = c = tan 30", form::four_blocks_one_friction_printed(a, b, same),
+        form::four_blocks_two_forward_one_backward(a, b, same, same),
+        "wrong: besides, a sign of its denominator differs from (18)");
+    row("(18) at μ = c against (19)", form::four_blocks_one_friction_printed(a, b, same),
+        form::four_blocks_printed(a, b, same, same), "(18) reduces to another formula than (19)");
+
+    Table stability{"Equal blocks, a/b = 3, interface 20 deg, base 30 deg",
+                    {{"blocks", true},
+                     {"free: begins at, °", true},
+                     {"mode"},
+                     {"pressed together: stands up to, °", true},
+                     {"mode"}},
+                    {}};
+    for (int count = 1; count <= 5; ++count) {
+        const RowAnswer answer = analyse(equal_row(count, a, 20, 30)).answer;
+        stability.rows.push_back({std::to_string(count), tilt_shown(answer.critical_tilt), answer.mode,
+                                  tilt_shown(answer.critical_tilt_in_contact), answer.mode_in_contact});
+        result.json["tilt_by_blocks"].push_back({{"blocks", count},
+                                                 {"free_deg", answer.critical_tilt / degrees(1)},
+                                                 {"in_contact_deg", answer.critical_tilt_in_contact / degrees(1)}});
+    }
+    const double ceiling = form::three_blocks_two_forward(a, b, mu, c);
+    result.rows.push_back({"does a third block add stability?", "no: (14) = (8)", "free: no; in contact: yes", "",
+                           "up to the ceiling of " + human_number(in_degrees(ceiling), 5) + " deg"});
+    result.json["ceiling_deg"] = in_degrees(ceiling);
+    report.blocks.emplace_back(Heading{"Equations (14) to (19): three and four blocks"});
+    report.blocks.emplace_back(
+        Paragraph{"Printed and derived tilts for a/b = 3, an interface of 20 deg and a base of 30 deg."});
+    report.blocks.emplace_back(printed_table("Printed against derived", result.rows));
+    report.blocks.emplace_back(Notice{
+        NoticeKind::verdict,
+        "Does a third block add stability?",
+        {"Free blocks: no. Nothing holds the lowest block back, it topples at tan θ = b / a whatever stands above it.",
+         "Blocks in contact: yes. A second block adds stability, and so does a third, up to the ceiling tan θ = b (1 + "
+         "μc) / [a (1 - μc) + 2bμ]. From there on the lowest block cannot be held by those above it, and more blocks "
+         "add nothing. That agrees with the thesis's own tests (Fig 3.6: tilt grows with the number of columns) and "
+         "not with its equation (14)."}});
+    report.blocks.emplace_back(stability);
+    return result;
+}
+
+}  // namespace delabole

@@ -1,0 +1,37 @@
+// The thesis's runs of chapter 5 computed by the clean engine: same blocks, stiffness at corners, share of critical
+// damping, time step and cycles as the re-created program, so that the histories of both can be set side by side.
+//
+// What differs: coordinates are exact, not typed; the time step is divided where it is more than a stable share;
+// tilting turns gravity in increments, or the base smoothly at the same rate; there is no local damping, which the
+// thesis's program lacks too.
+#pragma once
+
+#include "cases/program/thesis/hocking/chapter_5.hpp"
+#include "dynamic_relaxation/scene/scene.hpp"
+#include "dynamic_relaxation/scene/settings.hpp"
+
+#include <vector>
+
+namespace delabole {
+
+struct CleanRun {
+    // `settled` where nothing moves at the end, `failed` past the run's rotation, `blown_out` where a contact force is
+    // above its limit or the engine stops by itself. A block slides at a print edit where its base has slipped in the
+    // cycle before it.
+    HockingResult history = {};
+    double energy_error = 0;   // residual of the books over their turnover
+    double largest_speed = 0;  // m/s, of any corner of a free block, all run long
+};
+
+// As typed by nobody: blocks and bases touch exactly.
+std::vector<HockingBlock> exact_blocks(const Chapter5Run& run);
+
+// Drawn along the base, gravity tilted. `blocks` as of make_blocks; their dip is that of the run.
+RelaxationScene clean_scene(const Chapter5Run& run, const std::vector<HockingBlock>& blocks);
+RelaxationSettings clean_settings(const Chapter5Run& run, RelaxationStart start);
+
+CleanRun run_clean(const Chapter5Run& run, const std::vector<HockingBlock>& blocks, RelaxationStart start);
+// Dropped, as the thesis's program starts.
+HockingResult clean_history(const Chapter5Run& run);
+
+}  // namespace delabole

@@ -1,0 +1,52 @@
+// Figures of the thesis's dynamic relaxation runs: the blocks at some cycles side by side, and histories over cycles.
+// Lengths in inches, as in the thesis.
+#pragma once
+
+#include "cases/program/thesis/hocking/chapter_5.hpp"
+#include "plots/drawing/figure.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace delabole {
+
+// What a column has done since the start: turned by more than a degree, else moved by more than a fiftieth of its
+// width, else nothing; or is held.
+enum class ColumnBehaviour { stays, slides, topples };
+
+constexpr std::array<std::string_view, 3> enum_names(ColumnBehaviour) {
+    return {"stays", "slides", "topples"};
+}
+
+ColumnBehaviour behaviour(const Chapter5Run& run, const HockingResult& result, const HockingPrint& print,
+                          std::size_t column);
+
+// How far the facing sides of two neighbouring columns are apart, where that is most.
+struct JointOpening {
+    std::size_t column = 0;  // the downhill one of the two
+    double width = 0;        // m; negative: they overlap
+};
+
+// Of at least two columns, between which the widest joint is.
+JointOpening widest_opening(const Chapter5Run& run, const HockingPrint& print);
+
+// The last print not after a cycle.
+const HockingPrint& print_at(const HockingResult& result, int cycle);
+
+// Blocks as they stand at these cycles, from left to right.
+Figure frames_figure(const std::string& title, const Chapter5Run& run, const HockingResult& result,
+                     const std::vector<int>& cycles);
+
+struct HistoryOf {
+    std::string legend = {};
+    const HockingResult* result = nullptr;
+    std::function<double(const HockingPrint&)> value = {};
+    // Of the clean engine: dashed, in the colour of the history before it.
+    bool clean = false;
+};
+
+Figure history_figure(const std::string& title, const std::string& y_title, const std::string& y_unit,
+                      const std::vector<HistoryOf>& histories);
+
+}  // namespace delabole

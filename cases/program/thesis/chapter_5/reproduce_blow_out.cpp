@@ -1,0 +1,285 @@
+// Fig 5.13 of the thesis: the run that blew out at cycle 677, and why.
+#include "cases/program/terminal/interrupt.hpp"
+#include "cases/program/thesis/chapter_5/chapter_5.hpp"
+#include "cases/program/thesis/chapter_5/clean_chapter_5.hpp"
+#include "cases/program/thesis/chapter_5/relaxation_drawing.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace delabole {
+
+namespace {
+
+std::string face_in_words(HockingFace face) {
+    return human_name(enum_names(face)[static_cast<std::size_t>(face)]);
+}
+
+std::string in_inches(double metres, int digits) {
+    return human_number(metres / inch, digits) + " in";
+}
+
+// What may be mended.
+struct Variant {
+    std::string name;
+    HockingSlotMemory memory;
+    double guard;  // m
+};
+
+const std::vector<Variant>& variants() {
+    static const std::vector<Variant> all = {{"as listed", HockingSlotMemory::per_neighbour, 1e-5},
+                                             {"without the guard", HockingSlotMemory::per_neighbour, 0},
+                                             {"slots per face", HockingSlotMemory::per_face, 1e-5}};
+    return all;
+}
+
+Chapter5Run varied(Chapter5Run run, const Variant& variant) {
+    run.settings.slot_memory = variant.memory;
+    run.settings.crossing_guard = variant.guard;
+    return run;
+}
+
+struct BlowOuts {
+    int count = 0;
+    int first = 0;
+    int last = 0;
+
+    void include(const HockingResult& result) {
+        if (result.blow_out_cycle) {
+            first = count == 0 ? *result.blow_out_cycle : std::min(first, *result.blow_out_cycle);
+            last = std::max(last, *result.blow_out_cycle);
+            ++count;
+        }
+    }
+};
+
+constexpr unsigned starts = 50;
+
+BlowOuts of_shifted_starts(const Chapter5Run& run, double unit) {
+    const std::vector<HockingBlock> blocks = make_blocks(run.columns);
+    BlowOuts found;
+    for (unsigned seed = 1; seed <= starts; ++seed) {
+        stop_if_interrupted();
+        found.include(run_hocking(perturbed(blocks, unit, seed), run.settings));
+    }
+    return found;
+}
+
+// From half a degree below atan(b/a) to half a degree above.
+constexpr int inclinations = 51;
+constexpr int middle = inclinations / 2;
+
+Chapter5Run of_slenderness(const Chapter5Run& run, double slenderness) {
+    Chapter5Run other = run;
+    other.columns.heights.assign(2, slenderness * inch);
+    other.columns.base_height = slenderness * inch;
+    other.settings.stiffness = run.settings.stiffness * run.columns.width / run.columns.heights[0] * slenderness;
+    return other;
+}
+
+BlowOuts over_inclinations(const Chapter5Run& run, double slenderness, double coordinate_unit) {
+    BlowOuts found;
+    for (int step = 0; step < inclinations; ++step) {
+        stop_if_interrupted();
+        Chapter5Run other = of_slenderness(run, slenderness);
+        other.columns.coordinate_unit = coordinate_unit;
+        other.columns.dip = std::atan(1 / slenderness) + degrees(0.02) * (step - middle);
+        found.include(delabole::run(other));
+    }
+    return found;
+}
+
+// `before`: the cycle before.
+Table mechanism(const Chapter5Run& run, const HockingFaceChange& change, const HockingPrint& before) {
+    const std::vector<HockingBlock> blocks = make_blocks(run.columns);
+    const Point& centroid = before.blocks[1].centroid;
+    const Point foot = corners_of(blocks[0], before.blocks[0])[2];
+    const Point toe = corners_of(blocks[1], before.blocks[1])[3];
+    const double half_width = run.columns.width / 2;
+    const double half_height = run.columns.heights[0] / 2;
+    const double weight = 2 * run.columns.width * run.columns.heights[0] * run.settings.density * run.settings.gravity;
+    const auto small = [](double metres) { return human_number(metres * 1e6, 3) + " µm"; };
+    const auto force = [](double value) { return human_number(value / 1000, 4) + " kN/m"; };
+    return {"The slot of block 1's uphill foot against block 2 at cycle " + std::to_string(change.cycle),
+            {{"quantity"}, {"value", true}},
+            {
+                {"inclination of block 2's base, deg",
+                 human_number((run.columns.dip + before.blocks[1].angle) / degrees(1), 6)},
+                {"atan(1/7), deg", human_number(std::atan(1.0 / 7) / degrees(1), 6)},
+                {"foot from the vertical below block 2's centroid", small(foot.x() - centroid.x())},
+                {"toe of block 2 from that vertical", small(toe.x() - centroid.x())},
+                {"overlap of the foot with block 2's side", small(half_width - change.stored_position)},
+                {"height of the foot above block 2's base", small(half_height - change.new_position)},
+                {"stored distance, from the axis along the side", in_inches(change.stored_position, 6)},
+                {"new distance, from the axis along the base", in_inches(change.new_position, 6)},
+                {"difference taken for the movement of one cycle",
+                 in_inches(change.stored_position - change.new_position, 5)},
+                {"spring force", force(change.spring_force)},
+                {"dashpot force", force(change.dashpot_force)},
+                {"weight of both blocks", force(weight)},
+            }};
+}
+
+// The same random starts for both programs: free blocks shifted by a typed digit, inclinations from half a degree below
+// atan(b/a) to half a degree above.
+constexpr unsigned random_starts = 400;
+
+Table clean_table(const Chapter5Run& run, Reproduction& result) {
+    Table table{"Two blocks, " + std::to_string(random_starts) + " random starts for each a/b",
+                {{"a/b", true},
+                 {"blow-outs, re-created program", true},
+                 {"blow-outs, clean engine", true},
+                 {"greatest energy error, %", true},
+                 {"largest speed, m/s", true},
+                 {"speed of free fall from that height, m/s", true}},
+                {}};
+    int listed_blow_outs = 0;
+    int clean_blow_outs = 0;
+    double worst_error = 0;
+    for (const double slenderness : {3.0, 5.0, 7.0, 10.0}) {
+        const Chapter5Run sized = of_slenderness(run, slenderness);
+        std::mt19937 random(677);
+        std::uniform_real_distribution<double> any(-0.5, 0.5);
+        BlowOuts listed;
+        BlowOuts clean;
+        double error = 0;
+        double speed = 0;
+        for (unsigned seed = 1; seed <= random_starts; ++seed) {
+            stop_if_interrupted();
+            Chapter5Run start = sized;
+            start.columns.coordinate_unit = 0;
+            start.columns.dip = std::atan(1 / slenderness) + degrees(any(random));
+            const std::vector<HockingBlock> blocks = perturbed(make_blocks(start.columns), typed_digit, seed);
+            listed.include(run_hocking(blocks, start.settings));
+            const CleanRun other = run_clean(start, blocks, RelaxationStart::dropped);
+            clean.include(other.history);
+            error = std::max(error, other.energy_error);
+            speed = std::max(speed, other.largest_speed);
+        }
+        const double fall = std::sqrt(2 * run.settings.gravity * slenderness * inch);
+        table.rows.push_back({human_number(slenderness, 2), std::to_string(listed.count), std::to_string(clean.count),
+                              human_number(100 * error, 2), human_number(speed, 3), human_number(fall, 3)});
+        listed_blow_outs += listed.count;
+        clean_blow_outs += clean.count;
+        worst_error = std::max(worst_error, error);
+        result.json["random_starts"].push_back({{"slenderness", slenderness},
+                                                {"re-created", listed.count},
+                                                {"clean", clean.count},
+                                                {"energy_error", error},
+                                                {"largest_speed_m_per_s", speed},
+                                                {"speed_of_fall_m_per_s", fall}});
+    }
+    result.rows.push_back({std::to_string(4 * random_starts) + " random starts", "",
+                           std::to_string(listed_blow_outs) + " blow-outs", "",
+                           "energy error at most " + human_number(100 * worst_error, 2) + " %",
+                           std::to_string(clean_blow_outs) + " blow-outs"});
+    return table;
+}
+
+}  // namespace
+
+Reproduction reproduce_fig_5_13(const ResultFolder& folder, Report& report) {
+    Reproduction result;
+    const Chapter5Run run = blow_out_run();
+    const HockingResult computed = delabole::run(run);
+    const int cycle = computed.blow_out_cycle.value_or(0);
+    report.blocks.emplace_back(Heading{"Fig 5.13: two blocks of a/b = 7 blow out"});
+    result.rows.push_back({"a/b = 7: cycle at which the blocks blow out", std::to_string(run.printed_cycle.value_or(0)),
+                           cycle > 0 ? std::to_string(cycle) : "never",
+                           cycle > 0 ? std::to_string(cycle - run.printed_cycle.value_or(0)) : "",
+                           "at 8 deg; the inclination is not printed"});
+    result.json["cycle"] = cycle;
+    if (computed.blow_out) {
+        const HockingFaceChange& change = *computed.blow_out;
+        Chapter5Run fine = run;
+        fine.settings.print_interval = 1;
+        fine.settings.cycles = cycle + run.settings.cycles_after_blow_out;
+        fine.settings.stop_rotation = std::numeric_limits<double>::infinity();
+        const HockingResult every_cycle = delabole::run(fine);
+        report.blocks.emplace_back(Paragraph{
+            "The thesis wonders \"whether a particular statement in the program triggers off such a violent response "
+            "when very specific conditions are met\". There is one. The blocks, dropped on their springs, rock forward "
+            "together, and the raised uphill foot of block 1 rests against the side of block 2 close to its toe. When "
+            "they pass 8.13 deg, the inclination at which a block of a/b = 7 is on the point of toppling, that place "
+            "passes below the centroid of block 2. The program looks for the face that the foot has entered by the "
+            "bearing of a crossing point from that centroid, and IF(GM.LE.1E-5) XF=1.E-5 moves a crossing point less "
+            "than 1e-5 m left of the vertical to 1e-5 m right of it: past the toe. So the side is not found, and the "
+            "base is (" +
+            face_in_words(change.from) + " before, " + face_in_words(change.to) + " now)."});
+        report.blocks.emplace_back(
+            Paragraph{"What follows is the fault of the contact's memory. One slot serves this corner and this "
+                      "neighbour. The distance from one axis, stored for the side, less the distance from the other "
+                      "axis, now that of the base, goes to the dashpot as the movement of one cycle."});
+        report.blocks.emplace_back(mechanism(fine, change, print_at(every_cycle, cycle - 1)));
+        result.json["jump_in"] = (change.stored_position - change.new_position) / inch;
+        result.json["dashpot_force_N_per_m"] = change.dashpot_force;
+        result.json["from"] = std::string(enum_names(change.from)[static_cast<std::size_t>(change.from)]);
+        result.json["to"] = std::string(enum_names(change.to)[static_cast<std::size_t>(change.to)]);
+        report.blocks.emplace_back(folder.draw(frames_figure("Fig 5.13: blow-out of the 7 inch blocks", fine,
+                                                             every_cycle, {cycle - 1, cycle + 2, cycle + 6}),
+                                               "fig_5_13", "Just before, and two and six cycles after."));
+    }
+    for (const Variant& variant : variants()) {
+        const HockingResult other = delabole::run(varied(run, variant));
+        result.json["blows_out"][variant.name] = other.blow_out_cycle.has_value();
+        result.rows.push_back({"the same, " + variant.name, "",
+                               other.blow_out_cycle ? outcome_in_words(other) : "no blow-out", "",
+                               std::to_string(other.face_change_count) + " changes of face"});
+    }
+    std::vector<TableColumn> columns = {{"shift"}};
+    for (const Variant& variant : variants()) {
+        columns.push_back({variant.name, true});
+    }
+    columns.push_back({"first cycle, as listed", true});
+    columns.push_back({"last", true});
+    Table shifted{"Blow-outs of " + std::to_string(starts) + " starts, coordinates shifted at random", columns, {}};
+    for (const double unit : {1e-12, 1e-9, 1e-8, 1e-7, 1e-6}) {
+        std::vector<std::string> row = {human_number(unit, 2) + " m"};
+        BlowOuts listed;
+        for (const Variant& variant : variants()) {
+            const BlowOuts found = of_shifted_starts(varied(run, variant), unit);
+            listed = row.size() == 1 ? found : listed;  // the first variant
+            row.push_back(std::to_string(found.count));
+            result.json["shifted_starts"][row.front()][variant.name] = found.count;
+        }
+        row.push_back(std::to_string(listed.first));
+        row.push_back(std::to_string(listed.last));
+        shifted.rows.push_back(row);
+    }
+    report.blocks.emplace_back(shifted);
+    columns = {{"a/b", true}, {"coordinates"}};
+    for (const Variant& variant : variants()) {
+        columns.push_back({variant.name, true});
+    }
+    Table others{"Blow-outs of " + std::to_string(inclinations) +
+                     " inclinations, from half a degree below atan(b/a) to half a degree above",
+                 columns,
+                 {}};
+    for (const double slenderness : {3.0, 5.0, 7.0, 10.0}) {
+        for (const double unit : {typed_digit / 10, 0.0}) {
+            std::vector<std::string> row = {human_number(slenderness, 2), unit > 0 ? "typed to 1e-7 m" : "exact"};
+            for (const Variant& variant : variants()) {
+                const int count = over_inclinations(varied(run, variant), slenderness, unit).count;
+                row.push_back(std::to_string(count));
+                result.json["over_inclinations"][variant.name].push_back(count);
+            }
+            others.rows.push_back(row);
+        }
+    }
+    report.blocks.emplace_back(Paragraph{
+        "Blow-outs are no freak of a/b = 7: rows of every slenderness do it where rocking takes them past their "
+        "critical inclination. Without the guard only blocks whose corners meet exactly are left to blow out, for want "
+        "of a face that is right. With a memory for each face none do."});
+    report.blocks.emplace_back(others);
+    report.blocks.emplace_back(Paragraph{
+        "The clean engine keeps a memory for each corner and edge, hands it over where a corner passes the end "
+        "of an edge, and takes the dashpot's speed from the blocks' velocities, never from stored positions."});
+    report.blocks.emplace_back(clean_table(run, result));
+    report.blocks.emplace_back(printed_table("Blow-out", result.rows));
+    return result;
+}
+
+}  // namespace delabole

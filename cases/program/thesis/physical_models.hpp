@@ -1,0 +1,320 @@
+// The physical models of the thesis's chapters 2 and 3, as printed: base friction tests, tilting frame, the models of
+// the Delabole face. The tables are cases/thesis/chapter_2/*.csv and cases/thesis/chapter_3/*.csv, whose comments say
+// where each number stands in the thesis and what is doubtful; they are built into the program. SI and radians.
+#pragma once
+
+#include "parameters/fields.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+namespace detail {
+constexpr Interval slope_angles = left_open(0, degrees(90));
+constexpr std::string_view doubt_meaning = "what is doubtful in the printed row; empty: nothing";
+}  // namespace detail
+
+// A row of Table 3.1: a base friction model from its start to its failure.
+struct BaseFrictionTest {
+    std::string test;
+    double slope_angle;
+    double slope_height;
+    double joint_dip;
+    double joint_spacing;
+    std::optional<double> cross_joint_spacing;
+    std::optional<double> crack_time_from;
+    std::optional<double> crack_time_to;
+    std::optional<double> crack_angle_from;
+    std::optional<double> crack_angle_to;
+    std::string remark;
+    std::string doubt;
+    static constexpr auto fields() {
+        using T = BaseFrictionTest;
+        using D = Dimension;
+        return std::tuple{
+            section("test", &T::test, "number of the model, side of the table"),
+            number("slope_angle", &T::slope_angle, D::angle, detail::slope_angles, "inclination of the face"),
+            number("slope_height", &T::slope_height, D::length, more_than(0), "height of the slope"),
+            number("joint_dip", &T::joint_dip, D::angle, detail::slope_angles, "dip of the joints, into the slope"),
+            number("joint_spacing", &T::joint_spacing, D::length, more_than(0), "normal distance of the joints"),
+            number("cross_joint_spacing", &T::cross_joint_spacing, D::length, more_than(0),
+                   "normal distance of the cross joints; absent: continuous columns"),
+            number("crack_time_from", &T::crack_time_from, D::time, at_least(0),
+                   "time to the critical crack path, its least; absent: none formed"),
+            number("crack_time_to", &T::crack_time_to, D::time, at_least(0), "its greatest"),
+            number("crack_angle_from", &T::crack_angle_from, D::angle, detail::slope_angles,
+                   "inclination of the critical crack path, its least; absent: none given"),
+            number("crack_angle_to", &T::crack_angle_to, D::angle, detail::slope_angles, "its greatest"),
+            section("remark", &T::remark, "printed remark"),
+            section("doubt", &T::doubt, detail::doubt_meaning)};
+    }
+};
+
+enum class SlopeBehaviour { stable, limiting, unstable };
+
+// As printed.
+constexpr std::array<std::string_view, 3> enum_names(SlopeBehaviour) {
+    return {"S", "L.E.", "U"};
+}
+
+enum class SlopeFoundation { model_material, steel_frame, tin_strip, not_said };
+
+constexpr std::array<std::string_view, 4> enum_names(SlopeFoundation) {
+    return {"model_material", "steel_frame", "tin_strip", "not_said"};
+}
+
+enum class ToeChange { as_built, vertical_cut, horizontal_cut, blocks_removed, triangle_removed };
+
+constexpr std::array<std::string_view, 5> enum_names(ToeChange) {
+    return {"as_built", "vertical_cut", "horizontal_cut", "blocks_removed", "triangle_removed"};
+}
+
+enum class ColumnKind { continuous, cross_jointed, saw_tooth };
+
+constexpr std::array<std::string_view, 3> enum_names(ColumnKind) {
+    return {"continuous", "cross_jointed", "saw_tooth"};
+}
+
+enum class ModelSurroundings { near_frame, boundary_free };
+
+constexpr std::array<std::string_view, 2> enum_names(ModelSurroundings) {
+    return {"near_frame", "boundary_free"};
+}
+
+// A row of Table 3.2: one state of a base friction model and what became of it.
+struct BaseFrictionState {
+    std::string test;
+    double slope_angle;
+    double height_over_spacing;
+    double joint_dip;
+    double joint_spacing;
+    std::optional<double> cross_joint_spacing;
+    std::optional<double> crack_time_from;
+    std::optional<double> crack_time_to;
+    std::optional<double> crack_angle_from;
+    std::optional<double> crack_angle_to;
+    SlopeBehaviour behaviour;
+    SlopeFoundation foundation;
+    ToeChange toe;
+    ColumnKind columns;
+    ModelSurroundings surroundings;
+    std::optional<double> slope_surface;
+    std::optional<double> base_columns;
+    std::string remark;
+    std::string doubt;
+
+    double slope_height() const { return height_over_spacing * joint_spacing; }
+
+    static constexpr auto fields() {
+        using S = BaseFrictionState;
+        using D = Dimension;
+        return std::tuple{
+            section("test", &S::test, "number of the model, side of the table"),
+            number("slope_angle", &S::slope_angle, D::angle, detail::slope_angles, "inclination of the face"),
+            number("height_over_spacing", &S::height_over_spacing, D::ratio, more_than(0),
+                   "height of the slope over the spacing of the joints"),
+            number("joint_dip", &S::joint_dip, D::angle, detail::slope_angles, "dip of the joints, into the slope"),
+            number("joint_spacing", &S::joint_spacing, D::length, more_than(0), "normal distance of the joints"),
+            number("cross_joint_spacing", &S::cross_joint_spacing, D::length, more_than(0),
+                   "normal distance of the cross joints; absent: continuous columns"),
+            number("crack_time_from", &S::crack_time_from, D::time, at_least(0),
+                   "time from the last change to the critical crack path, its least; absent: none given"),
+            number("crack_time_to", &S::crack_time_to, D::time, at_least(0), "its greatest"),
+            number("crack_angle_from", &S::crack_angle_from, D::angle, detail::slope_angles,
+                   "inclination of the critical crack path, its least; absent: none given"),
+            number("crack_angle_to", &S::crack_angle_to, D::angle, detail::slope_angles, "its greatest"),
+            section("behaviour", &S::behaviour, "stable, in limiting equilibrium, unstable"),
+            section("foundation", &S::foundation, "what the slope stands on"),
+            section("toe", &S::toe, "change made at the toe"),
+            section("columns", &S::columns, "kind of columns"),
+            section("surroundings", &S::surroundings, "how near the steel frame is"),
+            number("slope_surface", &S::slope_surface, D::length, more_than(0),
+                   "length of the ground behind the crest; absent: not printed"),
+            number("base_columns", &S::base_columns, D::ratio, at_least(1),
+                   "columns that form the bottom of the slope; absent: not printed"),
+            section("remark", &S::remark, "printed remark"),
+            section("doubt", &S::doubt, detail::doubt_meaning)};
+    }
+};
+
+// A row of Table 3.3, a point of Fig 3.2: slopes on the right and left of the table.
+struct SlopeHeightVariation {
+    double model;
+    double slope_angle;
+    double joint_dip;
+    double slope_height;
+    double right_crack_time;
+    std::optional<double> left_crack_time;
+    double right_crack_angle;
+    std::optional<double> left_crack_angle;
+    std::string remark;
+    std::string doubt;
+    static constexpr auto fields() {
+        using V = SlopeHeightVariation;
+        using D = Dimension;
+        return std::tuple{
+            number("model", &V::model, D::ratio, at_least(1), "number of the model"),
+            number("slope_angle", &V::slope_angle, D::angle, detail::slope_angles, "inclination of the face"),
+            number("joint_dip", &V::joint_dip, D::angle, detail::slope_angles, "dip of the joints, into the slope"),
+            number("slope_height", &V::slope_height, D::length, more_than(0), "height of the slope"),
+            number("right_crack_time", &V::right_crack_time, D::time, at_least(0),
+                   "time to the critical crack path, right slope"),
+            number("left_crack_time", &V::left_crack_time, D::time, at_least(0), "left slope; absent: not built"),
+            number("right_crack_angle", &V::right_crack_angle, D::angle, detail::slope_angles,
+                   "inclination of the critical crack path, right slope"),
+            number("left_crack_angle", &V::left_crack_angle, D::angle, detail::slope_angles,
+                   "left slope; absent: not built"),
+            section("remark", &V::remark, "printed remark"),
+            section("doubt", &V::doubt, detail::doubt_meaning)};
+    }
+};
+
+// An angle printed for the tilting frame.
+struct TiltingFrameAngle {
+    std::string key;
+    double least;
+    double most;
+    std::string section;
+    std::string meaning;
+    static constexpr auto fields() {
+        using A = TiltingFrameAngle;
+        return std::tuple{delabole::section("key", &A::key, "its name here"),
+                          number("least", &A::least, Dimension::angle, within(0, degrees(90)), "least printed"),
+                          number("most", &A::most, Dimension::angle, within(0, degrees(90)), "greatest printed"),
+                          delabole::section("section", &A::section, "section of the thesis"),
+                          delabole::section("meaning", &A::meaning, "what it is")};
+    }
+};
+
+// A dip or a spacing of the models of the Delabole face (2.3.3).
+struct ModelFeature {
+    std::string feature;
+    std::string dips_into;
+    std::optional<double> dip;
+    std::optional<double> spacing;
+    std::string doubt;
+    static constexpr auto fields() {
+        using F = ModelFeature;
+        return std::tuple{section("feature", &F::feature, "joint set, cleavage, fault or slope"),
+                          section("dips_into", &F::dips_into, "pit, slope or not_said"),
+                          number("dip", &F::dip, Dimension::angle, within(0, degrees(90)), "dip"),
+                          number("spacing", &F::spacing, Dimension::length, more_than(0),
+                                 "spacing in the model; of a fault: its thickness"),
+                          section("doubt", &F::doubt, detail::doubt_meaning)};
+    }
+};
+
+enum class FieldVerdict { no, partly, yes, not_said };
+
+constexpr std::array<std::string_view, 4> enum_names(FieldVerdict) {
+    return {"no", "partly", "yes", "not_said"};
+}
+
+// What a model of Plates 2.I to 2.VI reproduced of the failure, by the three criteria of 2.3.3.2.
+struct MechanismVerdict {
+    std::string plate;
+    std::string mechanism;
+    FieldVerdict profile;
+    FieldVerdict cracks;
+    FieldVerdict movements;
+    std::optional<double> slope_angle;
+    double joint_a_dip;
+    std::optional<double> joint_a_spacing;
+    std::optional<double> joint_b_dip;
+    std::optional<double> joint_c_dip;
+    std::optional<double> cleavage_dip;
+    std::optional<double> cleavage_spacing;
+    std::optional<double> fault_dip;
+    std::optional<double> fault_thickness;
+    std::string remark;
+    std::string doubt;
+    static constexpr auto fields() {
+        using V = MechanismVerdict;
+        using D = Dimension;
+        return std::tuple{
+            section("plate", &V::plate, "plate, or the model told of beside it"),
+            section("mechanism", &V::mechanism, "mode of failure tried"),
+            section("profile", &V::profile, "post-failure profile reproduced"),
+            section("cracks", &V::cracks, "tension cracks at the crest reproduced"),
+            section("movements", &V::movements, "monitored movements of blocks at the top reproduced"),
+            number("slope_angle", &V::slope_angle, D::angle, detail::slope_angles, "inclination of the face"),
+            number("joint_a_dip", &V::joint_a_dip, D::angle, detail::slope_angles, "dip of joint set A, into the pit"),
+            number("joint_a_spacing", &V::joint_a_spacing, D::length, more_than(0), "spacing of joint set A"),
+            number("joint_b_dip", &V::joint_b_dip, D::angle, detail::slope_angles,
+                   "dip of joint set B, into the slope; absent: no such joints"),
+            number("joint_c_dip", &V::joint_c_dip, D::angle, detail::slope_angles,
+                   "dip of joint set C, into the pit; absent: no such joints"),
+            number("cleavage_dip", &V::cleavage_dip, D::angle, detail::slope_angles,
+                   "dip of the cleavage, into the slope; absent: none cut"),
+            number("cleavage_spacing", &V::cleavage_spacing, D::length, more_than(0), "spacing of the cleavage"),
+            number("fault_dip", &V::fault_dip, D::angle, detail::slope_angles,
+                   "dip of the fault, into the slope; absent: none"),
+            number("fault_thickness", &V::fault_thickness, D::length, more_than(0), "thickness of its gouge"),
+            section("remark", &V::remark, "what happened"),
+            section("doubt", &V::doubt, detail::doubt_meaning)};
+    }
+};
+
+enum class PrintedChange { none, rises, falls, falls_slightly };
+
+constexpr std::array<std::string_view, 4> enum_names(PrintedChange) {
+    return {"none", "rises", "falls", "falls_slightly"};
+}
+
+// A conclusion of 2.3.4: how a response changes as a parameter grows.
+struct PrintedTrend {
+    std::string conclusion;
+    std::string parameter;
+    std::string response;
+    PrintedChange change;
+    std::string doubt;
+    static constexpr auto fields() {
+        using T = PrintedTrend;
+        return std::tuple{section("conclusion", &T::conclusion, "number of the conclusion"),
+                          section("parameter", &T::parameter, "what was varied"),
+                          section("response", &T::response, "what was observed"),
+                          section("change", &T::change, "of the response as the parameter grows"),
+                          section("doubt", &T::doubt, detail::doubt_meaning)};
+    }
+};
+
+// A test of one joint-A column with groundwater (2.3.5).
+struct GroundwaterTest {
+    std::string material;
+    double density;
+    double friction_least;
+    double friction_most;
+    double filled_ratio;
+    double rotation;
+    std::string plate;
+    std::string remark;
+    static constexpr auto fields() {
+        using T = GroundwaterTest;
+        using D = Dimension;
+        constexpr Interval frictions = between(0, degrees(90));
+        return std::tuple{
+            section("material", &T::material, "mixture or cork"),
+            number("density", &T::density, D::density, more_than(0), "density of the material"),
+            number("friction_least", &T::friction_least, D::angle, frictions, "friction, its least"),
+            number("friction_most", &T::friction_most, D::angle, frictions, "friction, its greatest"),
+            number("filled_ratio", &T::filled_ratio, D::ratio, within(0, 1), "depth of water over its greatest"),
+            number("rotation", &T::rotation, D::angle, right_open(0, degrees(90)), "of the model on the belt"),
+            section("plate", &T::plate, "plate that shows it"),
+            section("remark", &T::remark, "what happened")};
+    }
+};
+
+std::vector<BaseFrictionTest> base_friction_tests();
+std::vector<BaseFrictionState> base_friction_states();
+std::vector<SlopeHeightVariation> slope_height_variations();
+std::vector<TiltingFrameAngle> tilting_frame_angles();
+std::vector<ModelFeature> model_features();
+std::vector<MechanismVerdict> mechanism_verdicts();
+std::vector<PrintedTrend> printed_trends();
+std::vector<GroundwaterTest> groundwater_tests();
+
+}  // namespace delabole

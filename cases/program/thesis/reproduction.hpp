@@ -1,0 +1,70 @@
+// One item of `delabole reproduce`: what a chapter prints, computed again and set beside the printed.
+#pragma once
+
+#include "cases/program/results/result_folder.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace delabole {
+
+// A printed number or statement beside the computed one.
+struct PrintedRow {
+    std::string what;
+    std::string printed;
+    std::string computed;
+    std::string difference;
+    std::string remark;
+    std::string clean = {};  // by the clean engine, where `computed` is by the re-created program of chapter 5
+};
+
+struct Reproduction {
+    Json json;
+    std::vector<PrintedRow> rows;
+};
+
+// What takes minutes is done where it or its chapter is named, not with all of the thesis.
+enum class ReproductionCost { seconds, minutes };
+
+struct ReproductionItem {
+    std::string name;     // "fig2.8"
+    std::string meaning;  // one line
+    // Appends to the report, writes figures and tables into the folder.
+    std::function<Reproduction(const ResultFolder&, Report&)> reproduce;
+    ReproductionCost cost = ReproductionCost::seconds;
+};
+
+struct ReproductionChapter {
+    std::string name;     // "chapter2": all of its items
+    std::string meaning;  // one line
+    std::string title;    // of its report
+    std::vector<ReproductionItem> items;
+};
+
+ReproductionChapter chapter_2();
+ReproductionChapter chapter_3();
+ReproductionChapter chapter_4();
+ReproductionChapter chapter_5();
+ReproductionChapter appendix_a_chapter();
+ReproductionChapter published_problems();
+
+// What is being done, and of the item's work where it begins and ends, 0 to 1.
+struct PartOfWork {
+    std::string what;
+    double begin = 0;
+    double end = 1;
+};
+
+// task(0) ... task(count - 1) on the threads of the folder, which is told of the progress. Interrupted once the flag of
+// cases/program/terminal/interrupt.hpp is set: tasks under way may look at it and end sooner.
+void run_part(const ResultFolder& folder, const PartOfWork& part, std::size_t count,
+              const std::function<void(std::size_t)>& task);
+
+std::string statement(bool met);
+// A difference of rounding is no difference.
+std::string difference_in_words(double difference);
+Table printed_table(const std::string& caption, const std::vector<PrintedRow>& rows);
+
+}  // namespace delabole

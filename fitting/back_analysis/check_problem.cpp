@@ -1,0 +1,223 @@
+#include "fitting/back_analysis/check_problem.hpp"
+
+#include "fitting/mechanism/mechanism_posterior.hpp"
+#include "fitting/probability/dependence.hpp"
+#include "fitting/work/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+using Faults = std::vector<std::string>;
+
+void check_positive(const std::string& where, double standard_deviation, Faults& faults) {
+    if (!(std::isfinite(standard_deviation) && standard_deviation > 0)) {
+        faults.push_back(where + ": standard_deviation = " + number_in_words(standard_deviation) +
+                         " must be finite and > 0");
+    }
+}
+
+void check_finite(const std::string& where, const char* key, double value, Faults& faults) {
+    if (!std::isfinite(value)) {
+        faults.push_back(where + ": " + key + " = " + number_in_words(value) + " must be finite");
+    }
+}
+
+void check_parameter(const std::string& where, const FreeParameter& parameter, const Quantity& input, Faults& faults) {
+    check_finite(where, "lower", parameter.lower, faults);
+    check_finite(where, "upper", parameter.upper, faults);
+    const std::string lower = value_in_words(parameter.lower, input.dimension);
+    const std::string upper = value_in_words(parameter.upper, input.dimension);
+    if (parameter.lower > parameter.upper) {
+        faults.push_back(where + ": lower = " + lower + " exceeds upper = " + upper);
+    }
+    // Open ends may be touched: the model reports the failure of that one value.
+    if (parameter.lower < input.range.lower || parameter.upper > input.range.upper) {
+        faults.push_back(where + ": the bounds " + lower + " to " + upper + " leave the input's range " +
+                         value_in_words(input.range.lower, input.dimension) + " to " +
+                         value_in_words(input.range.upper, input.dimension));
+    }
+    if (parameter.prior) {
+        check_finite(where + ", prior", "mean", parameter.prior->mean, faults);
+        check_positive(where + ", prior", parameter.prior->standard_deviation, faults);
+    }
+}
+
+void check_observation(const QuantityObservation& observation, Faults& faults) {
+    const std::string where = "observation " + observation.label;
+    check_finite(where, "value", observation.value, faults);
+    check_positive(where, observation.standard_deviation, faults);
+    std::set<std::string> seen;
+    for (const Condition& condition : observation.conditions) {
+        check_finite(where + ", condition " + condition.input, "value", condition.value, faults);
+        if (!seen.insert(condition.input).second) {
+            faults.push_back(where + ", condition " + condition.input + ": given twice");
+        }
+    }
+}
+
+void check_coarse(const Mechanism& mechanism, Faults& faults) {
+    if (!mechanism.coarse) {
+        return;
+    }
+    if (!mechanism.model.costly) {
+        faults.push_back(mechanism.name + ": a coarse model is for costly ones only");
+    }
+    const auto names_differ = [](const std::vector<Quantity>& left, const std::vector<Quantity>& right) {
+        return !std::ranges::equal(left, right, {}, &Quantity::name, &Quantity::name);
+    };
+    if (names_differ(mechanism.coarse->inputs, mechanism.model.inputs) ||
+        names_differ(mechanism.coarse->outputs, mechanism.model.outputs)) {
+        faults.push_back(mechanism.name + ": the coarse model has other inputs or outputs");
+    }
+}
+
+void check_mechanism(const Mechanism& mechanism, Faults& faults) {
+    if (!mechanism.model.predict) {
+        faults.push_back(mechanism.name + ": the model cannot predict");
+    }
+    if (mechanism.parameters.size() > 40) {
+        faults.push_back(mechanism.name + ": " + std::to_string(mechanism.parameters.size()) +
+                         " free parameters, at most 40");
+    }
+    std::set<std::string> seen;
+    for (const FreeParameter& parameter : mechanism.parameters) {
+        const std::string where = mechanism.name + ", parameter " + parameter.name;
+        const Quantity* input = find_quantity(mechanism.model.inputs, parameter.name);
+        if (!seen.insert(parameter.name).second) {
+            faults.push_back(where + ": given twice");
+        } else if (input == nullptr) {
+            faults.push_back(where + ": the model has no such input");
+        } else {
+            check_parameter(where, parameter, *input, faults);
+            for (const std::string& name : parameter.also) {
+                const Quantity* other = find_quantity(mechanism.model.inputs, name);
+                std::string fault = where;
+                fault += ", also ";
+                fault += name;
+                if (other == nullptr) {
+                    fault += ": the model has no such input";
+                } else if (!seen.insert(name).second) {
+                    fault += ": given twice";
+                } else if (other->dimension != input->dimension) {
+                    fault += ": has another dimension";
+                } else {
+                    continue;
+                }
+                faults.push_back(std::move(fault));
+            }
+        }
+    }
+    check_coarse(mechanism, faults);
+    for (const QuantityObservation& observation : mechanism.own_observations) {
+        check_observation(observation, faults);
+    }
+}
+
+void check_profile(const ProfileObservation& profile, Faults& faults) {
+    check_positive("profile", profile.standard_deviation, faults);
+    for (const Point& point : profile.profile) {
+        if (!point.allFinite()) {
+            faults.push_back("profile: coordinates must be finite");
+            return;
+        }
+    }
+    if (!(length(profile.profile) > 0)) {
+        faults.push_back("profile: needs at least two distinct points");
+    }
+}
+
+void check_settings(const FitSettings& settings, Faults& faults) {
+    const auto check = [&faults](const char* key, double value, double least) {
+        if (value < least) {
+            faults.push_back("settings: " + std::string(key) + " = " + number_in_words(value) +
+                             " must be >= " + number_in_words(least));
+        }
+    };
+    check("starts", settings.starts, 1);
+    check("evaluations_per_start", settings.evaluations_per_start, 10);
+    check("profile_points", settings.profile_points, 5);
+    check("map_points", settings.map_points, 5);
+    check("threads", settings.threads, 1);
+    check("surrogate.runs", settings.surrogate.runs, 12);
+    check("surrogate.first_runs", settings.surrogate.first_runs.value_or(12), 12);
+    if (!(settings.surrogate.tolerance > 0 && settings.surrogate.tolerance < 1)) {
+        faults.push_back("settings: surrogate.tolerance = " + number_in_words(settings.surrogate.tolerance) +
+                         " must be > 0 and < 1");
+    }
+    if (!(settings.surrogate.give_up_below >= 0 && settings.surrogate.give_up_below < 1)) {
+        faults.push_back("settings: surrogate.give_up_below = " + number_in_words(settings.surrogate.give_up_below) +
+                         " must be >= 0 and < 1");
+    }
+    if (!(settings.relative_tolerance > 0 && settings.relative_tolerance < 1)) {
+        faults.push_back("settings: relative_tolerance = " + number_in_words(settings.relative_tolerance) +
+                         " must be > 0 and < 1");
+    }
+}
+
+// As given, and as the study of the dependence on them changes them.
+void check_priors(const FitProblem& problem, Faults& faults) {
+    for (const EvidenceVariant variant : variants_of(problem)) {
+        for (const Mechanism& mechanism : varied(problem, variant).mechanisms) {
+            for (const FreeParameter& parameter : mechanism.parameters) {
+                const std::string fault = fault_of_prior(parameter);
+                if (!fault.empty()) {
+                    faults.push_back(mechanism.name + ", parameter " + parameter.name + ": " + fault +
+                                     (variant == EvidenceVariant::as_given ? "" : " (standard deviation halved)"));
+                }
+            }
+        }
+        if (!faults.empty()) {
+            return;
+        }
+    }
+}
+
+void check_posterior(const FitProblem& problem, Faults& faults) {
+    const PosteriorStudy& study = *problem.posterior;
+    const auto check = [&faults](const char* key, int value, int least) {
+        if (value < least) {
+            faults.push_back("posterior: " + std::string(key) + " = " + std::to_string(value) +
+                             " must be >= " + std::to_string(least));
+        }
+    };
+    check("chains", study.chains, 2);
+    check("draws", study.draws, 8 * study.chains);
+    check("evaluations_per_chain", study.evaluations_per_chain, 1);
+    check("evidence_points", study.evidence_points, 16);
+    for (const Mechanism& mechanism : problem.mechanisms) {
+        // Two coordinates of the sequence serve the choice among distributions and their tails.
+        if (mechanism.parameters.size() + 2 > most_parameters) {
+            faults.push_back(mechanism.name + ": " + std::to_string(mechanism.parameters.size()) +
+                             " free parameters, at most 38 with a posterior");
+        }
+    }
+    check_priors(problem, faults);
+}
+
+}  // namespace
+
+std::vector<std::string> check_problem(const FitProblem& problem) {
+    Faults faults;
+    for (const Mechanism& mechanism : problem.mechanisms) {
+        check_mechanism(mechanism, faults);
+    }
+    for (const QuantityObservation& observation : problem.observations) {
+        check_observation(observation, faults);
+    }
+    if (problem.profile) {
+        check_profile(*problem.profile, faults);
+    }
+    check_settings(problem.settings, faults);
+    if (problem.posterior && faults.empty()) {
+        check_posterior(problem, faults);
+    }
+    return faults;
+}
+
+}  // namespace delabole

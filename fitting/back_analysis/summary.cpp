@@ -1,0 +1,121 @@
+#include "fitting/back_analysis/summary.hpp"
+
+#include "fitting/work/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace delabole {
+
+namespace {
+
+constexpr double large_pull = 2;
+constexpr double score_of_silence = large_pull * large_pull;
+
+bool holds(const EvidenceSign& sign, const Misfit& misfit, const Prediction& prediction) {
+    const auto output = misfit.output(sign.quantity);
+    if (!output || *output >= prediction.outputs.size()) {
+        return false;
+    }
+    const double value = prediction.outputs[*output];
+    return sign.relation == Relation::at_least ? value >= sign.value : value <= sign.value;
+}
+
+// By its nature, or by every sign that the prediction was to show.
+bool explains(const Misfit& misfit, const Prediction& prediction, const std::string& evidence) {
+    const Mechanism& mechanism = misfit.mechanism();
+    const auto of_evidence = [&](const EvidenceSign& sign) { return sign.evidence == evidence; };
+    const auto shown = [&](const EvidenceSign& sign) {
+        return sign.evidence != evidence || holds(sign, misfit, prediction);
+    };
+    return std::ranges::find(mechanism.model.explains, evidence) != mechanism.model.explains.end() ||
+           (std::ranges::any_of(mechanism.signs, of_evidence) && std::ranges::all_of(mechanism.signs, shown));
+}
+
+void sort_evidence(const Misfit& misfit, MechanismFit& fit) {
+    for (const FieldEvidence& evidence : misfit.problem().evidence) {
+        if (explains(misfit, fit.prediction, evidence.name)) {
+            fit.explained.push_back(evidence.name);
+        } else {
+            fit.unexplained.push_back(evidence.name + ": " + evidence.statement);
+        }
+    }
+}
+
+std::string miss_in_words(const ObservationFit& row) {
+    const char* relation = row.relation == Relation::equal      ? ""
+                           : row.relation == Relation::at_least ? "at least "
+                                                                : "at most ";
+    return row.label + ": predicted " + value_in_words(*row.predicted, row.dimension) + ", observed " + relation +
+           value_in_words(row.observed, row.dimension) + ", " + number_in_words(std::abs(row.pull)) +
+           " standard deviations away";
+}
+
+void add_misses(const Misfit& misfit, MechanismFit& fit) {
+    for (const ObservationFit& row : fit.observations) {
+        if (row.predicted && std::abs(row.pull) > large_pull) {
+            fit.unexplained.push_back(miss_in_words(row));
+        }
+    }
+    if (fit.profile_pull > large_pull) {
+        fit.unexplained.push_back("post-failure profile: " + value_in_words(*fit.profile_rms_m, Dimension::length) +
+                                  " root mean square distance, " + number_in_words(fit.profile_pull) +
+                                  " standard deviations of " +
+                                  value_in_words(misfit.problem().profile->standard_deviation, Dimension::length));
+    }
+}
+
+// A fitted value far outside what was known beforehand: the mechanism needs it, so it is something left unexplained.
+void add_prior_conflicts(MechanismFit& fit) {
+    for (std::size_t index = 0; index < fit.best.size(); ++index) {
+        const FreeParameter& parameter = fit.parameters[index];
+        if (!parameter.prior) {
+            continue;
+        }
+        const double pull = (fit.best[index] - parameter.prior->mean) / parameter.prior->standard_deviation;
+        if (std::abs(pull) > large_pull) {
+            fit.unexplained.push_back(parameter.name + ": needs " +
+                                      value_in_words(fit.best[index], fit.dimensions[index]) + ", " +
+                                      number_in_words(std::abs(pull)) + " standard deviations from its prior of " +
+                                      value_in_words(parameter.prior->mean, fit.dimensions[index]));
+        }
+    }
+}
+
+}  // namespace
+
+void summarise(const Misfit& misfit, const Surrogate* surrogate, bool found, MechanismFit& fit) {
+    if (found) {
+        fit.prediction = misfit.predict(fit.best);
+    }
+    sort_evidence(misfit, fit);
+    const double silent = static_cast<double>(fit.unexplained.size()) + misfit.missing_count();
+    for (std::string& sentence : misfit.not_compared()) {
+        fit.unexplained.push_back(std::move(sentence));
+    }
+    fit.data_count = misfit.data_count();
+    if (!found) {
+        fit.misfit = fit.data_misfit = fit.ranking_score = std::numeric_limits<double>::infinity();
+        return;
+    }
+    const MisfitParts parts = misfit.parts(fit.best);
+    fit.data_misfit = parts.data;
+    if (surrogate != nullptr) {
+        constexpr double none = std::numeric_limits<double>::infinity();
+        fit.surrogate->misfit_of_run = parts.failure.empty() ? parts.data : none;
+        fit.data_misfit = surrogate->value(fit.best, Priors::ignored).value;
+    }
+    fit.prior_misfit = parts.prior;
+    fit.misfit = fit.data_misfit + fit.prior_misfit;
+    fit.ranking_score = fit.misfit + score_of_silence * silent;
+    fit.observations = misfit.compare(fit.best);
+    fit.profile_rms_m = misfit.profile_rms(fit.best);
+    if (fit.profile_rms_m) {
+        fit.profile_pull = *fit.profile_rms_m / misfit.problem().profile->standard_deviation;
+    }
+    add_misses(misfit, fit);
+    add_prior_conflicts(fit);
+}
+
+}  // namespace delabole

@@ -1,0 +1,209 @@
+// What a back-analysis found, with what a reader needs to judge it.
+#pragma once
+
+#include "fitting/mechanism/mechanism_posterior.hpp"
+#include "fitting/posterior/fit_problem.hpp"
+#include "fitting/work/evaluation.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <concepts>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+namespace delabole {
+
+enum class FitStatus {
+    converged,         // the algorithm met its own tolerance in the best run
+    evaluation_limit,  // the best run ended before its tolerance, as a rule by the cap; the answer is the best point
+                       // seen
+    no_valid_point,    // every evaluation failed
+    interrupted,       // the caller asked to stop; the answer is the best point seen
+};
+
+constexpr std::array<std::string_view, 4> enum_names(FitStatus) {
+    return {"converged", "evaluation_limit", "no_valid_point", "interrupted"};
+}
+
+// Minima of the multi-start runs, gathered where they coincide within 1e-3 of the bounds and 0.01 of misfit.
+struct MinimumCluster {
+    std::vector<double> parameters;
+    double misfit;
+    int hits;
+};
+
+enum class Determination {
+    determined,     // the 95 % interval closes inside the bounds
+    bounded_below,  // only a lower limit
+    bounded_above,  // only an upper limit
+    undetermined,   // the misfit stays under the 95 % level up to both ends of the range
+    doubtful,       // an end or both close, but in_doubt() of verdict.hpp says that this means nothing
+};
+
+constexpr std::array<std::string_view, 5> enum_names(Determination) {
+    return {"determined", "bounded_below", "bounded_above", "undetermined", "doubtful"};
+}
+
+// Least misfit as a function of one parameter, the others free; intervals by chi-square with one degree of freedom,
+// their ends found by root bracketing to 1e-4 of the range. An interval spans all values under the level, also where
+// the profile rises above it in between.
+struct ProfileLikelihood {
+    std::string parameter;
+    std::vector<double> values;   // ascending: the grid, the best value and the points that the interval ends needed
+    std::vector<double> misfits;  // infinity where no valid point was found
+    double least_misfit;          // the level of an interval is this + its chi-square quantile
+    // An end lies at the bound, or where the model ceases to have answers, if the profile stays below the level there:
+    // neither is evidence, so such an end does not count as closed.
+    Interval interval_68;
+    Interval interval_95;
+    Determination determination;
+    bool with_priors;  // whether the priors of the other and of this parameter were counted
+};
+
+// For share_tasks, as members() of the locus below.
+template <class Type>
+requires std::same_as<std::remove_const_t<Type>, ProfileLikelihood>
+auto members(Type& profile) {
+    return std::tie(profile.parameter, profile.values, profile.misfits, profile.least_misfit, profile.interval_68,
+                    profile.interval_95, profile.determination, profile.with_priors);
+}
+
+enum class IdentifiabilityStatus {
+    reliable,
+    steps_disagree,      // sensitivities differ by over 1 % between two step sizes: a kink or a rough model
+    model_fails_nearby,  // some parameter cannot be moved either way from the best point
+    run_contradicts,     // the run at the best point is not what the surrogate says: nothing further is evaluated
+    not_evaluated,       // no valid point, or interrupted
+};
+
+constexpr std::array<std::string_view, 5> enum_names(IdentifiabilityStatus) {
+    return {"reliable", "steps_disagree", "model_fails_nearby", "run_contradicts", "not_evaluated"};
+}
+
+// From the Jacobian of the data residuals (priors left out) at the best point, columns scaled by the parameters'
+// ranges. Satisfied inequalities have no weight there.
+struct Identifiability {
+    IdentifiabilityStatus status = IdentifiabilityStatus::not_evaluated;
+    std::vector<std::string> parameters;  // those with lower < upper, in the order of rows of directions
+    // Of the scaled Jacobian: standard deviations of data per range of parameter; as many as parameters, descending.
+    std::vector<double> singular_values;
+    Eigen::MatrixXd directions;  // right singular vectors, one per column, in the order of singular_values
+    // Of each parameter: the greatest pull among the data that its range moves by over half a sd.
+    std::vector<double> misses;
+    int rank = 0;              // singular values above 1 / 2: a range of parameter moves the data by over half a sd
+    int rank_with_priors = 0;  // the same with a row range / standard deviation for each prior
+    std::string verdict = "Not evaluated.";     // in words, printed before any fitted value
+    std::optional<Eigen::MatrixXd> covariance;  // of data and priors, SI; only where rank_with_priors is full
+    std::optional<Eigen::MatrixXd> correlation;
+};
+
+// Points in the plane of two free parameters at which the mechanism's factor of safety is 1, others at the best point.
+struct FailureLocus {
+    std::string x;
+    std::string y;
+    std::vector<Point> points;  // the points of one branch follow each other
+    std::vector<int> branch;    // of each point, from 0
+};
+
+template <class Type>
+requires std::same_as<std::remove_const_t<Type>, FailureLocus>
+auto members(Type& locus) {
+    return std::tie(locus.x, locus.y, locus.points, locus.branch);
+}
+
+// Misfit, priors included, over the plane of two free parameters, the others at the best point. z(row, column): y(row),
+// x(column).
+struct MisfitMap {
+    std::string x;
+    std::string y;
+    std::vector<double> x_values;
+    std::vector<double> y_values;
+    Eigen::MatrixXd misfit;  // infinity where the model has no answer
+    double level_68;         // best misfit + chi-square quantile with two degrees of freedom
+    double level_95;
+};
+
+struct ObservationFit {
+    std::string label;
+    std::string quantity;
+    Relation relation = Relation::equal;
+    Dimension dimension = Dimension::ratio;  // ratio also where no mechanism's output tells
+    double observed = 0;
+    double standard_deviation = 0;
+    std::optional<double> predicted;  // absent when the mechanism does not predict the quantity
+    double pull = 0;                  // (predicted - observed) / standard deviation; 0 for a satisfied inequality
+    std::string source;
+};
+
+// Two runs side by side with very different outcomes.
+struct Jump {
+    std::vector<double> at;  // parameters between them, SI
+    double distance;         // greatest difference of a parameter, in shares of its range
+    double difference;       // root of the sum of squares over the data, in their standard deviations
+};
+
+// How a costly mechanism was fitted. The misfits of a MechanismFit are then the surrogate's, its predictions those of a
+// run at the best point.
+struct SurrogateFit {
+    struct Run {
+        std::vector<double> parameters;
+        double data_misfit;   // meaningful where the run had an answer
+        std::string failure;  // why it had none
+        bool coarse;          // of the coarse model, which found the point hopeless
+    };
+    std::vector<Run> runs;          // that the surrogate was made of, in the order in which they were chosen
+    long coarse_runs = 0;           // made to find hopeless points
+    std::size_t components = 0;     // of the data, inequalities included
+    double error = 0;               // root mean square, each run predicted from the others; standard deviations of data
+    double within_95 = 0;           // share of such predictions within 1.96 of their own standard deviations
+    double scatter = 0;             // of runs that ought to be alike, in standard deviations of data
+    double evidence_error = 0;      // bound, relative; see costly_runs.hpp
+    bool given_up = false;          // before its time, for want of evidence
+    double misfit_of_run = 0;       // data misfit of the run at the best point; infinite where it has no answer
+    std::optional<Jump> jump = {};  // the steepest
+};
+
+struct MechanismFit {
+    std::string name;
+    std::string title;
+    FitStatus status = FitStatus::no_valid_point;
+    std::vector<FreeParameter> parameters;
+    std::vector<Dimension> dimensions;  // of the parameters
+    std::vector<double> best;           // SI, in the order of parameters; empty when no valid point
+    double misfit = 0;                  // data + priors
+    double data_misfit = 0;
+    double prior_misfit = 0;
+    int data_count = 0;  // observations compared, a profile counting its vertices
+    // misfit + 4 for each datum and each piece of field evidence that the mechanism says nothing about: as if
+    // missed by two standard deviations, else a mechanism would gain by predicting less. Infinite without a valid
+    // point.
+    double ranking_score = 0;
+    Prediction prediction;  // at the best point
+    std::vector<ObservationFit> observations;
+    std::optional<double> profile_rms_m;  // root mean square distance of the observed to the predicted profile
+    double profile_pull = 0;              // that distance over its standard deviation
+    std::vector<std::string> explained;   // names of field evidence
+    std::vector<std::string>
+        unexplained;  // sentences: field evidence, quantities without prediction, pulls of data and priors beyond 2
+    Identifiability identifiability;
+    std::vector<ProfileLikelihood> profiles;  // with priors, then without
+    std::vector<FailureLocus> loci;           // for each pair of free parameters that the factor of safety depends on
+    std::optional<MisfitMap> map;             // of the first two free parameters
+    std::vector<MinimumCluster> minima;       // best first
+    std::optional<SurrogateFit> surrogate;    // of a costly mechanism
+    std::optional<MechanismPosterior> posterior;  // where the problem asks for it
+    EvaluationCount evaluations;                  // the posterior's included
+};
+
+struct FitResult {
+    // Greatest evidence first, field evidence included; where there is none, least ranking_score first.
+    std::vector<MechanismFit> mechanisms;
+    double wall_seconds = 0;
+};
+
+}  // namespace delabole

@@ -1,0 +1,347 @@
+#include "fitting/mechanism/mechanism_posterior.hpp"
+
+#include "fitting/mechanism/costly_runs.hpp"
+#include "fitting/mechanism/misfit.hpp"
+#include "fitting/mechanism/quantity_of_mechanism.hpp"
+#include "fitting/probability/sampling.hpp"
+#include "fitting/search/share.hpp"
+#include "fitting/work/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+constexpr std::string_view safety = "factor_of_safety";
+constexpr std::size_t most_profiles = 200;
+constexpr std::size_t most_costly_profiles = 16;
+
+void scale_priors(FitProblem& problem, double factor) {
+    for (Mechanism& mechanism : problem.mechanisms) {
+        for (FreeParameter& parameter : mechanism.parameters) {
+            if (parameter.prior) {
+                parameter.prior->standard_deviation *= factor;
+            }
+        }
+    }
+}
+
+void drop_priors(FitProblem& problem) {
+    for (Mechanism& mechanism : problem.mechanisms) {
+        for (FreeParameter& parameter : mechanism.parameters) {
+            parameter.prior.reset();
+        }
+    }
+}
+
+// Also where a mechanism says the same in terms of its own.
+void scale_model_error(FitProblem& problem, double factor) {
+    for (QuantityObservation& observation : problem.observations) {
+        if (observation.quantity != safety) {
+            continue;
+        }
+        observation.standard_deviation *= factor;
+        for (Mechanism& mechanism : problem.mechanisms) {
+            for (QuantityObservation& own : mechanism.own_observations) {
+                own.standard_deviation *= own.label == observation.label ? factor : 1;
+            }
+        }
+    }
+}
+
+// A surrogate of the same runs where the data have other standard deviations than when they were made; priors are
+// nothing to a surrogate.
+std::unique_ptr<Surrogate> judged_anew(const Misfit& misfit, const CostlyRuns* costly) {
+    if (costly == nullptr || misfit.data() == costly->surrogate->misfit().data()) {
+        return nullptr;
+    }
+    return std::make_unique<Surrogate>(misfit, judged_by(misfit, costly->surrogate->misfit(), costly->runs));
+}
+
+// What the target of one mechanism under one variant consists of; the pieces refer to each other.
+class Target {
+  public:
+    Target(const FitProblem& problem, std::size_t mechanism, const CostlyRuns* costly, ProgressMeter& progress,
+           StopFlag stop)
+        : misfit_(problem.mechanisms[mechanism], problem),
+          judged_anew_(judged_anew(misfit_, costly)),
+          surrogate_(judged_anew_        ? judged_anew_.get()
+                     : costly != nullptr ? costly->surrogate.get()
+                                         : nullptr),
+          quantity_([this](std::span<const double> parameters) {
+              return surrogate_ != nullptr ? surrogate_->value(parameters, Priors::ignored)
+                                           : misfit_.value(parameters, Priors::ignored);
+          }),
+          evaluator_{quantity_, progress, stop, problem.settings.threads},
+          prior_(problem.mechanisms[mechanism].parameters) {}
+    Target(const Target&) = delete;
+    Target& operator=(const Target&) = delete;
+
+    const Misfit& misfit() const { return misfit_; }
+    const Evaluator& evaluator() const { return evaluator_; }
+    const PriorSpace& prior() const { return prior_; }
+
+  private:
+    Misfit misfit_;
+    std::unique_ptr<Surrogate> judged_anew_;  // refers to the misfit
+    const Surrogate* surrogate_;
+    Objective quantity_;
+    Evaluator evaluator_;
+    PriorSpace prior_;
+};
+
+PosteriorSettings posterior_settings(const FitProblem& problem) {
+    const PosteriorStudy& study = *problem.posterior;
+    return {study.chains, study.draws, study.evaluations_per_chain, problem.settings.seed};
+}
+
+EvidenceSettings evidence_settings(const FitProblem& problem) {
+    EvidenceSettings settings;
+    settings.points = problem.posterior->evidence_points;
+    settings.seed = problem.settings.seed;
+    return settings;
+}
+
+constexpr int guiding_chains = 2;
+constexpr int guiding_draws = 1600;
+
+// Draws that only guide the evidence need not meet the diagnostics.
+PosteriorSettings guiding_settings(const FitProblem& problem) {
+    PosteriorSettings settings = posterior_settings(problem);
+    settings.chains = guiding_chains;
+    settings.draws = guiding_draws;
+    settings.evaluations_per_chain = 1;
+    return settings;
+}
+
+Evidence evidence_of_variant(const FitProblem& problem, std::size_t mechanism, const CostlyRuns* costly,
+                             EvidenceVariant variant, ProgressMeter& progress, StopFlag stop,
+                             EvaluationCount& account) {
+    const FitProblem changed = varied(problem, variant);
+    const Target target(changed, mechanism, costly, progress, stop);
+    const Posterior guide = sample_posterior(target.evaluator(), target.prior(), guiding_settings(changed));
+    account.add(guide.evaluations);
+    // What matters is how far it moves, not its third digit.
+    EvidenceSettings settings = evidence_settings(changed);
+    settings.points = std::max(settings.points / 2, 16);
+    return estimate_evidence(target.evaluator(), target.prior(), guide.draws, settings);
+}
+
+std::vector<Polyline> profiles_of(const Misfit& misfit, const std::vector<Draw>& draws, bool costly,
+                                  ProgressMeter& progress, StopFlag stop) {
+    const FitSettings& settings = misfit.problem().settings;
+    std::vector<Polyline> profiles =
+        share_tasks<Polyline>(draws.size(), {settings.threads, settings.ranks}, [&](std::size_t index) {
+            Prediction prediction = stop_requested(stop) ? Prediction{} : misfit.predict(draws[index].parameters);
+            progress.count(1, costly ? weight_of_run : 1);
+            return prediction.failure.empty() ? std::move(prediction.profile) : Polyline();
+        });
+    std::erase_if(profiles, [](const Polyline& profile) { return profile.empty(); });
+    return profiles;
+}
+
+// Least distance of each datum, in standard deviations, over draws of the prior; infinite where none has an answer.
+// Of a costly mechanism the runs stand for the draws.
+struct Reach {
+    std::vector<double> pulls;
+    std::vector<std::string> labels;
+};
+
+Reach reach_of_priors(const Target& target, std::uint64_t seed) {
+    constexpr std::size_t draws = 512;
+    Reach reach;
+    for (const QuantityObservation& observation : target.misfit().problem().observations) {
+        reach.labels.push_back(observation.label);
+    }
+    reach.labels.emplace_back("post-failure profile");
+    reach.pulls.assign(reach.labels.size(), std::numeric_limits<double>::infinity());
+    if (target.prior().size() == 0) {
+        return reach;
+    }
+    const SamplePlan plan(SamplingMethod::sobol_sequence, target.prior().size(), draws, 1, seed);
+    std::vector<double> normal(target.prior().size());
+    std::vector<double> parameters(target.prior().parameters().size());
+    for (std::size_t index = 0; index < draws && !target.evaluator().stopped(); ++index) {
+        plan.point(index, normal);
+        std::transform(normal.begin(), normal.end(), normal.begin(), normal_quantile);
+        target.prior().values(normal, parameters);
+        const std::vector<ObservationFit> rows = target.misfit().compare(parameters);
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+            if (rows[row].predicted) {
+                reach.pulls[row] = std::min(reach.pulls[row], std::abs(rows[row].pull));
+            }
+        }
+        if (const auto distance = target.misfit().profile_rms(parameters)) {
+            reach.pulls.back() =
+                std::min(reach.pulls.back(), *distance / target.misfit().problem().profile->standard_deviation);
+        }
+    }
+    target.evaluator().progress.count(static_cast<long>(draws));
+    return reach;
+}
+
+// The samples of a profile, which share a label, together by their root mean square.
+Reach reach_of_runs(const Misfit& misfit, const std::vector<KnownRun>& runs) {
+    Reach reach;
+    std::vector<std::size_t> place;  // of each datum's label
+    std::vector<double> data;        // of each label
+    for (const Datum& datum : misfit.data()) {
+        const auto known = std::ranges::find(reach.labels, datum.label);
+        place.push_back(static_cast<std::size_t>(known - reach.labels.begin()));
+        if (known == reach.labels.end()) {
+            reach.labels.push_back(datum.label);
+            data.push_back(0);
+        }
+        data[place.back()] += datum.share;
+    }
+    reach.pulls.assign(reach.labels.size(), std::numeric_limits<double>::infinity());
+    for (const KnownRun& run : runs) {
+        if (run.residuals.pulls.empty()) {
+            continue;
+        }
+        std::vector<double> squares(reach.labels.size(), 0.0);
+        for (std::size_t row = 0; row < run.residuals.pulls.size(); ++row) {
+            const double pull = run.residuals.idle[row] ? 0 : run.residuals.pulls[row];
+            squares[place[row]] += pull * pull;
+        }
+        for (std::size_t label = 0; label < squares.size(); ++label) {
+            reach.pulls[label] = std::min(reach.pulls[label], std::sqrt(squares[label] / data[label]));
+        }
+    }
+    return reach;
+}
+
+void warn_of_reach(const Reach& reach, const std::string& tried, std::vector<std::string>& warnings) {
+    constexpr double far = 5;
+    for (std::size_t row = 0; row < reach.pulls.size(); ++row) {
+        if (std::isfinite(reach.pulls[row]) && reach.pulls[row] > far) {
+            warnings.push_back("The priors exclude what was observed: of " + tried + " none comes nearer than " +
+                               number_in_words(reach.pulls[row]) + " standard deviations to \"" + reach.labels[row] +
+                               "\". Priors, standard deviation or mechanism is wrong.");
+        }
+    }
+}
+
+void warn_of_counts(const Target& target, std::vector<std::string>& warnings) {
+    const std::size_t parameters = target.prior().size();
+    const int data = target.misfit().data_count();
+    if (parameters > static_cast<std::size_t>(data)) {
+        warnings.push_back("More parameters than data: " + std::to_string(parameters) + " free parameters, " +
+                           std::to_string(data) + (data == 1 ? " datum" : " data") +
+                           ". What the data leave open is the prior's.");
+    }
+}
+
+void warn_of_sampling(const MechanismPosterior& result, std::vector<std::string>& warnings) {
+    if (result.posterior.status == PosteriorStatus::not_converged) {
+        warnings.emplace_back(
+            "The chains did not converge (R-hat below 1.01, effective sizes above 400): the intervals are no fair "
+            "account. fit.posterior.evaluations_per_chain sets the limit.");
+    }
+    if (result.posterior.status == PosteriorStatus::no_valid_point) {
+        std::string causes;
+        for (const auto& [cause, number] : result.posterior.evaluations.failed_by_cause) {
+            causes += (causes.empty() ? "" : ", ") + cause + " (" + std::to_string(number) + ")";
+        }
+        warnings.push_back("No draw of the priors has an answer: " + causes + ".");
+    }
+}
+
+}  // namespace
+
+std::vector<EvidenceVariant> variants_of(const FitProblem& problem) {
+    const bool priors = std::any_of(problem.mechanisms.begin(), problem.mechanisms.end(), [](const Mechanism& one) {
+        return std::any_of(one.parameters.begin(), one.parameters.end(),
+                           [](const FreeParameter& parameter) { return parameter.prior.has_value(); });
+    });
+    const bool model_error =
+        std::any_of(problem.observations.begin(), problem.observations.end(),
+                    [](const QuantityObservation& observation) { return observation.quantity == safety; });
+    std::vector<EvidenceVariant> variants = {EvidenceVariant::as_given};
+    if (priors) {
+        variants.insert(variants.end(), {EvidenceVariant::priors_halved, EvidenceVariant::priors_doubled,
+                                         EvidenceVariant::priors_flat});
+    }
+    if (model_error) {
+        variants.insert(variants.end(), {EvidenceVariant::model_error_halved, EvidenceVariant::model_error_doubled});
+    }
+    return variants;
+}
+
+FitProblem varied(const FitProblem& problem, EvidenceVariant variant) {
+    FitProblem result = problem;
+    switch (variant) {
+    case EvidenceVariant::as_given:
+        break;
+    case EvidenceVariant::priors_halved:
+        scale_priors(result, 0.5);
+        break;
+    case EvidenceVariant::priors_doubled:
+        scale_priors(result, 2);
+        break;
+    case EvidenceVariant::priors_flat:
+        drop_priors(result);
+        break;
+    case EvidenceVariant::model_error_halved:
+        scale_model_error(result, 0.5);
+        break;
+    case EvidenceVariant::model_error_doubled:
+        scale_model_error(result, 2);
+        break;
+    }
+    return result;
+}
+
+MechanismPosterior study_posterior(const FitProblem& problem, std::size_t mechanism, const CostlyRuns* costly,
+                                   ProgressMeter& progress, StopFlag stop) {
+    const Target target(problem, mechanism, costly, progress, stop);
+    const PosteriorSettings settings = posterior_settings(problem);
+    MechanismPosterior result;
+    result.missing_data = target.misfit().missing_count();
+    result.posterior = sample_posterior(target.evaluator(), target.prior(), settings);
+    for (const EvidenceVariant variant : variants_of(problem)) {
+        const Evidence evidence = variant == EvidenceVariant::as_given
+                                      ? estimate_evidence(target.evaluator(), target.prior(), result.posterior.draws,
+                                                          evidence_settings(problem))
+                                      : evidence_of_variant(problem, mechanism, costly, variant, progress, stop,
+                                                            result.posterior.evaluations);
+        result.evidences.push_back({variant, evidence});
+    }
+    const Evidence& evidence = result.evidence();
+    result.least_misfit =
+        evidence.status == EvidenceStatus::estimated ? evidence.least_misfit : std::numeric_limits<double>::infinity();
+    for (const Draw& draw : result.posterior.draws) {
+        result.least_misfit = std::min(result.least_misfit, draw.misfit);
+    }
+    result.profiles = profiles_of(
+        target.misfit(), thinned(result.posterior.draws, costly != nullptr ? most_costly_profiles : most_profiles),
+        costly != nullptr, progress, stop);
+    warn_of_counts(target, result.warnings);
+    if (costly != nullptr) {
+        warn_of_reach(reach_of_runs(target.misfit(), costly->runs), std::to_string(costly->runs.size()) + " runs",
+                      result.warnings);
+    } else {
+        warn_of_reach(reach_of_priors(target, settings.seed), "512 draws of them", result.warnings);
+    }
+    warn_of_sampling(result, result.warnings);
+    return result;
+}
+
+long expected_posterior_evaluations(const FitProblem& problem, std::size_t mechanism) {
+    const PosteriorStudy& study = *problem.posterior;
+    const auto parameters = static_cast<long>(problem.mechanisms[mechanism].parameters.size());
+    const long begin = 31 * std::clamp(10 * parameters, 20L, 80L);
+    const long evidence = static_cast<long>(EvidenceSettings{}.replicates) * study.evidence_points;
+    const auto variants = static_cast<long>(variants_of(problem).size()) - 1;
+    const bool costly = problem.mechanisms[mechanism].model.costly;
+    const long profiles = costly ? static_cast<long>(most_costly_profiles) * weight_of_run : 0;
+    return study.chains * begin + 3L * study.draws + evidence + profiles +
+           variants * (guiding_chains * begin + guiding_draws + evidence / 2);
+}
+
+}  // namespace delabole

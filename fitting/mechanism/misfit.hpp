@@ -1,0 +1,133 @@
+// The distance of one mechanism's predictions from the evidence, as defined in fit_problem.hpp.
+//
+// Names are bound to indices once. The model is evaluated once per parameter vector for each distinct set of
+// conditions. Observations of quantities that the model lacks, or made under conditions on inputs that it lacks, are
+// left out of the misfit and reported by not_compared().
+#pragma once
+
+#include "fitting/mechanism/fit_result.hpp"
+#include "fitting/mechanism/input_binding.hpp"
+#include "fitting/posterior/fit_problem.hpp"
+#include "fitting/work/evaluation.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+enum class Priors { counted, ignored };
+
+struct MisfitParts {
+    double data = 0;
+    double prior = 0;
+    std::string_view failure;  // why there is no misfit; owned by the model or by the Misfit
+};
+
+// (predicted - observed) / standard deviation of each datum, profile samples weighted so that their squares add up to
+// the profile's part of the misfit.
+struct Residuals {
+    std::vector<double> pulls;
+    std::vector<bool> idle;  // a satisfied inequality, which adds nothing to the misfit
+    std::string_view failure;
+};
+
+// What a residual is of.
+struct Datum {
+    std::string label;
+    Relation relation;
+    double standard_deviation;
+    double share;  // of a datum: the samples of a profile together count as many as it has vertices
+
+    bool operator==(const Datum&) const = default;
+};
+
+// Sum of squares of those that are not idle; meaningful where there is no failure.
+double data_misfit(const Residuals& residuals);
+
+class Misfit {
+  public:
+    // Keeps references to both. Throws std::invalid_argument if check_problem finds fault with the mechanism's names.
+    // Evaluates the model at up to 16 points to learn whether it predicts a profile.
+    Misfit(const Mechanism& mechanism, const FitProblem& problem);
+    Misfit(const Misfit&) = delete;
+    Misfit& operator=(const Misfit&) = delete;
+
+    const Mechanism& mechanism() const { return mechanism_; }
+    const FitProblem& problem() const { return problem_; }
+    // The problem's, those that the mechanism has in its own terms replaced.
+    const std::vector<QuantityObservation>& observations() const { return observations_; }
+    const std::vector<Interval>& bounds() const { return bounds_; }
+    std::vector<Dimension> dimensions() const;
+    // Indices of the parameters with lower < upper.
+    std::vector<std::size_t> free_parameters() const;
+    bool has_priors() const;
+    // The prior mean where there is one, moved into the bounds; the middle of the bounds elsewhere.
+    std::vector<double> centre() const;
+
+    // All of the following take one number per parameter of the mechanism, SI.
+    MisfitParts parts(std::span<const double> parameters) const;
+    // The priors' part alone; evaluates no model.
+    double prior(std::span<const double> parameters) const;
+    Evaluation value(std::span<const double> parameters, Priors priors) const;
+    Residuals residuals(std::span<const double> parameters) const;
+    // What each of them is of, in their order.
+    std::vector<Datum> data() const;
+    Prediction predict(std::span<const double> parameters) const;
+    // One row per quantity observation of the problem, in its order.
+    std::vector<ObservationFit> compare(std::span<const double> parameters) const;
+    // Root mean square distance of the observed from the predicted profile, m; nothing where it is not predicted.
+    std::optional<double> profile_rms(std::span<const double> parameters) const;
+
+    // Index of an output of the model by name.
+    std::optional<std::size_t> output(std::string_view name) const;
+    int data_count() const;
+    // Number of data left out, a profile counting its vertices.
+    int missing_count() const;
+    // One sentence for each datum left out.
+    std::vector<std::string> not_compared() const;
+
+  private:
+    struct ConditionSet {
+        std::vector<Condition> conditions;
+        InputBinding binding;
+        std::vector<std::size_t> observations;  // indices into bound_
+    };
+    struct BoundObservation {
+        std::size_t observation;  // index into observations_
+        std::size_t output;
+        std::string not_a_number;  // cause of failure
+    };
+    struct Unbound {
+        std::size_t observation;
+        std::string reason;
+    };
+
+    std::optional<std::size_t> input(std::string_view name) const;
+    void bind_observations();
+    std::size_t condition_set(const std::vector<Condition>& conditions);
+    void find_out_about_profile();
+    Prediction predict(const ConditionSet& set, std::span<const double> parameters) const;
+    template <class Visitor>
+    std::string_view visit_residuals(std::span<const double> parameters, const Visitor& visit) const;
+    template <class Visitor>
+    std::string_view visit_quantities(const ConditionSet& set, const Prediction& prediction,
+                                      const Visitor& visit) const;
+    template <class Visitor>
+    std::string_view visit_profile(const Polyline& predicted, const Visitor& visit) const;
+
+    const Mechanism& mechanism_;
+    const FitProblem& problem_;
+    std::vector<QuantityObservation> observations_;
+    std::vector<Interval> bounds_;
+    std::vector<ConditionSet> sets_;  // the first has no conditions
+    std::vector<BoundObservation> bound_;
+    std::vector<Unbound> unbound_;
+    Polyline profile_samples_;
+    bool compares_profile_ = false;
+};
+
+}  // namespace delabole

@@ -1,0 +1,34 @@
+// One quantity evaluated at many points, on several threads of several ranks.
+#pragma once
+
+#include "fitting/search/minimise.hpp"
+#include "fitting/search/share.hpp"
+#include "fitting/work/progress.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace delabole {
+
+// Sets the parameters of the point of that index. Safe to call from several threads. Among ranks each asks for its own
+// points only: what this notes down beside the parameters is not known to the others.
+using PointOf = std::function<void(std::size_t index, std::span<double> parameters)>;
+
+struct Evaluator {
+    const Objective& quantity;  // pure, safe to call from several threads
+    ProgressMeter& progress;
+    StopFlag stop = nullptr;
+    int threads = 1;
+    const Ranks* ranks = nullptr;  // null: this process alone
+
+    Workers workers() const { return {threads, ranks}; }
+    bool stopped() const { return stop_requested(stop); }
+
+    // Of points 0 ... count - 1, in their order; where the work was stopped, of those up to the first that is missing.
+    // Every rank calls this, from the thread that made Ranks.
+    std::vector<Evaluation> evaluate(std::size_t dimension, std::size_t count, const PointOf& point) const;
+};
+
+}  // namespace delabole

@@ -1,0 +1,231 @@
+#include "fitting/sensitivity/sensitivity_problem.hpp"
+#include "fitting/work/words.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+using Faults = std::vector<StudyFault>;
+
+std::string numbered(const std::string& key, std::size_t index) {
+    return key + "[" + std::to_string(index + 1) + "]";
+}
+
+void check_parameters(const SensitivityProblem& problem, Faults& faults) {
+    const SensitivityStudy& study = problem.study;
+    if (study.parameters.empty()) {
+        faults.push_back({"", "nothing is uncertain: [[sensitivity.parameter]] is required"});
+    }
+    if (study.parameters.size() > most_parameters) {
+        faults.push_back({numbered("parameter", most_parameters), std::to_string(study.parameters.size()) +
+                                                                      " uncertain parameters, at most " +
+                                                                      std::to_string(most_parameters)});
+    }
+    std::set<std::string> seen;
+    for (std::size_t index = 0; index < study.parameters.size(); ++index) {
+        const UncertainParameter& parameter = study.parameters[index];
+        const std::string key = numbered("parameter", index);
+        if (find_quantity(problem.model.inputs, parameter.name) == nullptr) {
+            faults.push_back({key + ".name", "the model has no such input"});
+        }
+        if (!seen.insert(parameter.name).second) {
+            faults.push_back({key + ".name", "is uncertain already: each input once"});
+        }
+        for (const DistributionFault& fault : check(parameter.distribution)) {
+            faults.push_back({key + "." + std::string(fault.key), fault.message});
+        }
+    }
+}
+
+std::size_t index_of(const SensitivityStudy& study, const std::string& name) {
+    return static_cast<std::size_t>(
+        std::find_if(study.parameters.begin(), study.parameters.end(),
+                     [&](const UncertainParameter& parameter) { return parameter.name == name; }) -
+        study.parameters.begin());
+}
+
+void check_pairs(const SensitivityStudy& study, Faults& faults) {
+    std::set<std::pair<std::size_t, std::size_t>> seen;
+    for (std::size_t index = 0; index < study.correlations.size(); ++index) {
+        const ParameterCorrelation& correlation = study.correlations[index];
+        const std::string key = numbered("correlation", index);
+        const std::size_t first = index_of(study, correlation.first);
+        const std::size_t second = index_of(study, correlation.second);
+        for (const auto& [place, name] : {std::pair{first, correlation.first}, std::pair{second, correlation.second}}) {
+            if (place == study.parameters.size()) {
+                faults.push_back({key + ".between", name + " is not among the uncertain parameters"});
+            }
+        }
+        if (first == second) {
+            faults.push_back({key + ".between", "needs two different parameters"});
+        } else if (!seen.insert(std::minmax(first, second)).second) {
+            faults.push_back({key + ".between", "this pair has a correlation already"});
+        }
+        if (!(correlation.coefficient > -1 && correlation.coefficient < 1)) {
+            faults.push_back({key + ".coefficient", "must be between -1 and 1 (ends excluded)"});
+        }
+    }
+}
+
+// Only for parameters and pairs that are in order.
+void check_dependence(const SensitivityStudy& study, Faults& faults) {
+    const InputSpace space = input_space(study);
+    switch (space.check()) {
+    case DependenceCheck::valid:
+        return;
+    case DependenceCheck::coefficient_out_of_reach:
+        faults.push_back({numbered("correlation", space.faulty_correlation()) + ".coefficient",
+                          "two parameters of these distributions can only have linear correlations between " +
+                              number_in_words(space.reach().lower) + " and " + number_in_words(space.reach().upper)});
+        return;
+    case DependenceCheck::not_positive_definite:
+        faults.push_back({numbered("correlation", study.correlations.size() - 1) + ".coefficient",
+                          "the correlations contradict each other: their matrix is not positive definite"});
+        return;
+    }
+}
+
+void check_probabilities(const std::string& key, double lower, double upper, Faults& faults) {
+    if (!(lower > 0 && lower < 0.5)) {
+        faults.push_back({key + ".lower_probability", "must be between 0 and 0.5 (ends excluded)"});
+    }
+    if (!(upper > 0.5 && upper < 1)) {
+        faults.push_back({key + ".upper_probability", "must be between 0.5 and 1 (ends excluded)"});
+    }
+}
+
+void check_count(const std::string& key, double value, double least, double most, Faults& faults) {
+    if (!(value >= least && value <= most)) {
+        faults.push_back({key, "must be from " + number_in_words(least) + " to " + number_in_words(most)});
+    }
+}
+
+void check_morris(const MorrisSettings& settings, Faults& faults) {
+    check_probabilities("morris", settings.lower_probability, settings.upper_probability, faults);
+    check_count("morris.trajectories", settings.trajectories, 2, 1e6, faults);
+    check_count("morris.levels", settings.levels, 2, 1000, faults);
+    if (settings.levels % 2 != 0) {
+        faults.push_back({"morris.levels", "must be even: a step is half the levels"});
+    }
+}
+
+void check_sobol_indices(const SobolIndicesSettings& settings, const SensitivityStudy& study, Faults& faults) {
+    constexpr double most_rows = 1 << 22;
+    check_count("sobol_indices.samples", settings.samples, 16, most_rows, faults);
+    check_count("sobol_indices.bootstrap", settings.bootstrap, 100, 1e5, faults);
+    if (settings.samples > 0 && !std::has_single_bit(static_cast<unsigned>(settings.samples))) {
+        faults.push_back({"sobol_indices.samples", "must be a power of 2"});
+    }
+    constexpr double most_evaluations = 2e7;  // kept in memory
+    if (settings.samples * (static_cast<double>(study.parameters.size()) + 2) > most_evaluations) {
+        faults.push_back({"sobol_indices.samples", "must be at most 2e7 / (number of parameters + 2)"});
+    }
+    if (!study.correlations.empty()) {
+        faults.push_back({"sobol_indices",
+                          "needs independent parameters, because shares of the variance do not add up "
+                          "otherwise: remove this section or the correlations"});
+    }
+    if (study.parameters.size() > most_index_parameters) {
+        faults.push_back({"sobol_indices", std::to_string(study.parameters.size()) +
+                                               " uncertain parameters, at most 20: the sequence has 40 dimensions and "
+                                               "needs two for each"});
+    }
+}
+
+void check_propagation(const PropagationSettings& settings, std::size_t parameters, Faults& faults) {
+    check_count("propagation.samples", static_cast<double>(settings.samples), 2, most_samples, faults);
+    check_count("propagation.replicates", settings.replicates, 2, 1000, faults);
+    // Latin hypercubes keep their permutations.
+    constexpr double most_strata = 2e8;
+    if (settings.method == SamplingMethod::latin_hypercube &&
+        static_cast<double>(settings.samples) * static_cast<double>(parameters) > most_strata) {
+        faults.push_back({"propagation.samples", "Latin hypercubes take at most 2e8 / (number of parameters) samples"});
+    }
+}
+
+void check_reliability(const SensitivityStudy& study, Faults& faults) {
+    check_count("reliability.starts", study.reliability->starts, 1, 10'000, faults);
+    check_count("reliability.step", study.reliability->step, 1e-6, 1, faults);
+    check_count("reliability.tolerance", study.reliability->tolerance, 1e-8, 0.5, faults);
+    if (!study.failure) {
+        faults.push_back({"reliability", "needs [sensitivity.failure]: the limit whose distance is asked for"});
+    }
+}
+
+}  // namespace
+
+InputSpace input_space(const SensitivityStudy& study) {
+    std::vector<Marginal> marginals;
+    for (const UncertainParameter& parameter : study.parameters) {
+        marginals.emplace_back(parameter.distribution);
+    }
+    std::vector<Correlation> correlations;
+    for (const ParameterCorrelation& correlation : study.correlations) {
+        correlations.push_back({index_of(study, correlation.first), index_of(study, correlation.second),
+                                correlation.measure, correlation.coefficient});
+    }
+    return {std::move(marginals), correlations};
+}
+
+std::optional<FailureCriterion> criterion_of(const SensitivityProblem& problem) {
+    std::optional<FailureCriterion> criterion = problem.study.failure;
+    const auto output = place_of(problem.model.outputs, problem.study.quantity);
+    if (!criterion || !output) {
+        return criterion;
+    }
+    for (const OutputBound& bound : problem.model.bounds) {
+        const std::optional<bool> failed = bound.output == *output ? criterion->failed(bound.within) : std::nullopt;
+        if (failed && !criterion->decided(Evaluation{0, bound.failure})) {
+            (*failed ? criterion->failing_words : criterion->standing_words).emplace_back(bound.failure);
+        }
+    }
+    return criterion;
+}
+
+std::vector<StudyFault> check_study(const SensitivityProblem& problem) {
+    const SensitivityStudy& study = problem.study;
+    Faults faults;
+    check_parameters(problem, faults);
+    check_pairs(study, faults);
+    if (faults.empty()) {
+        check_dependence(study, faults);
+    }
+    if (find_quantity(problem.model.outputs, study.quantity) == nullptr) {
+        faults.push_back({"quantity", "the model does not answer this"});
+    }
+    if (study.failure && !std::isfinite(study.failure->limit)) {
+        faults.push_back({"failure.limit", "must be finite"});
+    }
+    if (study.tornado) {
+        check_probabilities("tornado", study.tornado->lower_probability, study.tornado->upper_probability, faults);
+    }
+    if (study.morris) {
+        check_morris(*study.morris, faults);
+    }
+    if (study.sobol_indices) {
+        check_sobol_indices(*study.sobol_indices, study, faults);
+    }
+    if (study.propagation) {
+        check_propagation(*study.propagation, study.parameters.size(), faults);
+    }
+    if (study.reliability) {
+        check_reliability(study, faults);
+    }
+    if (!study.tornado && !study.morris && !study.sobol_indices && !study.propagation && !study.reliability) {
+        faults.push_back({"",
+                          "asks for nothing: give at least one of [sensitivity.tornado], .morris, .sobol_indices, "
+                          ".propagation, .reliability (empty for the standard settings)"});
+    }
+    if (problem.threads < 1) {
+        faults.push_back({"", "threads must be >= 1"});
+    }
+    return faults;
+}
+
+}  // namespace delabole

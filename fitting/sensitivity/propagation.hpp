@@ -1,0 +1,129 @@
+// What the uncertainty of the parameters makes of a quantity: its distribution, the probability of failure, and how far
+// both have converged.
+#pragma once
+
+#include "fitting/probability/dependence.hpp"
+#include "fitting/probability/estimate.hpp"
+#include "fitting/probability/sampling.hpp"
+#include "fitting/search/evaluate_points.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace delabole {
+
+enum class FailureSide { below, above };
+
+constexpr std::array<std::string_view, 2> enum_names(FailureSide) {
+    return {"below", "above"};
+}
+
+// When a sample has failed: factor of safety below 1, displacement above a limit.
+struct FailureCriterion {
+    double limit;
+    FailureSide side = FailureSide::below;
+    // Words of the model that decide without a value of the quantity, as "fails_at_any_strength" and
+    // "holds_at_any_strength"; all other words mean a sample without an answer.
+    std::vector<std::string> failing_words = {};
+    std::vector<std::string> standing_words = {};
+
+    bool failed(double value) const { return side == FailureSide::below ? value < limit : value > limit; }
+    bool failed(const Evaluation& evaluation) const;
+    // Whether all values in it have failed (true) or stand (false); nothing where it holds values of both kinds.
+    std::optional<bool> failed(const Interval& values) const;
+    // Failed or standing, known from a value or a word.
+    bool decided(const Evaluation& evaluation) const;
+};
+
+struct PropagationSettings {
+    SamplingMethod method = SamplingMethod::latin_hypercube;
+    long samples = 16'384;  // raised to the next number that the replicates share evenly, by powers of 2 for a sequence
+    int replicates = 16;    // independent samples whose spread gives the error, >= 2; Monte Carlo needs none
+};
+
+// As many as a result keeps in memory with ease.
+inline constexpr long most_samples = 10'000'000;
+
+// Points of each replicate, and how many there are.
+struct PlanSize {
+    std::size_t points;
+    std::size_t replicates;
+
+    std::size_t total() const { return points * replicates; }
+};
+PlanSize plan_size(const PropagationSettings& settings);
+SamplePlan plan_of(const PropagationSettings& settings, std::size_t dimension, std::uint64_t seed);
+
+enum class ErrorMethod {
+    replicates,  // spread between independent samples, Student's t
+    wilson,      // counts of independent samples; of all samples taken for independent where replicates all agree
+};
+
+constexpr std::array<std::string_view, 2> enum_names(ErrorMethod) {
+    return {"replicates", "wilson"};
+}
+
+struct FailureProbability {
+    // Of the samples that are decided; none where they are fewer than half, and so no sample of the whole.
+    std::optional<Estimate> probability;
+    ErrorMethod method = ErrorMethod::wilson;
+    long failed = 0;
+    long decided = 0;
+    long samples = 0;
+    // If all samples that are not decided stood, and if all had failed.
+    double least = 0;
+    double greatest = 1;
+};
+
+struct HistogramBin {
+    double lower;
+    double upper;
+    long samples;
+};
+
+// After the first samples of every replicate (or the first replicates of Latin hypercubes).
+struct ConvergenceStep {
+    long samples;
+    Estimate mean;
+    std::optional<Estimate> probability;  // of failure, as in FailureProbability
+};
+
+enum class PropagationStatus {
+    finished,
+    no_answer,    // no sample has a value or is decided
+    interrupted,  // what was finished is shown
+};
+
+constexpr std::array<std::string_view, 3> enum_names(PropagationStatus) {
+    return {"finished", "no_answer", "interrupted"};
+}
+
+inline constexpr std::array<double, 9> shown_shares{0.01, 0.025, 0.05, 0.25, 0.5, 0.75, 0.95, 0.975, 0.99};
+
+struct PropagationResult {
+    PropagationStatus status = PropagationStatus::no_answer;
+    long samples = 0;  // evaluated
+    // Of the samples with a value; meaningful where there is one.
+    long with_value = 0;
+    Estimate mean;
+    double standard_deviation = 0;
+    double least = 0;
+    double greatest = 0;
+    std::vector<std::pair<double, double>> quantiles;   // share of shown_shares, value
+    std::vector<std::pair<double, double>> cumulative;  // value, share of samples not above it; both ascending
+    std::vector<HistogramBin> histogram;                // the limit of failure, where inside, is an edge
+    std::optional<FailureProbability> failure;          // where there is a criterion
+    std::vector<ConvergenceStep> convergence;
+    EvaluationCount evaluations;
+};
+
+// Work that was stopped is judged by what was finished: the first samples of Monte Carlo, whole replicates otherwise.
+PropagationResult propagate(const Evaluator& evaluator, const InputSpace& space, const PropagationSettings& settings,
+                            const std::optional<FailureCriterion>& criterion, std::uint64_t seed);
+
+}  // namespace delabole

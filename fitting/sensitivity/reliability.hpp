@@ -1,0 +1,70 @@
+// First-order reliability: how many standard deviations the parameters have to go until the slope fails, which way, and
+// the probability of failure if the limit surface were flat there.
+//
+// In the space of independent standard normal numbers u the design point u* is the point of the limit surface nearest
+// to the medians; beta = |u*|, negative where the medians have failed already; p_f ~ Phi(-beta). alpha = u* / beta
+// tells how far each axis of u goes. Where parameters are correlated an axis is no parameter; the importance
+//     gamma = L^-T alpha / |L^-T alpha|
+// then stands for the parameters (equal to alpha without correlation): negative for a parameter that has to fall. With
+// bent surfaces p_f is an approximation, and nothing here tells how good: sampling does.
+// Sources: A. M. Hasofer & N. C. Lind, J. Engineering Mechanics Division ASCE 100 (1974) 111-121; P.-L. Liu & A. Der
+// Kiureghian, Structural Safety 9 (1991) 161-177; importance: A. Der Kiureghian, First- and second-order reliability
+// methods, in Engineering design reliability handbook (2005), section 14.5.
+#pragma once
+
+#include "fitting/probability/dependence.hpp"
+#include "fitting/search/evaluate_points.hpp"
+#include "fitting/search/nearest_point.hpp"
+#include "fitting/sensitivity/propagation.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+struct ReliabilitySettings {
+    int starts = 8;           // the medians, then random points two standard deviations away; >= 1
+    double step = 1e-3;       // of differences, in standard deviations; larger for models with a coarse answer
+    double tolerance = 1e-3;  // of beta
+};
+
+enum class ReliabilityStatus {
+    converged,             // the nearest point found passes the check of nearest_point.hpp
+    not_converged,         // a point of the surface was found that does not; it is given
+    limit_not_reached,     // no start met the surface within 8 standard deviations
+    no_answer_at_medians,  // the quantity has no value there
+    interrupted,
+};
+
+constexpr std::array<std::string_view, 5> enum_names(ReliabilityStatus) {
+    return {"converged", "not_converged", "limit_not_reached", "no_answer_at_medians", "interrupted"};
+}
+
+struct DesignPoint {
+    double reliability_index = 0;
+    std::vector<double> standard_normal;  // u*
+    std::vector<double> parameters;
+    std::vector<double> alpha;
+    std::vector<double> importance;
+    double off_surface = 0;   // standard deviations
+    double misalignment = 0;  // sine of an angle
+    int hits = 0;             // starts that ended here
+    bool converged = false;
+};
+
+struct ReliabilityResult {
+    ReliabilityStatus status = ReliabilityStatus::limit_not_reached;
+    double reliability_index = 0;  // of the nearest design point; meaningful where there is one
+    double probability_of_failure = 0;
+    std::vector<DesignPoint> points;  // distinct ones, nearest first; further ones add to the probability
+    int starts = 0;
+    int converged_starts = 0;
+    EvaluationCount evaluations;
+};
+
+ReliabilityResult reliability(const Evaluator& evaluator, const InputSpace& space, const ReliabilitySettings& settings,
+                              const FailureCriterion& criterion, std::uint64_t seed);
+
+}  // namespace delabole

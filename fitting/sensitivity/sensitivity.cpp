@@ -1,0 +1,164 @@
+#include "fitting/sensitivity/sensitivity.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace delabole {
+
+namespace {
+
+std::size_t demanded_place(const std::vector<Quantity>& quantities, const std::string& name) {
+    const auto place = place_of(quantities, name);
+    if (!place) {
+        throw std::invalid_argument("sensitivity: the model has no " + name);
+    }
+    return *place;
+}
+
+// Evaluations of each method, for progress only.
+struct Expected {
+    long tornado = 0;
+    long morris = 0;
+    long sobol_indices = 0;
+    long propagation = 0;
+    long reliability = 0;
+
+    explicit Expected(const SensitivityStudy& study) {
+        const auto dimension = static_cast<long>(study.parameters.size());
+        if (study.tornado) {
+            tornado = 1 + 2 * dimension;
+        }
+        if (study.morris) {
+            morris = study.morris->trajectories * (dimension + 1);
+        }
+        if (study.sobol_indices) {
+            sobol_indices = study.sobol_indices->samples * (dimension + 2);
+        }
+        if (study.propagation) {
+            propagation = static_cast<long>(plan_size(*study.propagation).total());
+        }
+        if (study.reliability) {
+            constexpr long usual_iterations = 8;
+            reliability = study.reliability->starts * usual_iterations * (2 * dimension + 1);
+        }
+    }
+    long total() const { return tornado + morris + sobol_indices + propagation + reliability; }
+};
+
+// Whether a parameter was looked at alone, and whether that changed anything.
+struct Effect {
+    bool looked = false;
+    bool any = false;
+
+    void add(bool changed) {
+        looked = true;
+        any = any || changed;
+    }
+};
+
+std::vector<std::size_t> without_effect(const SensitivityResult& result, std::size_t parameters) {
+    std::vector<Effect> effects(parameters);
+    for (std::size_t parameter = 0; parameter < parameters; ++parameter) {
+        Effect& effect = effects[parameter];
+        if (result.tornado) {
+            if (const auto swing = result.tornado->bars[parameter].swing(result.tornado->at_medians)) {
+                effect.add(*swing != 0);
+            }
+        }
+        if (result.morris && result.morris->parameters[parameter].effects >= 2) {
+            effect.add(result.morris->parameters[parameter].mean_absolute.value != 0);
+        }
+        if (result.sobol_indices && result.sobol_indices->status == SobolIndicesStatus::found) {
+            effect.add(result.sobol_indices->parameters[parameter].total.value != 0);
+        }
+    }
+    std::vector<std::size_t> without;
+    for (std::size_t parameter = 0; parameter < parameters; ++parameter) {
+        if (effects[parameter].looked && !effects[parameter].any) {
+            without.push_back(parameter);
+        }
+    }
+    return without;
+}
+
+bool found_nothing(const SensitivityResult& result) {
+    const auto nothing = [](const EvaluationCount& count) { return count.total > 0 && count.failed() == count.total; };
+    return (result.tornado && nothing(result.tornado->evaluations)) ||
+           (result.morris && nothing(result.morris->evaluations)) ||
+           (result.sobol_indices && nothing(result.sobol_indices->evaluations)) ||
+           (result.propagation && result.propagation->status == PropagationStatus::no_answer) ||
+           (result.reliability && result.reliability->status == ReliabilityStatus::no_answer_at_medians);
+}
+
+}  // namespace
+
+Objective quantity_of(const ModelInterface& model, const SensitivityStudy& study) {
+    std::vector<std::size_t> inputs;
+    for (const UncertainParameter& parameter : study.parameters) {
+        inputs.push_back(demanded_place(model.inputs, parameter.name));
+    }
+    const std::size_t output = demanded_place(model.outputs, study.quantity);
+    return [&model, inputs, output](std::span<const double> parameters) -> Evaluation {
+        std::array<Assignment, most_parameters> assignments{};
+        for (std::size_t index = 0; index < inputs.size(); ++index) {
+            assignments[index] = {inputs[index], parameters[index]};
+        }
+        const Prediction prediction = model.predict(std::span(assignments).first(inputs.size()));
+        if (!prediction.failure.empty()) {
+            return {0, prediction.failure};
+        }
+        return {prediction.outputs[output], {}};
+    };
+}
+
+SensitivityResult sensitivity(const SensitivityProblem& problem, FitProgressCallback progress, StopFlag stop) {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::vector<StudyFault> faults = check_study(problem);
+    if (!faults.empty()) {
+        throw std::invalid_argument("sensitivity: " + faults.front().key + " " + faults.front().message);
+    }
+    const SensitivityStudy& study = problem.study;
+    const InputSpace space = input_space(study);
+    const Objective quantity = quantity_of(problem.model, study);
+    const std::optional<FailureCriterion> criterion = criterion_of(problem);
+    const Expected expected(study);
+    ProgressMeter meter(std::move(progress), expected.total());
+    const Evaluator evaluator{quantity, meter, stop, problem.threads, problem.ranks};
+
+    SensitivityResult result;
+    if (study.tornado && !evaluator.stopped()) {
+        meter.begin_stage(study.quantity, "tornado", expected.tornado);
+        result.tornado = tornado(evaluator, space, *study.tornado);
+    }
+    if (study.morris && !evaluator.stopped()) {
+        meter.begin_stage(study.quantity, "Morris screening", expected.morris);
+        result.morris = morris(evaluator, space, *study.morris, study.seed);
+    }
+    // Before the samples, which are many: when interrupted there, this is known.
+    if (study.reliability && !evaluator.stopped()) {
+        meter.begin_stage(study.quantity, "design point", expected.reliability);
+        result.reliability = reliability(evaluator, space, *study.reliability, *criterion, study.seed);
+    }
+    if (study.propagation && !evaluator.stopped()) {
+        meter.begin_stage(study.quantity, "samples", expected.propagation);
+        result.propagation = propagate(evaluator, space, *study.propagation, criterion, study.seed);
+    }
+    if (study.sobol_indices && !evaluator.stopped()) {
+        meter.begin_stage(study.quantity, "Sobol indices", expected.sobol_indices);
+        result.sobol_indices = sobol_indices(evaluator, space, *study.sobol_indices, study.seed);
+    }
+    meter.finish();
+    result.without_effect = without_effect(result, space.size());
+    if (evaluator.stopped()) {
+        result.status = SensitivityStatus::interrupted;
+    } else if (found_nothing(result)) {
+        result.status = SensitivityStatus::no_answer;
+    } else if (result.reliability && result.reliability->status == ReliabilityStatus::not_converged) {
+        result.status = SensitivityStatus::not_converged;
+    }
+    result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
+}
+
+}  // namespace delabole

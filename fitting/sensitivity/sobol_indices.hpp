@@ -1,0 +1,67 @@
+// Shares of the variance of a quantity that its parameters are to blame for.
+//
+// First-order index: the share that would go if the parameter became known. Total index: the share that would stay if
+// everything else became known; what exceeds the first-order index is interaction. They are shares of a sum only where
+// the parameters are independent.
+//
+// Matrices A and B of N rows from one Sobol sequence of twice the dimension, AB_i = A with column i of B; with values
+// f less their mean and V their variance:
+//     S_i = mean(f(B) (f(AB_i) - f(A))) / V    A. Saltelli et al., Computer Physics Communications 181 (2010) 259-270,
+//                                              table 2 (b)
+//     T_i = mean((f(A) - f(AB_i))^2) / (2 V)   M. J. W. Jansen, Computer Physics Communications 117 (1999) 35-43
+#pragma once
+
+#include "fitting/probability/dependence.hpp"
+#include "fitting/probability/estimate.hpp"
+#include "fitting/search/evaluate_points.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+// 2 dimensions of the sequence for each parameter, of the 40 that GSL tabulates.
+inline constexpr std::size_t most_index_parameters = 20;
+
+struct SobolIndicesSettings {
+    int samples = 4096;    // N, a power of 2 >= 16; the quantity is evaluated N (parameters + 2) times
+    int bootstrap = 1000;  // repetitions, >= 100
+};
+
+enum class SobolIndicesStatus {
+    found,
+    no_variance,         // the quantity is the same at every sample: nothing to share out
+    not_enough_samples,  // fewer than 16 rows whose evaluations all have an answer
+};
+
+constexpr std::array<std::string_view, 3> enum_names(SobolIndicesStatus) {
+    return {"found", "no_variance", "not_enough_samples"};
+}
+
+struct SobolIndex {
+    Estimate first;
+    Estimate total;
+};
+
+struct SobolIndicesResult {
+    SobolIndicesStatus status = SobolIndicesStatus::not_enough_samples;
+    std::vector<SobolIndex> parameters;  // empty unless found
+    double mean = 0;
+    double variance = 0;
+    long rows = 0;          // N
+    long rows_without = 0;  // left out, because an evaluation of the row had no answer: the indices are then those of
+                            // what remains, whose parameters are no longer quite independent
+    EvaluationCount evaluations;
+};
+
+// Intervals: bootstrap over rows, over 1024 groups of neighbouring rows where there are more; that takes the points for
+// independent, which makes the intervals of a sequence too wide rather than too narrow. Nothing where the work was
+// stopped. Throws std::invalid_argument for parameters that depend on each other, more than 20 of them, or N that is no
+// power of 2.
+std::optional<SobolIndicesResult> sobol_indices(const Evaluator& evaluator, const InputSpace& space,
+                                                const SobolIndicesSettings& settings, std::uint64_t seed);
+
+}  // namespace delabole

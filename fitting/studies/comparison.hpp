@@ -1,0 +1,28 @@
+// Mechanisms weighed against each other by their evidence, all equally likely beforehand.
+#pragma once
+
+#include "fitting/mechanism/fit_result.hpp"
+
+#include <span>
+#include <vector>
+
+namespace delabole {
+
+struct MechanismWeight {
+    double log_bayes_factor;  // evidence over the best mechanism's, natural logarithm; -infinity without evidence
+    double probability;       // of the mechanism, one of those given being true
+    double standard_error;    // of the probability, from the errors of all evidences
+};
+
+struct LogEvidence {
+    double value;  // -infinity: no evidence at all
+    double standard_error;
+};
+
+// Of every mechanism that was sampled, in the order of the result; probability 0 for the others.
+std::vector<MechanismWeight> weigh(const FitResult& result);
+
+// In the order given. Without any evidence all have probability 0.
+std::vector<MechanismWeight> weigh(std::span<const LogEvidence> mechanisms);
+
+}  // namespace delabole

@@ -1,0 +1,198 @@
+#include "fitting/studies/conclusions.hpp"
+
+#include "fitting/mechanism/costly_runs.hpp"
+#include "fitting/mechanism/quantity_of_mechanism.hpp"
+#include "fitting/probability/estimate.hpp"
+#include "fitting/probability/statistics.hpp"
+#include "fitting/search/share.hpp"
+#include "fitting/studies/comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <span>
+
+namespace delabole {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double nearly_all = 0.95;
+
+bool holds(double value, const ConclusionTest& test) {
+    return test.relation == Relation::at_least ? value >= test.limit : value <= test.limit;
+}
+
+// Of those that were fitted; nothing where none was sampled.
+TestFinding judge(const ConclusionTest& test, const ClaimOfMechanisms& claim, const FitResult& result) {
+    const std::vector<MechanismWeight> weights = weigh(result);
+    TestFinding finding;
+    bool any = false;
+    for (std::size_t index = 0; index < weights.size(); ++index) {
+        const MechanismFit& fit = result.mechanisms[index];
+        if (fit.posterior && std::ranges::find(claim.mechanisms, fit.name) != claim.mechanisms.end()) {
+            any = true;
+            finding.value += weights[index].probability;
+            // As if all erred the same way, which overstates it.
+            finding.standard_error += weights[index].standard_error;
+        }
+    }
+    if (!any) {
+        finding.value = nothing;
+        return finding;
+    }
+    const double error = 2 * finding.standard_error;
+    const bool low = holds(finding.value - error, test);
+    const bool high = holds(finding.value + error, test);
+    finding.verdict = low && high     ? ConclusionVerdict::confirmed
+                      : !low && !high ? ConclusionVerdict::contradicted
+                                      : ConclusionVerdict::undecided;
+    return finding;
+}
+
+std::vector<std::vector<double>> points_of(const MechanismFit& fit, bool costly) {
+    std::vector<std::vector<double>> points;
+    if (fit.posterior) {
+        for (const Draw& draw :
+             thinned(fit.posterior->posterior.draws, costly ? most_runs_of_claim : most_draws_of_claim)) {
+            points.push_back(draw.parameters);
+        }
+    }
+    if (points.empty() && !fit.best.empty()) {
+        points.push_back(fit.best);
+    }
+    return points;
+}
+
+void describe(std::vector<double> values, TestFinding& finding) {
+    constexpr std::size_t few = 20;
+    std::ranges::sort(values);
+    finding.value = sorted_quantile(values, 0.5);
+    const bool all = values.size() < few;
+    constexpr double tail = (1 - probability_68) / 2;
+    finding.interval_68 = within(all ? values.front() : sorted_quantile(values, tail),
+                                 all ? values.back() : sorted_quantile(values, 1 - tail));
+}
+
+class QuantityJudge {
+  public:
+    QuantityJudge(const FitProblem& problem, const FitResult& result, ProgressMeter& progress, StopFlag stop)
+        : problem_(problem), result_(result), progress_(progress), stop_(stop) {}
+
+    TestFinding operator()(const ConclusionTest& test, const ClaimOfQuantity& claim) const {
+        TestFinding finding;
+        finding.value = nothing;
+        const auto fit = std::ranges::find(result_.mechanisms, claim.mechanism, &MechanismFit::name);
+        const auto mechanism = std::ranges::find(problem_.mechanisms, claim.mechanism, &Mechanism::name);
+        if (fit == result_.mechanisms.end() || stop_requested(stop_)) {
+            return finding;
+        }
+        const std::span<const std::string> name(&claim.quantity, 1);
+        const auto quantity = QuantityOfMechanism::of(*mechanism, name, claim.conditions);
+        const auto other = claim.against ? QuantityOfMechanism::of(*mechanism, name, *claim.against) : std::nullopt;
+        if (!quantity || (claim.against && !other)) {
+            return finding;
+        }
+        const auto points = points_of(*fit, mechanism->model.costly);
+        std::vector<double> values = values_of(*quantity, points, mechanism->model.costly);
+        if (other) {
+            const std::vector<double> less = values_of(*other, points, mechanism->model.costly);
+            std::ranges::transform(values, less, values.begin(), std::minus<>());
+        }
+        if (stop_requested(stop_)) {
+            return finding;
+        }
+        count(test, std::move(values), finding);
+        return finding;
+    }
+
+  private:
+    std::vector<double> values_of(const QuantityOfMechanism& quantity, const std::vector<std::vector<double>>& points,
+                                  bool costly) const {
+        const Workers workers{problem_.settings.threads, problem_.settings.ranks};
+        return share_tasks<double>(points.size(), workers, [&](std::size_t number) {
+            const double value = stop_requested(stop_) ? nothing : quantity.at(points[number]);
+            progress_.count(1, costly ? weight_of_run : 1);
+            return value;
+        });
+    }
+
+    static void count(const ConclusionTest& test, std::vector<double> values, TestFinding& finding) {
+        finding.draws = static_cast<int>(values.size());
+        std::erase_if(values, [](double value) { return std::isnan(value); });
+        finding.without_answer = finding.draws - static_cast<int>(values.size());
+        if (values.empty()) {
+            finding.verdict = finding.draws > 0 ? ConclusionVerdict::undecided : ConclusionVerdict::not_tested;
+            return;
+        }
+        finding.holding =
+            static_cast<int>(std::ranges::count_if(values, [&](double value) { return holds(value, test); }));
+        const double share = static_cast<double>(finding.holding) / static_cast<double>(values.size());
+        finding.verdict = share >= nearly_all       ? ConclusionVerdict::confirmed
+                          : share <= 1 - nearly_all ? ConclusionVerdict::contradicted
+                                                    : ConclusionVerdict::undecided;
+        describe(std::move(values), finding);
+    }
+
+    const FitProblem& problem_;
+    const FitResult& result_;
+    ProgressMeter& progress_;
+    StopFlag stop_;
+};
+
+}  // namespace
+
+ConclusionVerdict verdict_of(const std::vector<TestFinding>& tests) {
+    const auto count = [&](ConclusionVerdict verdict) {
+        return static_cast<std::size_t>(std::ranges::count(tests, verdict, &TestFinding::verdict));
+    };
+    const std::size_t confirmed = count(ConclusionVerdict::confirmed);
+    const std::size_t contradicted = count(ConclusionVerdict::contradicted);
+    if (count(ConclusionVerdict::not_tested) == tests.size()) {
+        return ConclusionVerdict::not_tested;
+    }
+    if (confirmed > 0 && contradicted > 0) {
+        return ConclusionVerdict::partly;
+    }
+    return confirmed == tests.size()      ? ConclusionVerdict::confirmed
+           : contradicted == tests.size() ? ConclusionVerdict::contradicted
+                                          : ConclusionVerdict::undecided;
+}
+
+std::vector<ConclusionFinding> judge_conclusions(const FitProblem& problem, const FitResult& result,
+                                                 const FitProgressCallback& progress, StopFlag stop) {
+    long expected = 1;
+    for (const Conclusion& conclusion : problem.conclusions) {
+        for (const ConclusionTest& test : conclusion.tests) {
+            if (const auto* claim = std::get_if<ClaimOfQuantity>(&test.of)) {
+                const auto fit = std::ranges::find(result.mechanisms, claim->mechanism, &MechanismFit::name);
+                const auto mechanism = std::ranges::find(problem.mechanisms, claim->mechanism, &Mechanism::name);
+                if (fit != result.mechanisms.end()) {
+                    const bool costly = mechanism->model.costly;
+                    expected += static_cast<long>(points_of(*fit, costly).size()) * (claim->against ? 2 : 1) *
+                                (costly ? weight_of_run : 1);
+                }
+            }
+        }
+    }
+    ProgressMeter meter(progress, expected);
+    meter.begin_stage("all mechanisms", "conclusions", expected);
+    const QuantityJudge judge_quantity(problem, result, meter, stop);
+    std::vector<ConclusionFinding> findings;
+    for (const Conclusion& conclusion : problem.conclusions) {
+        ConclusionFinding& finding = findings.emplace_back();
+        for (const ConclusionTest& test : conclusion.tests) {
+            if (const auto* claim = std::get_if<ClaimOfMechanisms>(&test.of)) {
+                finding.tests.push_back(judge(test, *claim, result));
+            } else {
+                finding.tests.push_back(judge_quantity(test, std::get<ClaimOfQuantity>(test.of)));
+            }
+        }
+        finding.verdict = verdict_of(finding.tests);
+    }
+    meter.finish();
+    return findings;
+}
+
+}  // namespace delabole

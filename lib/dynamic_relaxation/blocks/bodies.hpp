@@ -1,0 +1,129 @@
+// The blocks of a scene as the main loop wants them: what does not change, and how each has moved.
+#pragma once
+
+#include "dynamic_relaxation/scene/scene.hpp"
+#include "dynamic_relaxation/wide/lanes.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace delabole {
+
+struct CornerRange {
+    std::size_t begin;
+    std::size_t end;
+
+    std::size_t size() const { return end - begin; }
+    // Neighbours around the block.
+    std::size_t after(std::size_t corner) const { return corner + 1 < end ? corner + 1 : begin; }
+    std::size_t before(std::size_t corner) const { return corner > begin ? corner - 1 : end - 1; }
+};
+
+// Struct of arrays. Corners and edges of all blocks are numbered through; edge n leads from corner n to the next one.
+struct Bodies {
+    std::vector<double> mass = {};             // kg per metre run; gravity and shaking act on it
+    std::vector<double> inertial_mass = {};    // kg per metre run, against acceleration: the same unless scaled
+    std::vector<double> inertia = {};          // kg m2 per metre run, about the centroid; scaled alike
+    std::vector<double> inverse_mass = {};     // 0 for fixed blocks
+    std::vector<double> inverse_inertia = {};  // 0 for fixed blocks
+    std::vector<double> radius = {};           // farthest corner from the centroid
+    std::vector<double> shortest_edge = {};
+    std::vector<char> fixed = {};
+    std::vector<PlanePoint<>> centroid = {};  // in the drawing
+    std::vector<CornerRange> range = {};
+    std::vector<std::size_t> block_of = {};  // of a corner
+    std::vector<PlanePoint<>> corner = {};   // about the centroid, in the drawing
+    std::vector<PlanePoint<>> along = {};    // unit vector of an edge, in the drawing
+    std::vector<double> length = {};         // of an edge
+    std::vector<std::size_t> material = {};  // of an edge
+    // A fixed block where all fixed ones move as one: motion is seen from it.
+    std::optional<std::size_t> moved_base = {};
+
+    std::size_t size() const { return mass.size(); }
+    PlanePoint<> normal(std::size_t edge) const { return {along[edge].y(), -along[edge].x()}; }  // outward
+};
+
+// The scene must be valid.
+Bodies make_bodies(const RelaxationScene& scene);
+
+// Gives free blocks more inertia: as if as heavy as the heaviest, at most a hundredfold. Equilibria stay what they are,
+// in which nothing accelerates, but the lightest block no longer sets the stable step. Motion is no longer that of the
+// rock. Known as mass or density scaling (Cundall 1982).
+void scale_masses(Bodies& bodies);
+
+// On a block. A row of four numbers.
+template <class Number>
+struct alignas(4 * sizeof(double)) BlockForceOf {
+    Number x{};       // N/m
+    Number y{};       // N/m
+    Number moment{};  // N, about the centroid
+    Number unused{};
+
+    DELABOLE_INLINED BlockForceOf& operator+=(const BlockForceOf& other) {
+        x += other.x;
+        y += other.y;
+        moment += other.moment;
+        return *this;
+    }
+};
+
+using BlockForce = BlockForceOf<double>;
+
+// Of a turn by an angle; true, and right to the last digits, where its square is below 1e-4.
+template <class Number>
+DELABOLE_INLINED MaskOf<Number> small_turn(const Number& angle, Number& sine, Number& versine) {
+    const Number square = angle * angle;
+    // The series end where the next term is below rounding.
+    sine = angle * (1.0 - square * (1.0 / 6) * (1.0 - square * (1.0 / 20) * (1.0 - square * (1.0 / 42))));
+    versine = square * 0.5 * (1.0 - square * (1.0 / 12) * (1.0 - square * (1.0 / 30) * (1.0 - square * (1.0 / 56))));
+    return square < 1e-4;
+}
+
+// One block's motion since the drawing, and its velocity half a step ago. Displacements instead of positions: the
+// overlap of stiff joints would drown in the rounding of coordinates. One cache line, because contacts visit blocks at
+// random.
+template <class Number>
+struct MotionOf {
+    Number x{};        // m, of the centroid
+    Number y{};        // m
+    Number sine{};     // of the angle
+    Number versine{};  // 1 - cosine, without cancellation
+    Number vx{};
+    Number vy{};
+    Number spin{};   // rad/s
+    Number angle{};  // rad, anticlockwise
+};
+
+// m/s; no point of a block is faster. `radius`: of its farthest corner.
+template <class Number>
+DELABOLE_INLINED Number fastest_point(const MotionOf<Number>& motion, const Number& radius) {
+    return absolute(motion.vx) + absolute(motion.vy) + absolute(motion.spin) * radius;
+}
+
+struct alignas(64) Motion : MotionOf<double> {
+    // Displacement of a point of the block by rotation alone.
+    PlanePoint<> turned_by(const PlanePoint<>& point) const {
+        return {-versine * point.x() - sine * point.y(), sine * point.x() - versine * point.y()};
+    }
+    PlanePoint<> turned(const PlanePoint<>& point) const { return point + turned_by(point); }
+    void set_angle(double value) {
+        angle = value;
+        if (!small_turn(value, sine, versine)) {
+            set_large_angle(value);
+        }
+    }
+
+  private:
+    void set_large_angle(double value);
+};
+
+// Corner of a moved block.
+inline PlanePoint<> moved_corner(const Bodies& bodies, const std::vector<Motion>& motion, std::size_t corner) {
+    const std::size_t block = bodies.block_of[corner];
+    const Motion& moved = motion[block];
+    return bodies.centroid[block] + PlanePoint<>(moved.x, moved.y) + moved.turned(bodies.corner[corner]);
+}
+
+}  // namespace delabole

@@ -1,0 +1,59 @@
+#include "dynamic_relaxation/blocks/joint_water.hpp"
+
+#include "dynamic_relaxation/blocks/shared_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+// Of an edge, which faces that are not quite parallel would leave by a trifle.
+EdgePart part_of(const Bodies& bodies, std::size_t edge, const PlanePoint<>& middle, double length) {
+    const double centre = bodies.along[edge].dot(middle - bodies.corner[edge]);
+    return {std::max(0.0, centre - length / 2), std::min(bodies.length[edge], centre + length / 2)};
+}
+
+}  // namespace
+
+std::vector<FacePressure> pressures_of(const JointWater& water, const Bodies& bodies) {
+    std::vector<SharedFace> faces;
+    const CornerRange& range = bodies.range[water.block];
+    const CornerRange& others = bodies.range[water.other];
+    for (std::size_t edge = range.begin; edge < range.end; ++edge) {
+        for (std::size_t other = others.begin; other < others.end; ++other) {
+            if (const std::optional<SharedFace> face = shared_face(bodies, edge, other)) {
+                faces.push_back(*face);
+            }
+        }
+    }
+    if (faces.empty()) {
+        return {};
+    }
+    // Convex blocks touch along one line; places on it anticlockwise round the block.
+    const PlanePoint<> along = bodies.along[faces.front().edge];
+    double begin = along.dot(faces.front().arm);
+    double end = begin;
+    for (const SharedFace& face : faces) {
+        begin = std::min(begin, along.dot(face.arm) - face.length / 2);
+        end = std::max(end, along.dot(face.arm) + face.length / 2);
+    }
+    const auto at = [&](double place) {
+        // Rounding does not make a pressure of nothing negative.
+        return std::lerp(water.at_first, water.at_second, (place - begin) / (end - begin));
+    };
+    std::vector<FacePressure> pressures;
+    for (const SharedFace& face : faces) {
+        const double middle = along.dot(face.arm);
+        const double first = at(middle - face.length / 2);
+        const double second = at(middle + face.length / 2);
+        pressures.push_back(
+            {water.block, face.edge - range.begin, first, second, part_of(bodies, face.edge, face.arm, face.length)});
+        pressures.push_back({water.other, face.other_edge - others.begin, second, first,
+                             part_of(bodies, face.other_edge, face.other_arm, face.length)});
+    }
+    return pressures;
+}
+
+}  // namespace delabole

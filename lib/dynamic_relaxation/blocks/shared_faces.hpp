@@ -1,0 +1,69 @@
+// Where the faces of two blocks lie on each other in the drawing, and how they have parted since.
+#pragma once
+
+#include "dynamic_relaxation/blocks/bodies.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace delabole {
+
+struct SharedFace {
+    std::uint32_t block;
+    std::uint32_t other;
+    std::uint32_t edge;  // of the block; edges of all blocks are numbered through
+    std::uint32_t other_edge;
+    PlanePoint<> arm;        // of the middle of what they share, about the block's centroid, in the drawing
+    PlanePoint<> other_arm;  // of the same point, about the other's
+    PlanePoint<> along;      // of the other's edge, in the drawing
+    double length;           // m
+};
+
+// Of two edges that look at each other and lie on one line within a thousandth of the shortest edge of their blocks,
+// and share more of it than that. Empty where they do not.
+std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, std::size_t other_edge);
+
+// Of all pairs of blocks that are not both fixed, in increasing order of the blocks.
+std::vector<SharedFace> find_shared_faces(const Bodies& bodies);
+
+// The block's face seen from the other, whose face carries the axes.
+struct FacePosition {
+    double normal_x;  // outward from the other
+    double normal_y;
+    double opening;  // m, of the middle, against the normal's sense when pressed
+    double slide;    // m, of the middle along the other's edge
+    double turn;     // rad, of the block against the other
+    double arm_x;    // from the block's centroid to the middle of its face
+    double arm_y;
+    double other_arm_x;  // from the other's centroid to the same point
+    double other_arm_y;
+
+    double along_x() const { return -normal_y; }
+    double along_y() const { return normal_x; }
+    // Of the end that the block has turned away from the other.
+    double widest(double length) const { return opening + std::abs(turn) * length / 2; }
+};
+
+inline FacePosition locate(const SharedFace& face, const Motion& block, const Motion& other) {
+    const PlanePoint<> turned = block.turned_by(face.arm);
+    const PlanePoint<> other_turned = other.turned_by(face.other_arm);
+    // Only changes are added up, as for contacts: nothing is lost to the coordinates.
+    const double way_x = (block.x - other.x) + (turned.x() - other_turned.x());
+    const double way_y = (block.y - other.y) + (turned.y() - other_turned.y());
+    const PlanePoint<> normal = other.turned(PlanePoint<>(face.along.y(), -face.along.x()));
+    FacePosition at;
+    at.normal_x = normal.x();
+    at.normal_y = normal.y();
+    at.opening = normal.x() * way_x + normal.y() * way_y;
+    at.slide = at.along_x() * way_x + at.along_y() * way_y;
+    at.turn = block.angle - other.angle;
+    at.arm_x = face.arm.x() + turned.x();
+    at.arm_y = face.arm.y() + turned.y();
+    at.other_arm_x = face.other_arm.x() + other_turned.x() + way_x;
+    at.other_arm_y = face.other_arm.y() + other_turned.y() + way_y;
+    return at;
+}
+
+}  // namespace delabole

@@ -1,0 +1,446 @@
+#include "dynamic_relaxation/contact/bonds.hpp"
+
+#include "dynamic_relaxation/contact/by_block.hpp"
+#include "dynamic_relaxation/contact/contact_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+// Distance of a block's centroid from the line of its face; a fixed block does not deform.
+double depth_behind(const Bodies& bodies, std::size_t edge) {
+    return bodies.fixed[bodies.block_of[edge]] != 0 ? 0 : bodies.normal(edge).dot(bodies.corner[edge]);
+}
+
+// Two contacts at the ends of the face.
+FaceStiffness of_contacts(const JointMaterial& joint, double length, double mass, double viscous_damping) {
+    const double lever_square = length * length / 4;
+    const double normal_dashpot = 2 * viscous_damping * std::sqrt(mass * joint.normal_stiffness);
+    const double shear_dashpot = 2 * viscous_damping * std::sqrt(mass * joint.shear_stiffness);
+    return {2 * joint.normal_stiffness, 2 * joint.shear_stiffness, 2 * joint.normal_stiffness * lever_square,
+            2 * normal_dashpot,         2 * shear_dashpot,         2 * normal_dashpot * lever_square};
+}
+
+FaceStiffness greater_of(const FaceStiffness& one, const FaceStiffness& other) {
+    return {
+        std::max(one.normal_stiffness, other.normal_stiffness),   std::max(one.shear_stiffness, other.shear_stiffness),
+        std::max(one.bending_stiffness, other.bending_stiffness), std::max(one.normal_dashpot, other.normal_dashpot),
+        std::max(one.shear_dashpot, other.shear_dashpot),         std::max(one.bending_dashpot, other.bending_dashpot)};
+}
+
+const JointMaterial& joint_of(const RelaxationScene& scene, const Bodies& bodies, const SharedFace& face) {
+    const JointMaterial& one = scene.material[bodies.material[face.edge]];
+    const JointMaterial& two = scene.material[bodies.material[face.other_edge]];
+    return one.friction_angle < two.friction_angle ? one : two;
+}
+
+Bond make_bond(const SharedFace& face, const BondMaterial& material, const JointMaterial& joint, const Bodies& bodies,
+               double viscous_damping) {
+    const double spacing =
+        material.spacing.value_or(depth_behind(bodies, face.edge) + depth_behind(bodies, face.other_edge));
+    Bond bond{};
+    bond.face = face;
+    bond.normal_stiffness = material.young_modulus / spacing * face.length;
+    bond.shear_stiffness = material.shear_modulus / spacing * face.length;
+    bond.bending_stiffness = bond.normal_stiffness * face.length * face.length / 12;
+    const double mass = 1 / (bodies.inverse_mass[face.block] + bodies.inverse_mass[face.other]);
+    const double inertia = 1 / (bodies.inverse_inertia[face.block] + bodies.inverse_inertia[face.other]);
+    bond.normal_dashpot = 2 * viscous_damping * std::sqrt(mass * bond.normal_stiffness);
+    bond.shear_dashpot = 2 * viscous_damping * std::sqrt(mass * bond.shear_stiffness);
+    bond.bending_dashpot = 2 * viscous_damping * std::sqrt(inertia * bond.bending_stiffness);
+    bond.tension = material.tensile_strength;
+    bond.cohesion = material.cohesion;
+    bond.friction = std::tan(material.friction_angle);
+    bond.of_joint = false;
+    bond.stiffest = greater_of(bond, of_contacts(joint, face.length, mass, viscous_damping));
+    return bond;
+}
+
+// Convex blocks touch along one line: all of it along which the joint of a part of it runs, whatever corners divide it.
+// What another joint runs along between does not count.
+SharedFace whole_face(const RelaxationScene& scene, const Bodies& bodies, const SharedFace& part) {
+    const CornerRange& range = bodies.range[part.block];
+    const CornerRange& others = bodies.range[part.other];
+    double begin = -part.length / 2;
+    double end = part.length / 2;
+    double length = part.length;
+    for (std::size_t edge = range.begin; edge < range.end; ++edge) {
+        for (std::size_t other = others.begin; other < others.end; ++other) {
+            const std::optional<SharedFace> face = shared_face(bodies, edge, other);
+            if (face && (edge != part.edge || other != part.other_edge) &&
+                &joint_of(scene, bodies, *face) == &joint_of(scene, bodies, part)) {
+                const double middle = part.along.dot(face->other_arm - part.other_arm);
+                begin = std::min(begin, middle - face->length / 2);
+                end = std::max(end, middle + face->length / 2);
+                length += face->length;
+            }
+        }
+    }
+    SharedFace whole = part;
+    if (end - begin > part.length) {
+        const PlanePoint<> shift = (begin + end) / 2 * part.along;
+        whole.arm += shift;
+        whole.other_arm += shift;
+        whole.length = length;
+    }
+    return whole;
+}
+
+// As stiff as the two contacts, so that they take over where it opens as if they had been there before.
+Bond make_joint_bond(const SharedFace& face, const JointMaterial& joint, const Bodies& bodies, double viscous_damping) {
+    const double mass = 1 / (bodies.inverse_mass[face.block] + bodies.inverse_mass[face.other]);
+    Bond bond{};
+    bond.stiffest = of_contacts(joint, face.length, mass, viscous_damping);
+    static_cast<FaceStiffness&>(bond) = bond.stiffest;
+    bond.face = face;
+    bond.tension = joint.tensile_strength;
+    bond.cohesion = joint.cohesion;
+    bond.friction = std::tan(joint.friction_angle);
+    bond.of_joint = true;
+    return bond;
+}
+
+bool has_strength_to_lose(const JointMaterial& joint) {
+    return joint.tensile_strength > 0 || joint.cohesion > joint.residual_cohesion;
+}
+
+// What it breaks by, if it is overloaded.
+BondState state_under(const Bond& bond, const BondLoading& loading) {
+    if (loading.worst() <= 1) {
+        return BondState::whole;
+    }
+    if (loading.tension < loading.shear) {
+        return BondState::broken_in_shear;
+    }
+    return bond.of_joint && bond.tension == 0 ? BondState::handed_over : BondState::broken_in_tension;
+}
+
+// Dashpots act half a step on both sides of their moment: the books count half with each velocity. Velocities are those
+// that led here, half a step ago.
+ForceOnCorner advance_bond(const Bond& bond, BondMemory& memory, const Motion& block, const Motion& other,
+                           double step) {
+    const FacePosition at = locate(bond.face, block, other);
+    const double velocity_x = (block.vx - other.vx) - (block.spin * at.arm_y - other.spin * at.other_arm_y);
+    const double velocity_y = (block.vy - other.vy) + (block.spin * at.arm_x - other.spin * at.other_arm_x);
+    const double opening = at.normal_x * velocity_x + at.normal_y * velocity_y;
+    const double shearing = at.along_x() * velocity_x + at.along_y() * velocity_y;
+    const double bending = block.spin - other.spin;
+    const auto book = [&] {
+        memory.damping -=
+            step / 2 * (memory.normal_drag * opening + memory.shear_drag * shearing + memory.bending_drag * bending);
+    };
+    book();
+    memory.normal_drag = memory.shear_drag = memory.bending_drag = 0;
+    memory.state = state_under(bond, loading_of(bond, at));
+    if (memory.state != BondState::whole) {
+        return {};
+    }
+    memory.normal_drag = -bond.normal_dashpot * opening;
+    memory.shear_drag = -bond.shear_dashpot * shearing;
+    memory.bending_drag = -bond.bending_dashpot * bending;
+    book();
+    const double normal = -bond.normal_stiffness * at.opening + memory.normal_drag;
+    const double shear = -bond.shear_stiffness * at.slide + memory.shear_drag;
+    const double moment = -bond.bending_stiffness * at.turn + memory.bending_drag;
+    ForceOnCorner force;
+    force.x = at.normal_x * normal + at.along_x() * shear;
+    force.y = at.normal_y * normal + at.along_y() * shear;
+    force.moment = at.arm_x * force.y - at.arm_y * force.x + moment;
+    force.other_moment = at.other_arm_y * force.x - at.other_arm_x * force.y - moment;
+    return force;
+}
+
+}  // namespace
+
+std::vector<Bond> make_bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping) {
+    std::vector<Bond> bonds;
+    bonds.reserve(scene.bond.size());
+    for (const FaceBond& bond : scene.bond) {
+        const std::optional<SharedFace> face = shared_face(bodies, bodies.range[bond.block].begin + bond.edge,
+                                                           bodies.range[bond.other].begin + bond.other_edge);
+        const JointMaterial& joint = joint_of(scene, bodies, *face);
+        bonds.push_back(bond.material
+                            ? make_bond(*face, scene.bond_material[*bond.material], joint, bodies, viscous_damping)
+                            : make_joint_bond(whole_face(scene, bodies, *face), joint, bodies, viscous_damping));
+    }
+    return bonds;
+}
+
+std::vector<FaceBond> find_bonds(const RelaxationScene& scene) {
+    std::vector<FaceBond> bonds;
+    if (std::ranges::none_of(scene.material,
+                             [](const JointMaterial& joint) { return joint.bond || has_strength_to_lose(joint); })) {
+        return bonds;
+    }
+    const Bodies bodies = make_bodies(scene);
+    BlockPair pair(0, 0);
+    std::vector<const JointMaterial*> spread;  // joints of which the pair has a bond, which is that of the whole face
+    for (const SharedFace& face : find_shared_faces(bodies)) {
+        if (pair != BlockPair(face.block, face.other)) {
+            pair = BlockPair(face.block, face.other);
+            spread.clear();
+        }
+        const JointMaterial& one = scene.material[bodies.material[face.edge]];
+        const JointMaterial& two = scene.material[bodies.material[face.other_edge]];
+        const JointMaterial& joint = joint_of(scene, bodies, face);
+        const bool rock = one.bond && two.bond;
+        const bool known = std::ranges::find(spread, &joint) != spread.end();
+        if (rock || (has_strength_to_lose(joint) && !known)) {
+            bonds.push_back({face.block, face.edge - bodies.range[face.block].begin, face.other,
+                             face.other_edge - bodies.range[face.other].begin, rock ? joint.bond : std::nullopt});
+            if (!rock) {
+                spread.push_back(&joint);
+            }
+        }
+    }
+    return bonds;
+}
+
+double elastic_energy(const Bond& bond, const FacePosition& at) {
+    return (bond.normal_stiffness * at.opening * at.opening + bond.shear_stiffness * at.slide * at.slide +
+            bond.bending_stiffness * at.turn * at.turn) /
+           2;
+}
+
+BondLoading loading_of(const Bond& bond, const FacePosition& at) {
+    const double length = bond.face.length;
+    // The stress of a section under this force and moment; springs over the face have it of themselves.
+    const double tension =
+        bond.of_joint
+            ? (bond.normal_stiffness * at.opening + 6 * bond.bending_stiffness * std::abs(at.turn) / length) / length
+            : bond.normal_stiffness * at.widest(length) / length;
+    const double compression = -bond.normal_stiffness * at.opening / length;
+    const double shear = bond.shear_stiffness * std::abs(at.slide) / length;
+    const double strength = std::max(bond.cohesion + compression * bond.friction, 0.0);
+    // Without strength any load is too much, and no load none.
+    const auto share = [](double stress, double most) {
+        return stress <= 0 ? 0 : most > 0 ? stress / most : std::numeric_limits<double>::infinity();
+    };
+    // Both corners would be pressed: N / 2 >= M / L.
+    const bool closed = bond.of_joint && at.widest(length) <= 0;
+    return {closed ? 0 : share(tension, bond.tension), share(shear, strength)};
+}
+
+Bonds::Bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping, Team& team)
+    : team_(team), bond_(make_bonds(scene, bodies, viscous_damping)), force_(bond_.size()), breaks_(bond_.size(), 0) {
+    if (bond_.empty()) {
+        return;
+    }
+    force_on_block_.resize(bodies.size());
+    const auto blocks_of = [](const Bond& bond) { return std::pair(bond.face.block, bond.face.other); };
+    index_by_block(bodies.size(), bond_, blocks_of, begin_, of_block_);
+}
+
+std::span<const std::uint32_t> Bonds::of_block(std::size_t block) const {
+    return begin_.empty() ? std::span<const std::uint32_t>()
+                          : std::span(of_block_).subspan(begin_[block], begin_[block + 1] - begin_[block]);
+}
+
+std::vector<BlockPair> Bonds::joined(const std::vector<BondMemory>& memory) const {
+    std::vector<BlockPair> pairs;
+    for (std::size_t index = 0; index < bond_.size(); ++index) {
+        if (memory[index].state == BondState::whole) {
+            const SharedFace& face = bond_[index].face;
+            pairs.emplace_back(std::min(face.block, face.other), std::max(face.block, face.other));
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+std::vector<std::size_t> Bonds::stretch(const std::vector<Motion>& motion, double step, double time,
+                                        std::vector<BondMemory>& memory) {
+    constexpr std::size_t worth_dividing = 512;
+    std::fill(breaks_.begin(), breaks_.end(), char{0});
+    const auto advance = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t index = begin; index < end; ++index) {
+            const SharedFace& face = bond_[index].face;
+            force_[index] = {};
+            if (memory[index].state == BondState::whole) {
+                force_[index] = advance_bond(bond_[index], memory[index], motion[face.block], motion[face.other], step);
+                breaks_[index] = memory[index].state == BondState::whole ? 0 : 1;
+            }
+        }
+    };
+    if (bond_.size() < worth_dividing) {
+        advance(0, bond_.size());
+    } else {
+        team_.run([&](std::size_t part) {
+            advance(part_begin(bond_.size(), part, team_.size()), part_begin(bond_.size(), part + 1, team_.size()));
+        });
+    }
+    sum();
+    std::vector<std::size_t> broken;
+    for (std::size_t index = 0; index < bond_.size(); ++index) {
+        if (breaks_[index] != 0) {
+            memory[index].time = time;
+            broken.push_back(index);
+        }
+    }
+    return broken;
+}
+
+void Bonds::sum() {
+    std::fill(force_on_block_.begin(), force_on_block_.end(), BlockForce{});
+    for (std::size_t index = 0; index < bond_.size(); ++index) {
+        const ForceOnCorner& force = force_[index];
+        force_on_block_[bond_[index].face.block] += force.on_block();
+        force_on_block_[bond_[index].face.other] += force.on_other();
+    }
+}
+
+double Bonds::elastic_energy(std::size_t bond, const std::vector<Motion>& motion) const {
+    const SharedFace& face = bond_[bond].face;
+    return delabole::elastic_energy(bond_[bond], locate(face, motion[face.block], motion[face.other]));
+}
+
+double Bonds::elastic_energy(const std::vector<Motion>& motion, const std::vector<BondMemory>& memory) const {
+    double sum = 0;
+    for (std::size_t index = 0; index < bond_.size(); ++index) {
+        if (memory[index].state == BondState::whole) {
+            sum += elastic_energy(index, motion);
+        }
+    }
+    return sum;
+}
+
+std::vector<std::size_t> Bonds::break_at_rest(const std::vector<Motion>& motion,
+                                              std::vector<BondMemory>& memory) const {
+    std::vector<std::size_t> changed;
+    std::optional<std::size_t> worst;
+    double most = 1;
+    for (std::size_t index = 0; index < bond_.size(); ++index) {
+        const Bond& bond = bond_[index];
+        if (memory[index].state != BondState::whole) {
+            continue;
+        }
+        const BondLoading loading =
+            loading_of(bond, locate(bond.face, motion[bond.face.block], motion[bond.face.other]));
+        if (bond.of_joint && bond.tension == 0 && loading.worst() > 1) {
+            memory[index].state = BondState::handed_over;
+            changed.push_back(index);
+        } else if (loading.worst() > most) {
+            most = loading.worst();
+            worst = index;
+        }
+    }
+    if (changed.empty() && worst) {
+        const Bond& bond = bond_[*worst];
+        const FacePosition at = locate(bond.face, motion[bond.face.block], motion[bond.face.other]);
+        memory[*worst].state = state_under(bond, loading_of(bond, at));
+        changed.push_back(*worst);
+    }
+    return changed;
+}
+
+namespace {
+
+// Contacts as they were if they had borne all the time. The straight face of either block may have several edges.
+double hand_over_joint(const Bond& bond, BondState state, const Bodies& bodies, const std::vector<Motion>& motion,
+                       ContactList& list) {
+    const SharedFace& face = bond.face;
+    const bool keeps_cohesion = state == BondState::handed_over;
+    double held = 0;
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const RelaxationContact contact = list.contact[index];
+        constexpr double straight = 0.9999;  // cosine; faces that lie on each other lean by less
+        const double along = bodies.along[contact.edge].dot(face.along);
+        if (!(contact.block == face.block && contact.other == face.other && along > straight) &&
+            !(contact.block == face.other && contact.other == face.block && along < -straight)) {
+            continue;
+        }
+        const ContactLaw law = list.law_of(contact);
+        const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
+        ContactMemory memory = list.memory[index];
+        memory.beneath = false;
+        memory.broken = !keeps_cohesion;
+        // An end that has just lifted off opens with the next step, and loses its cohesion.
+        memory.touching = place.gap < 0 || keeps_cohesion;
+        memory.place = place.slide;
+        const double pressing = law.normal_stiffness * std::max(-place.gap, 0.0);
+        const double most = memory.broken ? pressing * law.residual_friction + law.residual_cohesion
+                                          : pressing * law.friction + law.cohesion;
+        memory.shear =
+            memory.touching ? std::clamp(place.slide, -most / law.shear_stiffness, most / law.shear_stiffness) : 0;
+        held += elastic_energy(law, contact, memory, motion[contact.block], motion[contact.other]);
+        list.memory.set(index, memory);
+    }
+    return held;
+}
+
+}  // namespace
+
+double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const std::vector<Motion>& motion,
+                 ContactList& list) {
+    if (bond.of_joint) {
+        return hand_over_joint(bond, state, bodies, motion, list);
+    }
+    const SharedFace& face = bond.face;
+    const FacePosition at = locate(face, motion[face.block], motion[face.other]);
+    const PlanePoint<> along(at.along_x(), at.along_y());
+    const PlanePoint<> middle = bodies.centroid[face.block] + PlanePoint<>(motion[face.block].x, motion[face.block].y) +
+                                PlanePoint<>(at.arm_x, at.arm_y);
+    // Compression at the start and the end of the other's edge that the linear stress over the face amounts to.
+    const double even = -bond.normal_stiffness * at.opening / 2;
+    const double tilting = bond.normal_stiffness * at.turn * face.length / 12;
+    const std::array<double, 2> pressing{std::max(even - tilting, 0.0), std::max(even + tilting, 0.0)};
+    const double shear = -bond.shear_stiffness * at.slide;
+    std::array<double, 2> weights{0, 0};
+    struct Taker {
+        std::size_t contact;
+        std::size_t end;
+    };
+    std::vector<Taker> takers;
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const std::size_t block = list.contact.blocks()[index].block;
+        const std::size_t edge = list.contact.corners()[index].edge;
+        const bool own = block == face.block && edge == face.other_edge;
+        if (!own && !(block == face.other && edge == face.edge)) {
+            continue;
+        }
+        const RelaxationContact contact = list.contact[index];
+        const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
+        ContactPosition level = place;
+        level.gap = 0;
+        const double weight = contact_weight(list.law_of(contact), contact, level, false);
+        if (weight > 0) {
+            const bool at_end = along.dot(moved_corner(bodies, motion, contact.corner) - middle) > 0;
+            takers.push_back({index, at_end ? std::size_t{1} : std::size_t{0}});
+            weights[takers.back().end] += weight;
+        }
+    }
+    double held = 0;
+    for (const Taker& taker : takers) {
+        RelaxationContact contact = list.contact[taker.contact];
+        const ContactLaw law = list.law_of(contact);
+        ContactMemory memory = list.memory[taker.contact];
+        const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
+        const double force = pressing[taker.end] / weights[taker.end];
+        const double overlap = force / law.normal_stiffness;
+        if (force == 0 && place.gap >= 0) {
+            continue;
+        }
+        memory.shortened = -overlap - place.gap;
+        contact.gap += memory.shortened;
+        memory.beneath = false;
+        memory.touching = force > 0;
+        memory.place = place.slide;
+        if (memory.touching) {
+            const double share = shear * pressing[taker.end] / (pressing[0] + pressing[1]) / weights[taker.end];
+            const double most = force * law.residual_friction + law.residual_cohesion;
+            // Both ways of naming the pair reverse edge and force: the sign is the same.
+            memory.shear = -std::clamp(share, -most, most) / law.shear_stiffness;
+            held += elastic_energy(law, contact, memory, motion[contact.block], motion[contact.other]);
+        }
+        list.contact.set_shape(taker.contact, contact);
+        list.memory.set(taker.contact, memory);
+    }
+    return held;
+}
+
+}  // namespace delabole

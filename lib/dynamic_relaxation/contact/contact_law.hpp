@@ -1,0 +1,292 @@
+// The force between a corner and an edge.
+//
+//   normal   spring in compression, w k_n overlap; with tensile strength, in tension too until that is reached
+//   (Fig 5.4(a)) shear    spring over the displacement since first touch, w k_s shear, at most w (normal spring)
+//   tan(friction) + cohesion
+//            (Fig 5.4(b)); with a peak, the residual angle and cohesion once it has slipped or opened (Fig 5.4(c))
+//   dashpots in parallel with both, none in shear while sliding (5.2.2), and none that would pull the corner back
+//
+// w is the weight near an edge's end (contacts.hpp). Springs and dashpots are kept apart: a dashpot's force never
+// enters the memory of the shear spring, as it did in the thesis's program.
+#pragma once
+
+#include "dynamic_relaxation/contact/contacts.hpp"
+#include "dynamic_relaxation/wide/lanes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace delabole {
+
+// Where a corner is over an edge, and how it moves. Number: double, or lanes for many contacts at once.
+template <class Number>
+struct ContactPositionOf {
+    Number normal_x;
+    Number normal_y;
+    Number gap;
+    Number slide;     // along the edge, since the drawing
+    Number position;  // along the edge from its start
+    Number arm_x;     // from the block's centroid to the corner
+    Number arm_y;
+    Number other_arm_x;  // from the other's centroid to the corner
+    Number other_arm_y;
+
+    [[gnu::always_inline]] Number along_x() const { return -normal_y; }
+    [[gnu::always_inline]] Number along_y() const { return normal_x; }
+};
+
+using ContactPosition = ContactPositionOf<double>;
+
+template <class Number>
+DELABOLE_INLINED ContactPositionOf<Number> locate(const ContactShapeOf<Number>& contact, const MotionOf<Number>& block,
+                                                  const MotionOf<Number>& other) {
+    // Sums are so ordered that nothing has to be negated.
+    const Number back_x = block.versine * contact.arm_x + block.sine * contact.arm_y;
+    const Number turned_y = block.sine * contact.arm_x - block.versine * contact.arm_y;
+    const Number carried_back_x = other.versine * contact.other_arm_x + other.sine * contact.other_arm_y;
+    const Number carried_y = other.sine * contact.other_arm_x - other.versine * contact.other_arm_y;
+    // From where the other block has carried the corner's place in the drawing to the corner. Only changes are added
+    // up: the overlap keeps its digits however far away the origin is.
+    const Number change_x = (block.x - other.x) + (carried_back_x - back_x);
+    const Number change_y = (block.y - other.y) + (turned_y - carried_y);
+    const Number along_x = contact.along_x - (other.versine * contact.along_x + other.sine * contact.along_y);
+    const Number along_y = contact.along_y - (other.versine * contact.along_y - other.sine * contact.along_x);
+    ContactPositionOf<Number> at;
+    at.normal_x = along_y;
+    at.normal_y = -along_x;
+    at.gap = contact.gap + (along_y * change_x - along_x * change_y);
+    at.slide = along_x * change_x + along_y * change_y;
+    at.position = contact.from_start + at.slide;
+    at.arm_x = contact.arm_x - back_x;
+    at.arm_y = contact.arm_y + turned_y;
+    at.other_arm_x = contact.other_arm_x - carried_back_x + change_x;
+    at.other_arm_y = contact.other_arm_y + carried_y + change_y;
+    return at;
+}
+
+DELABOLE_INLINED ContactPosition locate(const RelaxationContact& contact, const Motion& block, const Motion& other) {
+    return locate<double>(contact, block, other);
+}
+
+// Beside the edge's rival: its overlap, and the way along it from the end that they have in common.
+template <class Number>
+struct RivalPlace {
+    Number overlap;
+    Number way;
+};
+
+template <class Number>
+DELABOLE_INLINED RivalPlace<Number> place_at_rival(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
+                                                   const ContactPositionOf<Number>& at) {
+    const Number overlap = -at.gap;
+    const Number t = select(ends.rival > Number{}, at.position, length_to_end - at.slide);
+    return {t * ends.rival_sine - overlap * ends.rival_cosine, t * ends.rival_cosine + overlap * ends.rival_sine};
+}
+
+// An edge that bears in a trial does so until it is so many times as deep as its rival (corner_choice.hpp).
+constexpr double deepest_in_trial = 64;
+
+template <class Number>
+DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
+                                       const ContactPositionOf<Number>& at, const MaskOf<Number>& insists) {
+    const Number overlap = -at.gap;
+    // A ramp is no steeper than the overlap allows: a weight that changed faster would be a stiffer spring. Where a
+    // corner does not bear at an end, it begins to bear half as far from it as it is deep: a point on a point holds.
+    constexpr double least_rise = 0.5;
+    const bool deep = any(overlap * ends.inverse_blend > least_rise);
+    const auto ramp = [&](const Number& depth, const Number& rise) {
+        return deep ? select(depth * ends.inverse_blend > rise, rise / depth, ends.inverse_blend) : ends.inverse_blend;
+    };
+    // 1 for a weight that begins at -0.5, and 0.5 for one that begins at 0.5.
+    const auto rise_from = [](const Number& least) { return 0.75 - 0.5 * least; };
+    const Number to_end = length_to_end - at.slide;
+    const Number at_start = ends.start_weight + at.position * ramp(overlap, rise_from(ends.start_weight));
+    const Number at_end = ends.end_weight + to_end * ramp(overlap, rise_from(ends.end_weight));
+    Number weight = lesser(at_start, at_end);
+    const auto has_rival = ends.rival != Number{};
+    if (any(has_rival)) {
+        const auto [other_overlap, other_way] = place_at_rival<Number>(ends, length_to_end, at);
+        const Number half = Number{} + 0.5;
+        Number against =
+            half + ramp(lesser(overlap, other_overlap), half) * greater(other_overlap - overlap, -other_way);
+        const auto alone = ends.alone > Number{};
+        if (any(alone)) {
+            // It bears as far as the blocks overlap, which they do not where they are apart over the rival.
+            const Number one = Number{} + 1.0;
+            const Number deepest = select(insists, other_overlap * deepest_in_trial, other_overlap);
+            const Number both = select(overlap > deepest, Number{}, other_overlap * ramp(overlap, one));
+            against = select(alone, both, against);
+        }
+        weight = lesser(weight, select(has_rival, against, weight));
+    }
+    return lesser(greater(weight, Number{}), Number{} + 1.0);
+}
+
+inline double contact_weight(const EdgeEnds& ends, const RelaxationContact& contact, const ContactPosition& at,
+                             bool insists) {
+    return contact_weight<double>(ends, contact.to_end, at, insists);
+}
+
+// Whether a contact that yields in a trial no longer does.
+template <class Number>
+DELABOLE_INLINED auto takes_over(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
+                                 const ContactPositionOf<Number>& at) {
+    return place_at_rival<Number>(ends, length_to_end, at).overlap > -at.gap * deepest_in_trial;
+}
+
+inline bool takes_over(const EdgeEnds& ends, const RelaxationContact& contact, const ContactPosition& at) {
+    return takes_over<double>(ends, contact.to_end, at);
+}
+
+// How fast a corner leaves its edge and moves along it, m/s.
+template <class Number>
+struct ContactVelocity {
+    Number opening;
+    Number shearing;
+};
+
+template <class Number>
+DELABOLE_INLINED ContactVelocity<Number> velocity_of(const ContactPositionOf<Number>& at, const MotionOf<Number>& block,
+                                                     const MotionOf<Number>& other) {
+    const Number x = (block.vx - other.vx) - (block.spin * at.arm_y - other.spin * at.other_arm_y);
+    const Number y = (block.vy - other.vy) + (block.spin * at.arm_x - other.spin * at.other_arm_x);
+    return {at.normal_x * x + at.normal_y * y, at.along_x() * x + at.along_y() * y};
+}
+
+// A corner that bears: slips as far as its strength demands, and its dashpots act. The shear spring has followed the
+// corner already. `damping`: dissipated so far, with what the drags of the last step did up to now.
+template <class Number>
+DELABOLE_INLINED ForceOnCornerOf<Number> bear(const JointLawOf<Number>& law, const Number& residual_cohesion,
+                                              const ContactPositionOf<Number>& at,
+                                              const ContactVelocity<Number>& velocity, const Number& weight,
+                                              const Number& force_before, const Number& damping,
+                                              const double& half_step, ContactMemoryOf<Number>& memory) {
+    memory.place = at.slide;
+    const Number overlap = -at.gap;
+    const Number normal = law.normal_stiffness * overlap;
+    const Number pressing = greater(normal, Number{});
+    const Number residual = pressing * law.residual_friction + residual_cohesion;
+    const Number strength = select(memory.broken, residual, pressing * law.friction + law.cohesion);
+    const Number held_by_spring = -law.shear_stiffness * memory.shear;
+    memory.sliding = absolute(held_by_spring) > strength;
+    const Number held_with_dashpot = law.shear_dashpot * velocity.shearing;
+    Number shear = held_by_spring - held_with_dashpot;
+    Number shear_drag = -weight * held_with_dashpot;
+    if (any(memory.sliding)) {
+        const Number held = with_sign(residual, held_by_spring);
+        const Number slipped = (held - held_by_spring) / law.shear_stiffness;
+        // A first slip also sets free what the spring held beyond the residual strength.
+        const Number mean_force = (lesser(select(memory.broken, force_before, strength), strength) + residual) * 0.5;
+        memory.friction =
+            select(memory.sliding, memory.friction + weight * mean_force * absolute(slipped), memory.friction);
+        memory.slip = select(memory.sliding, memory.slip + slipped, memory.slip);
+        memory.shear = select(memory.sliding, memory.shear - slipped, memory.shear);
+        shear = select(memory.sliding, held, shear);
+        shear_drag = select(memory.sliding, Number{}, shear_drag);
+        memory.broken = memory.broken | memory.sliding;
+    }
+    const Number damped = greater(normal - law.normal_dashpot * velocity.opening, lesser(normal, Number{}));
+    memory.normal_drag = weight * (damped - normal);
+    memory.shear_drag = shear_drag;
+    memory.damping = damping - half_step * (memory.normal_drag * velocity.opening + shear_drag * velocity.shearing);
+    ForceOnCornerOf<Number> force;
+    force.x = weight * (at.normal_x * damped + at.along_x() * shear);
+    force.y = weight * (at.normal_y * damped + at.along_y() * shear);
+    force.moment = at.arm_x * force.y - at.arm_y * force.x;
+    force.other_moment = at.other_arm_y * force.x - at.other_arm_x * force.y;
+    return force;
+}
+
+// Dissipated until now, where both drags have acted since the last step. A drag acts half a step on both sides of its
+// moment: the books count half with each velocity.
+template <class Number>
+DELABOLE_INLINED Number damping_until_now(const ContactNumbersOf<Number>& memory,
+                                          const ContactVelocity<Number>& velocity, const double& half_step) {
+    return memory.damping - half_step * (memory.normal_drag * velocity.opening + memory.shear_drag * velocity.shearing);
+}
+
+// A corner that leaves its edge. What the springs held is lost: of the shear spring much, where friction is great.
+DELABOLE_INLINED void let_go(const JointLaw& law, double weight, double damping, ContactNumbersOf<double>& memory) {
+    memory.friction += weight * law.shear_stiffness * memory.shear * memory.shear / 2;
+    memory.shear = 0;
+    memory.damping = damping;
+    memory.normal_drag = memory.shear_drag = 0;
+}
+
+// A twin that touches, as a contact finds it that begins to.
+struct TwinThatTouches {
+    double overlap;  // decides whether the contact takes over
+    double shear;    // taken over
+};
+
+// A corner that came beneath its edge bears once its twin, which touches, is about as deep.
+inline bool twin_hands_over(double overlap, double overlap_of_twin) {
+    return overlap <= 1.5 * overlap_of_twin;
+}
+
+// Advances the memory by one step and gives the force at its end. Velocities are those that led here, half a step ago.
+// `twin`: if there is one that touches. `open_by`, m: how far the corner is from touching, where it has not touched
+// before; else it is left alone.
+DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const RelaxationContact& contact,
+                                               const std::optional<TwinThatTouches>& twin, const Motion& block,
+                                               const Motion& other, double step, ContactMemoryOf<double>& memory,
+                                               double& open_by) {
+    const ContactPosition at = locate(contact, block, other);
+    const double overlap = -at.gap;
+    if (!memory.touching) {
+        if (overlap <= 0) {
+            memory.beneath = false;
+            open_by = at.gap;
+            return {};
+        }
+        if (memory.yields ? !takes_over(law, contact, at)
+                          : memory.beneath && !(twin && twin_hands_over(overlap, twin->overlap))) {
+            return {};
+        }
+        memory.beneath = memory.yields = false;
+    }
+    const ContactVelocity<double> velocity = velocity_of<double>(at, block, other);
+    const double damping = damping_until_now<double>(memory, velocity, step / 2);
+    const bool bonded = law.tension > 0 && !memory.broken;
+    const double weight = contact_weight(law, contact, at, memory.insists);
+    const auto open = [&] {
+        let_go(law, weight, damping, memory);
+        memory.touching = memory.sliding = false;
+        memory.insists = memory.insists && weight > 0;
+        memory.broken = true;
+    };
+    if (weight == 0 || (overlap <= 0 && !bonded)) {
+        open();
+        memory.beneath = overlap > 0 && law.rival == 0;
+        return {};
+    }
+    const double force_before = law.shear_stiffness * std::abs(memory.shear);
+    if (!memory.touching) {
+        memory.touching = true;
+        memory.shear = twin ? twin->shear : 0;
+    } else {
+        memory.shear += at.slide - memory.place;
+    }
+    const double normal = law.normal_stiffness * overlap;
+    if (normal < -law.tension) {
+        memory.place = at.slide;
+        memory.friction += weight * normal * overlap / 2;
+        open();
+        return {};
+    }
+    return bear<double>(law, law.residual_cohesion, at, velocity, weight, force_before, damping, step / 2, memory);
+}
+
+// J/m, in both springs.
+inline double elastic_energy(const ContactLaw& law, const RelaxationContact& contact, const ContactMemory& memory,
+                             const Motion& block, const Motion& other) {
+    if (!memory.touching) {
+        return 0;
+    }
+    const ContactPosition at = locate(contact, block, other);
+    return contact_weight(law, contact, at, memory.insists) *
+           (law.normal_stiffness * at.gap * at.gap + law.shear_stiffness * memory.shear * memory.shear) / 2;
+}
+
+}  // namespace delabole

@@ -1,0 +1,476 @@
+#include "dynamic_relaxation/contact/contact_sweep.hpp"
+
+#include "dynamic_relaxation/contact/contact_law.hpp"
+#include "dynamic_relaxation/wide/lanes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+// Leaves alone what is open by so much until its blocks have come half as far: the corner may be farther from the other
+// block's centroid than that block's own corners are, but not twice as far.
+DELABOLE_INLINED void note_opening(const ContactSweep& sweep, std::size_t index, double open_by) {
+    const ContactBlocks& contact = sweep.contact[index];
+    sweep.open_until[index] =
+        open_by > 0 ? sweep.way[contact.block] + sweep.way[contact.other] + open_by / 2 : not_open;
+}
+
+// Rows are members in the order in which bodies.hpp and contacts.hpp declare them.
+static_assert(sizeof(Motion) == 8 * sizeof(double) && sizeof(EdgeEnds) == sizeof(Motion) &&
+              sizeof(JointLaw) == sizeof(Motion));
+
+template <IsLanes Lanes>
+DELABOLE_INLINED MotionOf<Lanes> gather_motion(const Rows<Lanes>& rows) {
+    const std::array<Lanes, 8> of = gather_eight<Lanes>(rows);
+    return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]};
+}
+
+template <IsLanes Lanes>
+DELABOLE_INLINED EdgeEndsOf<Lanes> gather_ends(const Rows<Lanes>& rows) {
+    const std::array<Lanes, 8> of = gather_eight<Lanes>(rows);
+    return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]};
+}
+
+// In most groups all have the same.
+template <IsLanes Lanes>
+DELABOLE_INLINED JointLawOf<Lanes> gather_joint(const ContactSweep& sweep, const ContactBlocks* contact) {
+    unsigned differ = 0;
+    for (std::size_t lane = 1; lane < lane_count<Lanes>; ++lane) {
+        differ |= contact[lane].joint ^ contact[0].joint;
+    }
+    const JointLaw& joint = sweep.joint[contact[0].joint];
+    if (differ == 0) {
+        const auto all = [](double number) __attribute__((always_inline)) {
+            return Lanes{} + number;
+        };
+        return {all(joint.normal_stiffness), all(joint.shear_stiffness), all(joint.normal_dashpot),
+                all(joint.shear_dashpot),    all(joint.friction),        all(joint.residual_friction),
+                all(joint.cohesion),         all(joint.tension)};
+    }
+    Rows<Lanes> rows;
+    for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
+        rows[lane] = &sweep.joint[contact[lane].joint].normal_stiffness;
+    }
+    const std::array<Lanes, 8> of = gather_eight<Lanes>(rows);
+    return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]};
+}
+
+// As many contacts in a row as there are lanes, all of one group.
+template <IsLanes Lanes>
+struct Part {
+    std::size_t first;
+    const ContactBlocks* contact;
+    const ContactShapeOf<NumberGroup>& shape;
+    ContactNumbersOf<NumberGroup>& numbers;
+    ContactFlagsOf<FlagGroup>& flags;
+    ForceOnCorner* force;
+
+    DELABOLE_INLINED Part(const ContactSweep& sweep, std::size_t index)
+        : first(index),
+          contact(sweep.contact + index),
+          shape(sweep.shape[index / packed_size]),
+          numbers(sweep.numbers[index / packed_size]),
+          flags(sweep.flags[index / packed_size]),
+          force(sweep.force + index) {}
+
+    DELABOLE_INLINED std::size_t place() const { return lane_count<Lanes> == packed_size ? 0 : first % packed_size; }
+    DELABOLE_INLINED Lanes of(const NumberGroup& group) const { return load_lanes<Lanes>(group.data() + place()); }
+    DELABOLE_INLINED void keep(const Lanes& lanes, NumberGroup& group) const {
+        store_lanes<Lanes>(lanes, group.data() + place());
+    }
+    DELABOLE_INLINED unsigned of(const FlagGroup& group) const {
+        std::uint64_t bytes = 0;
+        std::memcpy(&bytes, group.data() + place(), lane_count<Lanes>);
+        return bits_of(bytes);
+    }
+    DELABOLE_INLINED void keep(unsigned lanes, FlagGroup& group) const {
+        const std::uint64_t bytes = bytes_of(lanes);
+        std::memcpy(group.data() + place(), &bytes, lane_count<Lanes>);
+    }
+    DELABOLE_INLINED ContactShapeOf<Lanes> gather_shape() const {
+        return {of(shape.arm_x),   of(shape.arm_y), of(shape.other_arm_x), of(shape.other_arm_y), of(shape.along_x),
+                of(shape.along_y), of(shape.gap),   of(shape.from_start),  of(shape.to_end)};
+    }
+};
+
+template <IsLanes Lanes>
+DELABOLE_INLINED EdgeEndsOf<Lanes> ends_of(const ContactSweep& sweep, const Part<Lanes>& part) {
+    Rows<Lanes> rows;
+    for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
+        rows[lane] = &sweep.ends[part.contact[lane].ends].start_weight;
+    }
+    return gather_ends<Lanes>(rows);
+}
+
+// What the contacts of a part have to do. A bit for each.
+struct Duty {
+    unsigned bear = 0;       // those that touch and whose blocks have moved
+    unsigned may_begin = 0;  // those whose blocks have moved and that do not touch and can have come to
+    bool wake = false;       // not all can be left open
+};
+
+template <IsLanes Lanes>
+DELABOLE_INLINED Duty duty_of(const ContactSweep& sweep, const Part<Lanes>& part) {
+    const unsigned touching = part.of(part.flags.touching);
+    if (touching == all_lanes<Lanes> && sweep.moved == nullptr) {
+        return {all_lanes<Lanes>, 0, true};
+    }
+    unsigned may_touch = 0;
+    for (unsigned left = all_lanes<Lanes> & ~touching; left != 0; left &= left - 1) {
+        const auto lane = static_cast<unsigned>(std::countr_zero(left));
+        may_touch |= sweep.stays_open(part.first + lane) ? 0 : 1U << lane;
+    }
+    unsigned concerned = 0;
+    for (unsigned lane = 0; lane < lane_count<Lanes>; ++lane) {
+        concerned |= sweep.concerned(part.first + lane) ? 1U << lane : 0;
+    }
+    return {touching & concerned, may_touch & concerned, (touching | may_touch) != 0};
+}
+
+DELABOLE_INLINED bool touches(const ContactSweep& sweep, std::size_t index) {
+    return sweep.flags[index / packed_size].touching[index % packed_size];
+}
+
+DELABOLE_INLINED RelaxationContact contact_of(const ContactSweep& sweep, std::size_t index) {
+    return {sweep.contact[index], sweep.corner[index],
+            taken_from(sweep.shape[index / packed_size], index % packed_size)};
+}
+
+// As advance_contact leaves a contact that does not touch yet.
+DELABOLE_INLINED void stay_open(const ContactSweep& sweep, std::size_t index, double gap) {
+    sweep.force[index] = {};
+    note_opening(sweep, index, gap);
+}
+
+// As advance_contact leaves a contact that opens.
+void open_up(const ContactSweep& sweep, std::size_t index, double weight, double damping, bool beneath) {
+    const std::size_t place = index % packed_size;
+    ContactNumbersOf<NumberGroup>& numbers = sweep.numbers[index / packed_size];
+    ContactFlagsOf<FlagGroup>& flags = sweep.flags[index / packed_size];
+    ContactNumbersOf<double> kept = taken_from(numbers, place);
+    let_go(sweep.joint[sweep.contact[index].joint], weight, damping, kept);
+    put_into<ContactNumbersOf>(numbers, place, kept);
+    put_into<ContactFlagsOf>(
+        flags, place, {false, false, true, beneath, false, flags.insists[place] && weight > 0, flags.tried[place]});
+    sweep.force[index] = {};
+    sweep.open_until[index] = not_open;
+}
+
+// Of contacts that begin to touch. Those in none of these take over what another has, if it then touches.
+struct Beginning {
+    unsigned simply = 0;   // with nothing to take over
+    unsigned not_yet = 0;  // they are beneath their edges, or yield
+    unsigned before = 0;   // they take over what another of the part has before it is evaluated
+};
+
+template <IsLanes Lanes>
+DELABOLE_INLINED Beginning beginning_of(const ContactSweep& sweep, const Part<Lanes>& part, unsigned begins,
+                                        unsigned yields) {
+    Beginning beginning;
+    const unsigned beneath = part.of(part.flags.beneath);
+    beginning.not_yet = begins & yields;
+    for (unsigned left = begins & ~beginning.not_yet; left != 0; left &= left - 1) {
+        const unsigned lane = left & -left;
+        const std::uint32_t twin = part.contact[std::countr_zero(left)].twin;
+        if (twin != no_twin) {
+            const unsigned of_twin = twin - part.first < lane_count<Lanes> ? 1U << (twin - part.first) : 0;
+            const bool touching = touches(sweep, twin);
+            if (touching && of_twin > lane) {
+                beginning.before |= lane;
+                continue;
+            }
+            if (touching || ((begins & of_twin) != 0 && of_twin < lane)) {
+                continue;
+            }
+        }
+        ((beneath & lane) != 0 ? beginning.not_yet : beginning.simply) |= lane;
+    }
+    return beginning;
+}
+
+// Contacts of a part, all at once except those that take something over or are held by a bond. Returns which are left.
+// `meanwhile`, called once, has nothing to do with them, for only forces of this part change: the processor does it
+// beside their formulas, while it waits for numbers.
+template <IsLanes Lanes, class Meanwhile>
+DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Part<Lanes>& part, const Duty& duty,
+                                            const Meanwhile& meanwhile) {
+    Rows<Lanes> blocks;
+    Rows<Lanes> others;
+    for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
+        blocks[lane] = &sweep.motion[part.contact[lane].block].x;
+        others[lane] = &sweep.motion[part.contact[lane].other].x;
+    }
+    const ContactShapeOf<Lanes> shape = part.gather_shape();
+    const MotionOf<Lanes> block = gather_motion<Lanes>(blocks);
+    const MotionOf<Lanes> other = gather_motion<Lanes>(others);
+    const ContactPositionOf<Lanes> at = locate<Lanes>(shape, block, other);
+    meanwhile();
+    const unsigned apart = bits(at.gap >= 0.0);
+    Beginning begins;
+    unsigned take_over = 0;
+    if (duty.may_begin != 0) {
+        const unsigned yields = part.of(part.flags.yields) & duty.may_begin & ~apart;
+        if (yields != 0) {
+            take_over = yields & bits(takes_over<Lanes>(ends_of<Lanes>(sweep, part), shape.to_end, at));
+        }
+        begins = beginning_of<Lanes>(sweep, part, duty.may_begin & ~apart & ~take_over, yields);
+        // Before what they take over changes below.
+        for (unsigned left = begins.before; left != 0; left &= left - 1) {
+            evaluate_contact(sweep, part.first + static_cast<std::size_t>(std::countr_zero(left)));
+        }
+        for (unsigned left = (duty.may_begin & apart) | begins.not_yet; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            stay_open(sweep, part.first + lane, at.gap[lane]);
+        }
+        part.keep(part.of(part.flags.beneath) & ~(duty.may_begin & apart), part.flags.beneath);
+    }
+    unsigned one_by_one = duty.may_begin & ~apart & ~begins.simply & ~begins.not_yet & ~begins.before;
+    const unsigned acting = duty.bear | begins.simply;
+    if (acting == 0) {
+        return one_by_one;
+    }
+    const EdgeEndsOf<Lanes> ends = ends_of<Lanes>(sweep, part);
+    const Lanes weight = contact_weight<Lanes>(ends, shape.to_end, at, mask_of<Lanes>(part.of(part.flags.insists)));
+    const unsigned without_weight = bits(weight == 0.0);
+    const unsigned bearing = acting & ~apart & ~without_weight;
+    const unsigned opening = acting & ~bearing;
+    const ContactVelocity<Lanes> velocity = velocity_of<Lanes>(at, block, other);
+    ContactNumbersOf<NumberGroup>& kept = part.numbers;
+    const unsigned broken = part.of(part.flags.broken);
+    const ContactMemoryOf<Lanes> before{
+        {part.of(kept.shear), part.of(kept.place), part.of(kept.damping), part.of(kept.normal_drag),
+         part.of(kept.shear_drag), part.of(kept.slip), part.of(kept.friction)},
+        {{}, {}, mask_of<Lanes>(broken), {}, {}, {}, {}}};
+    ContactMemoryOf<Lanes> memory = before;
+    const double half_step = sweep.step / 2;
+    const Lanes damping = damping_until_now<Lanes>(memory, velocity, half_step);
+    const JointLawOf<Lanes> joint = gather_joint<Lanes>(sweep, part.contact);
+    const Lanes force_before = joint.shear_stiffness * absolute(memory.shear);
+    memory.shear += at.slide - memory.place;
+    if (begins.simply != 0) {
+        memory.shear = select(mask_of<Lanes>(begins.simply), Lanes{}, memory.shear);
+    }
+    const ForceOnCornerOf<Lanes> force =
+        bear<Lanes>(joint, ends.residual_cohesion, at, velocity, weight, force_before, damping, half_step, memory);
+    const auto which = mask_of<Lanes>(bearing);
+    const auto keep = [&](const Lanes& now, const Lanes& then, NumberGroup& group) __attribute__((always_inline)) {
+        part.keep(select(which, now, then), group);
+    };
+    keep(memory.shear, before.shear, kept.shear);
+    keep(memory.place, before.place, kept.place);
+    keep(memory.damping, before.damping, kept.damping);
+    keep(memory.normal_drag, before.normal_drag, kept.normal_drag);
+    keep(memory.shear_drag, before.shear_drag, kept.shear_drag);
+    const unsigned sliding = bits(memory.sliding) & bearing;
+    const unsigned slid = part.of(part.flags.sliding);
+    if ((sliding | begins.simply | (slid & bearing)) != 0) {
+        keep(memory.slip, before.slip, kept.slip);
+        keep(memory.friction, before.friction, kept.friction);
+        part.keep(broken | sliding, part.flags.broken);
+        part.keep((slid & ~bearing) | sliding, part.flags.sliding);
+        part.keep(part.of(part.flags.touching) | begins.simply, part.flags.touching);
+        for (unsigned left = begins.simply; left != 0; left &= left - 1) {
+            sweep.open_until[part.first + static_cast<std::size_t>(std::countr_zero(left))] = not_open;
+        }
+    }
+    const FourOf<Lanes> forces = transposed<Lanes>(force.x, force.y, force.moment, force.other_moment);
+    if (bearing == all_lanes<Lanes>) {
+        for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
+            store_row<Lanes>(forces, lane, &part.force[lane].x);
+        }
+    } else {
+        for (std::size_t lane = 0; lane < lane_count<Lanes>; ++lane) {
+            if ((bearing >> lane & 1U) != 0) {
+                store_row<Lanes>(forces, lane, &part.force[lane].x);
+            }
+        }
+    }
+    if (opening != 0) {
+        const unsigned bonded = opening & ~without_weight & ~broken & bits(joint.tension > 0.0);
+        const unsigned beneath = bits(at.gap < 0.0) & ~bits(ends.rival != 0.0);
+        for (unsigned left = opening & ~bonded; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            open_up(sweep, part.first + lane, weight[lane], damping[lane], (beneath >> lane & 1U) != 0);
+        }
+        one_by_one |= bonded;
+    }
+    return one_by_one;
+}
+
+// Into the nearest cache, before they are wanted. Past the end it does nothing.
+DELABOLE_INLINED void fetch_ahead(const ContactSweep& sweep, std::size_t index) {
+    constexpr std::size_t ahead = 2 * packed_size;
+    const auto fetch = [](const auto* first, std::size_t bytes) __attribute__((always_inline)) {
+        constexpr std::size_t line = 64;
+        for (std::size_t at = 0; at < bytes; at += line) {
+            __builtin_prefetch(reinterpret_cast<const char*>(first) + at);
+        }
+    };
+    const std::size_t group = (index + ahead) / packed_size;
+    fetch(sweep.contact + index + ahead, packed_size * sizeof(ContactBlocks));
+    fetch(sweep.shape + group, sizeof(*sweep.shape));
+    fetch(sweep.numbers + group, sizeof(*sweep.numbers));
+}
+
+// `after`: what is done with each contact that may have a force, in their order. For those of a part it is done while
+// the next one is evaluated: sums of forces on the same block wait for each other.
+template <IsLanes Lanes, class AfterOne>
+DELABOLE_INLINED std::size_t go_through(const ContactSweep& sweep, std::size_t begin, std::size_t end,
+                                        const AfterOne& after) {
+    std::size_t count = 0;
+    std::size_t index = begin;
+    const auto one_by_one_up_to = [&](std::size_t stop) __attribute__((always_inline)) {
+        for (; index < stop; ++index) {
+            if (sweep.stays_open(index)) {
+                continue;
+            }
+            if (sweep.concerned(index)) {
+                evaluate_contact(sweep, index);
+                ++count;
+            }
+            after(index);
+        }
+    };
+    constexpr std::size_t lanes = lane_count<Lanes>;
+    constexpr auto none = static_cast<std::size_t>(-1);
+    const auto after_part = [&](std::size_t first) __attribute__((always_inline)) {
+        if (first != none) {
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                after(first + lane);
+            }
+        }
+    };
+    std::size_t evaluated = none;
+    one_by_one_up_to(std::min((begin + lanes - 1) / lanes * lanes, end));
+    for (; index + lanes <= end; index += lanes) {
+        if (index % packed_size == 0) {
+            fetch_ahead(sweep, index);
+        }
+        const Part<Lanes> part(sweep, index);
+        const Duty duty = duty_of<Lanes>(sweep, part);
+        if (!duty.wake) {
+            continue;
+        }
+        unsigned left = duty.bear | duty.may_begin;
+        count += static_cast<std::size_t>(std::popcount(left));
+        const std::size_t before = std::exchange(evaluated, index);
+        const auto after_before = [&after_part, before ]() __attribute__((always_inline)) {
+            after_part(before);
+        };
+        if (left != 0) {
+            left = evaluate_together<Lanes>(sweep, part, duty, after_before);
+        } else {
+            after_before();
+        }
+        for (; left != 0; left &= left - 1) {
+            evaluate_contact(sweep, index + static_cast<std::size_t>(std::countr_zero(left)));
+        }
+    }
+    after_part(evaluated);
+    one_by_one_up_to(end);
+    return count;
+}
+
+template <IsLanes Lanes>
+DELABOLE_INLINED std::size_t evaluate(const ContactSweep& sweep, std::size_t begin, std::size_t end) {
+    return go_through<Lanes>(sweep, begin, end, [](std::size_t /*index*/) __attribute__((always_inline)){});
+}
+
+template <IsLanes Lanes>
+DELABOLE_INLINED std::size_t evaluate_and_sum(const ContactSweep& sweep, std::size_t begin, std::size_t end,
+                                              BlockForce* sum) {
+    return go_through<Lanes>(
+        sweep, begin, end, [&](std::size_t index) __attribute__((always_inline)) {
+            const ContactBlocks& contact = sweep.contact[index];
+            const FourLanes force = load_lanes<FourLanes>(&sweep.force[index].x);
+            double* const own = &sum[contact.block].x;
+            store_lanes<FourLanes>(load_lanes<FourLanes>(own) + force, own);
+            double* const other = &sum[contact.other].x;
+            store_lanes<FourLanes>(load_lanes<FourLanes>(other) + opposite(force), other);
+        });
+}
+
+#define DELABOLE_CONTACT_LOOP(name, Lanes, target)                                                     \
+    target std::size_t evaluate_##name(ContactSweep sweep, std::size_t begin, std::size_t end) {       \
+        return evaluate<Lanes>(sweep, begin, end);                                                     \
+    }                                                                                                  \
+    target std::size_t evaluate_and_sum_##name(ContactSweep sweep, std::size_t begin, std::size_t end, \
+                                               BlockForce* sum) {                                      \
+        return evaluate_and_sum<Lanes>(sweep, begin, end, sum);                                        \
+    }                                                                                                  \
+    constexpr ContactLoop name##_loop{#name, evaluate_##name, evaluate_and_sum_##name};
+
+DELABOLE_CONTACT_LOOP(any_processor, FourLanes, )
+#ifdef DELABOLE_PROCESSORS_DIFFER
+DELABOLE_CONTACT_LOOP(avx2, FourLanes, __attribute__((target("avx2"))))
+DELABOLE_CONTACT_LOOP(avx512, EightLanes, __attribute__((target("arch=x86-64-v4"))))
+
+constexpr std::array all_loops{avx512_loop, avx2_loop, any_processor_loop};
+
+std::size_t first_that_runs() {
+    if (__builtin_cpu_supports("x86-64-v4") != 0) {
+        return 0;
+    }
+    return __builtin_cpu_supports("avx2") != 0 ? 1 : 2;
+}
+#else
+constexpr std::array all_loops{any_processor_loop};
+
+std::size_t first_that_runs() {
+    return 0;
+}
+#endif
+
+}  // namespace
+
+std::span<const ContactLoop> contact_loops() {
+    static const std::size_t first = first_that_runs();
+    return std::span(all_loops).subspan(first);
+}
+
+ContactSweep sweep_of(const std::vector<Motion>& motion, const std::vector<double>& way, const char* moved, double step,
+                      ContactList& list) {
+    return {motion.data(),
+            way.data(),
+            moved,
+            step,
+            list.contact.blocks().data(),
+            list.contact.corners().data(),
+            list.contact.shapes(),
+            list.ends.data(),
+            list.joint.data(),
+            list.memory.numbers(),
+            list.memory.flags(),
+            list.force.data(),
+            list.open_until.data()};
+}
+
+void evaluate_contact(const ContactSweep& sweep, std::size_t index) {
+    const RelaxationContact contact = contact_of(sweep, index);
+    const std::size_t group = index / packed_size;
+    const std::size_t place = index % packed_size;
+    ContactMemoryOf<double> memory{taken_from(sweep.numbers[group], place), taken_from(sweep.flags[group], place)};
+    std::optional<TwinThatTouches> twin;
+    if (!memory.touching && contact.twin != no_twin && touches(sweep, contact.twin)) {
+        const RelaxationContact other = contact_of(sweep, contact.twin);
+        twin = TwinThatTouches{-locate(other, sweep.motion[other.block], sweep.motion[other.other]).gap,
+                               sweep.numbers[contact.twin / packed_size].shear[contact.twin % packed_size]};
+    }
+    double open_by = 0;
+    sweep.force[index] =
+        advance_contact({sweep.ends[contact.ends], sweep.joint[contact.joint]}, contact, twin,
+                        sweep.motion[contact.block], sweep.motion[contact.other], sweep.step, memory, open_by);
+    put_into<ContactNumbersOf>(sweep.numbers[group], place, memory);
+    put_into<ContactFlagsOf>(sweep.flags[group], place, memory);
+    note_opening(sweep, index, open_by);
+}
+
+}  // namespace delabole

@@ -1,0 +1,58 @@
+// Contacts one after the other, as many at a time as a register holds: what a step spends its time on.
+#pragma once
+
+#include "dynamic_relaxation/blocks/bodies.hpp"
+#include "dynamic_relaxation/contact/contacts.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+// What a sweep reads and changes: arrays of the blocks, and those of the list of contacts.
+struct ContactSweep {
+    const Motion* motion;
+    const double* way;  // of each block, since the start; no point of it has come farther
+    const char* moved;  // whether contacts of a block are to be evaluated again; null: of all
+    double step;
+    const ContactBlocks* contact;
+    const ContactCorner* corner;
+    const ContactShapeOf<NumberGroup>* shape;
+    const EdgeEnds* ends;
+    const JointLaw* joint;
+    ContactNumbersOf<NumberGroup>* numbers;
+    ContactFlagsOf<FlagGroup>* flags;
+    ForceOnCorner* force;
+    double* open_until;
+
+    // Neither touches nor can have come to.
+    [[gnu::always_inline]] bool stays_open(std::size_t index) const {
+        return open_until[index] >= 0 && way[contact[index].block] + way[contact[index].other] <= open_until[index];
+    }
+    [[gnu::always_inline]] bool concerned(std::size_t index) const {
+        return moved == nullptr || moved[contact[index].block] != 0 || moved[contact[index].other] != 0;
+    }
+};
+
+ContactSweep sweep_of(const std::vector<Motion>& motion, const std::vector<double>& way, const char* moved, double step,
+                      ContactList& list);
+
+void evaluate_contact(const ContactSweep& sweep, std::size_t index);
+
+// A loop over contacts from `begin` to `end`, for processors of one kind. All give the same bits, wherever ranges begin
+// and end, if contacts of a pair of blocks are in one.
+struct ContactLoop {
+    std::string_view name;
+    // Evaluates contacts of blocks that have moved, except those that stay open. Returns how many.
+    std::size_t (*evaluate)(ContactSweep sweep, std::size_t begin, std::size_t end);
+    // Adds up all forces besides, in the order of the list: what has been read need not be read again for it. `sum`: of
+    // each block, zero at first.
+    std::size_t (*evaluate_and_sum)(ContactSweep sweep, std::size_t begin, std::size_t end, BlockForce* sum);
+};
+
+// Those that this processor can run, the fastest one first.
+std::span<const ContactLoop> contact_loops();
+
+}  // namespace delabole

@@ -1,0 +1,244 @@
+// Which corners can touch which edges before the next search, and what each such contact remembers.
+//
+// Contact memory belongs to a corner and an edge. Where a corner passes the end of an edge, the edge's end corner takes
+// over on an edge of the first block (its twin): both are contacts, their weights add up to one and change over a short
+// way around the end, and the shear spring is handed over. No overlap of one face is ever compared with that of
+// another, which is what made the thesis's program blow up (5.3.2, cycle 677).
+#pragma once
+
+#include "dynamic_relaxation/blocks/bodies.hpp"
+#include "dynamic_relaxation/blocks/neighbours.hpp"
+#include "dynamic_relaxation/wide/lanes.hpp"
+#include "dynamic_relaxation/wide/large_array.hpp"
+#include "dynamic_relaxation/wide/packed_array.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace delabole {
+
+constexpr double not_open = -1;
+constexpr std::uint32_t no_twin = static_cast<std::uint32_t>(-1);
+
+struct ContactRange {
+    std::size_t begin;
+    std::size_t end;
+
+    std::size_t size() const { return end - begin; }
+};
+
+// Of an edge, as a corner of another block comes over its ends. Many contacts have it in common, so that a step has
+// less to read: a pack of bricks has a handful. Read as rows of eight numbers.
+template <class Number>
+struct alignas(8 * sizeof(double)) EdgeEndsOf {
+    Number start_weight;  // weight of the contact where the corner is at the edge's start
+    Number end_weight;
+    Number inverse_blend;  // 1 / length over which the weight changes
+    // 1 or -1 where the corner could bear as well on the edge beyond this one's start or end, or that end on an edge of
+    // the corner's block: the one that is less deep bears. 0 where not.
+    Number rival;
+    Number rival_sine;  // of the interior angle between the two
+    Number rival_cosine;
+    // 1 where not both may bear at a time; 2 where moreover no other edge of the block may bear at that end, and the
+    // rival is the edge of the corner's own block on which the edge's end may: see corner_choice.hpp. 0 where not.
+    Number alone;
+    Number residual_cohesion;  // N/m, over half the shared length: here because the row of JointLaw is full
+
+    bool operator==(const EdgeEndsOf&) const = default;
+};
+
+// What a contact bears, in common with more contacts still.
+template <class Number>
+struct alignas(8 * sizeof(double)) JointLawOf {
+    Number normal_stiffness;
+    Number shear_stiffness;
+    Number normal_dashpot;
+    Number shear_dashpot;
+    Number friction;           // tangent of the peak angle
+    Number residual_friction;  // likewise
+    Number cohesion;           // N/m: over half the shared length
+    Number tension;            // N/m
+
+    bool operator==(const JointLawOf&) const = default;
+};
+
+template <class Number>
+struct ContactLawOf : EdgeEndsOf<Number>, JointLawOf<Number> {
+    bool operator==(const ContactLawOf&) const = default;
+};
+
+using EdgeEnds = EdgeEndsOf<double>;
+using JointLaw = JointLawOf<double>;
+using ContactLaw = ContactLawOf<double>;
+
+// In the drawing.
+template <class Number>
+struct ContactShapeOf {
+    Number arm_x{};  // of the corner, about its block's centroid
+    Number arm_y{};
+    Number other_arm_x{};  // of the corner, about the other block's centroid
+    Number other_arm_y{};
+    Number along_x{};  // of the edge
+    Number along_y{};
+    Number gap{};         // from the edge to the corner
+    Number from_start{};  // of the edge to the corner, along the edge
+    Number to_end{};      // from the corner to the edge's end, likewise
+};
+
+// What every step asks for.
+struct ContactBlocks {
+    std::uint32_t block;  // of the corner
+    std::uint32_t other;  // of the edge
+    std::uint32_t twin;
+    std::uint32_t ends;   // in the list's ends
+    std::uint32_t joint;  // in the list's joints
+
+    BlockPair pair() const { return {block < other ? block : other, block < other ? other : block}; }
+};
+
+struct ContactCorner {
+    std::uint32_t corner;
+    std::uint32_t edge;
+};
+
+struct RelaxationContact : ContactBlocks, ContactCorner, ContactShapeOf<double> {
+    double edge_length() const { return from_start + to_end; }
+};
+
+template <class Number>
+struct ContactNumbersOf {
+    Number shear{};        // displacement of the shear spring, along the edge
+    Number place{};        // of the corner along the edge when last evaluated, since the drawing
+    Number damping{};      // J/m, dissipated so far
+    Number normal_drag{};  // N/m, of the dashpots when last evaluated, along the normal
+    Number shear_drag{};   // N/m, along the edge
+    // Change where a contact slides or begins only.
+    Number slip{};      // plastic displacement along the edge since it was last booked (outcome.hpp)
+    Number friction{};  // J/m, dissipated so far, with broken bonds
+};
+
+template <class Flag>
+struct ContactFlagsOf {
+    Flag touching{};
+    Flag sliding{};
+    Flag broken{};  // peak strength, cohesion and tensile strength are gone
+    // Below the line of the edge without having come there over the edge, for instance past its end: no overlap of this
+    // edge, and none to bear with, until the corner has been above.
+    Flag beneath{};
+    // Of corners on corners (corner_choice.hpp):
+    Flag yields{};   // does not bear in a trial
+    Flag insists{};  // bears in a trial though it is the deeper one
+    Flag tried{};    // whether balance is found without it has been tried
+};
+
+template <class Number>
+struct ContactMemoryOf : ContactNumbersOf<Number>, ContactFlagsOf<MaskOf<Number>> {};
+
+struct ContactMemory : ContactMemoryOf<double> {
+    // m; a joint that was a bond is as much shorter as the rock was under its load when the bond broke (bonds.hpp).
+    double shortened = 0;
+};
+
+template <class Number>
+struct ForceOnCornerOf {
+    Number x{};  // on the corner's block, N/m; the other gets the opposite
+    Number y{};
+    Number moment{};        // N, about the centroid of the corner's block
+    Number other_moment{};  // N, of the opposite force about the other's centroid
+
+    BlockForceOf<Number> on_block() const { return {x, y, moment}; }
+    BlockForceOf<Number> on_other() const { return {-x, -y, other_moment}; }
+};
+
+using ForceOnCorner = ForceOnCornerOf<double>;
+
+class ContactArray {
+  public:
+    std::size_t size() const { return blocks_.size(); }
+    bool empty() const { return blocks_.empty(); }
+    RelaxationContact operator[](std::size_t index) const { return {blocks_[index], corners_[index], shapes_[index]}; }
+    void set_shape(std::size_t index, const ContactShapeOf<double>& shape) { shapes_.set(index, shape); }
+    void push_back(const RelaxationContact& contact) {
+        shapes_.push_back(size(), contact);
+        blocks_.push_back(contact);
+        corners_.push_back(contact);
+    }
+    void reserve(std::size_t count) {
+        blocks_.reserve(count);
+        corners_.reserve(count);
+        shapes_.reserve(count);
+    }
+
+    std::span<ContactBlocks> blocks() { return blocks_; }
+    std::span<const ContactBlocks> blocks() const { return blocks_; }
+    std::span<const ContactCorner> corners() const { return corners_; }
+    const ContactShapeOf<NumberGroup>* shapes() const { return shapes_.groups(); }
+
+  private:
+    LargeArray<ContactBlocks> blocks_ = {};
+    LargeArray<ContactCorner> corners_ = {};
+    PackedArray<ContactShapeOf, NumberGroup> shapes_ = {};
+};
+
+class MemoryArray {
+  public:
+    std::size_t size() const { return shortened_.size(); }
+    ContactMemory operator[](std::size_t index) const { return {{numbers_[index], flags_[index]}, shortened_[index]}; }
+    void set(std::size_t index, const ContactMemory& memory) {
+        numbers_.set(index, memory);
+        flags_.set(index, memory);
+        shortened_[index] = memory.shortened;
+    }
+    void push_back(const ContactMemory& memory) {
+        numbers_.push_back(size(), memory);
+        flags_.push_back(size(), memory);
+        shortened_.push_back(memory.shortened);
+    }
+    void reserve(std::size_t count) {
+        numbers_.reserve(count);
+        flags_.reserve(count);
+        shortened_.reserve(count);
+    }
+
+    ContactNumbersOf<NumberGroup>* numbers() { return numbers_.groups(); }
+    ContactFlagsOf<FlagGroup>* flags() { return flags_.groups(); }
+
+  private:
+    PackedArray<ContactNumbersOf, NumberGroup> numbers_ = {};
+    PackedArray<ContactFlagsOf, FlagGroup> flags_ = {};
+    LargeArray<double> shortened_ = {};
+};
+
+// In the order of their pairs.
+struct ContactList {
+    ContactArray contact = {};
+    std::vector<EdgeEnds> ends = {};
+    std::vector<JointLaw> joint = {};
+    MemoryArray memory = {};
+    LargeArray<ForceOnCorner> force = {};  // when last evaluated
+    // m; an open contact stays open while its blocks' ways since the start do not sum up to more. not_open where it
+    // touches.
+    LargeArray<double> open_until = {};
+
+    ContactLaw law_of(const ContactBlocks& one) const { return {ends[one.ends], joint[one.joint]}; }
+};
+
+struct SearchOptions {
+    double margin;
+    double viscous_damping;
+    // Joints that are closed in the drawing are whole: they have their peak strengths. Those that come about later, or
+    // were open, have lost them.
+    bool first;
+    // Pairs that have none, in increasing order.
+    std::span<const BlockPair> bonded = {};
+};
+
+// All contacts nearer than the margin, by a search of the whole scene. In an order that depends on positions alone.
+// `previous` gives its memory to those that were contacts already. A run keeps its list up to date pair by pair
+// (contact_watch.hpp).
+ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, const std::vector<Motion>& motion,
+                          const std::vector<char>& removed, const SearchOptions& options, const ContactList& previous);
+
+}  // namespace delabole

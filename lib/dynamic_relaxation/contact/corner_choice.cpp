@@ -1,0 +1,170 @@
+#include "dynamic_relaxation/contact/corner_choice.hpp"
+
+#include "dynamic_relaxation/contact/contact_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+struct CornerPair {
+    std::uint32_t lower;
+    std::uint32_t higher;
+
+    bool operator==(const CornerPair&) const = default;
+};
+
+// The contact's corner and the end of its edge at which its rival begins.
+CornerPair corners_of(const Bodies& bodies, const ContactLaw& law, const RelaxationContact& contact) {
+    const auto end =
+        static_cast<std::uint32_t>(law.rival > 0 ? contact.edge : bodies.range[contact.other].after(contact.edge));
+    return {std::min(contact.corner, end), std::max(contact.corner, end)};
+}
+
+// Unit vector in which the block with the higher number would be parted from the other.
+PlanePoint<> parting(const RelaxationContact& contact, const ContactPosition& at) {
+    const double sense = contact.block > contact.other ? 1 : -1;
+    return sense * PlanePoint<>(at.normal_x, at.normal_y);
+}
+
+class Corners {
+  public:
+    Corners(const CornerMotion& blocks, ContactList& list)
+        : blocks_(blocks), list_(list), concerned_(blocks.bodies.size(), 0) {}
+
+    ContactLaw law_of(std::size_t index) const { return list_.law_of(list_.contact.blocks()[index]); }
+    ContactPosition position_of(std::size_t index) const {
+        const RelaxationContact contact = list_.contact[index];
+        return locate(contact, blocks_.motion[contact.block], blocks_.motion[contact.other]);
+    }
+
+    // N/m, normal to the edge; none where a corner has come over its edge altogether.
+    double relied_on(std::size_t index) const {
+        const ContactLaw law = law_of(index);
+        if (law.alone == 0 || !list_.memory[index].touching) {
+            return 0;
+        }
+        const ContactPosition at = position_of(index);
+        const double share = contact_weight(law, list_.contact[index], at, list_.memory[index].insists);
+        return share < 1 ? -share * law.normal_stiffness * at.gap : 0;
+    }
+
+    // Of the contacts of a pair of blocks, those of the same two corners.
+    void exchange(std::size_t index, const ContactRange& of_pair) {
+        const CornerPair corners = corners_of(blocks_.bodies, law_of(index), list_.contact[index]);
+        const PlanePoint<> bearing = parting(list_.contact[index], position_of(index));
+        std::vector<std::size_t> same_face;
+        std::vector<std::size_t> other_face;
+        for (std::size_t other = of_pair.begin; other < of_pair.end; ++other) {
+            if (law_of(other).alone == 0 ||
+                !(corners_of(blocks_.bodies, law_of(other), list_.contact[other]) == corners)) {
+                continue;
+            }
+            const bool same = parting(list_.contact[other], position_of(other)).dot(bearing) > one_face;
+            (same ? same_face : other_face).push_back(other);
+        }
+        for (const std::size_t one : same_face) {
+            set_trial(one, true, false);
+        }
+        for (const std::size_t one : other_face) {
+            set_trial(one, false, true);
+        }
+    }
+
+    void set_trial(std::size_t index, bool yields, bool insists) {
+        const RelaxationContact contact = list_.contact[index];
+        const ContactLaw law = law_of(index);
+        ContactMemory memory = list_.memory[index];
+        const Motion& block = blocks_.motion[contact.block];
+        const Motion& other = blocks_.motion[contact.other];
+        memory.friction += elastic_energy(law, contact, memory, block, other);
+        memory.tried |= yields;
+        memory.yields = yields;
+        memory.insists = insists;
+        memory.shear = memory.normal_drag = memory.shear_drag = 0;
+        memory.sliding = false;
+        const ContactPosition at = position_of(index);
+        memory.beneath = memory.beneath && !insists;
+        memory.touching = at.gap < 0 && !yields && !memory.beneath && contact_weight(law, contact, at, insists) > 0;
+        memory.place = at.slide;
+        memory.friction -= elastic_energy(law, contact, memory, block, other);
+        list_.memory.set(index, memory);
+        list_.force[index] = {};
+        list_.open_until[index] = not_open;
+        concerned_[contact.block] = concerned_[contact.other] = 1;
+    }
+
+    template <class IsHeld>
+    std::vector<std::uint32_t> concerned(const IsHeld& is_held) const {
+        std::vector<std::uint32_t> blocks;
+        for (std::uint32_t block = 0; block < concerned_.size(); ++block) {
+            if (concerned_[block] != 0 && !is_held(block)) {
+                blocks.push_back(block);
+            }
+        }
+        return blocks;
+    }
+
+  private:
+    const CornerMotion& blocks_;
+    ContactList& list_;
+    std::vector<char> concerned_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> try_other_edges(const CornerMotion& blocks, const std::vector<double>& weight,
+                                           ContactList& list) {
+    constexpr double relied_on = 1e-3;
+    Corners corners(blocks, list);
+    for (std::size_t begin = 0, end = 0; begin < list.contact.size(); begin = end) {
+        const BlockPair pair = list.contact.blocks()[begin].pair();
+        while (end < list.contact.size() && list.contact.blocks()[end].pair() == pair) {
+            ++end;
+        }
+        const double lighter = std::min(weight[pair.first], weight[pair.second]);
+        for (std::size_t index = begin; index < end; ++index) {
+            const ContactMemory memory = list.memory[index];
+            if (!memory.tried && !memory.insists && corners.relied_on(index) > relied_on * lighter) {
+                corners.exchange(index, {begin, end});
+            }
+        }
+    }
+    return corners.concerned([&](std::uint32_t block) { return !std::isfinite(weight[block]); });
+}
+
+std::vector<std::uint32_t> end_trial(const CornerMotion& blocks, ContactList& list) {
+    Corners corners(blocks, list);
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const ContactMemory memory = list.memory[index];
+        if (memory.yields || memory.insists) {
+            corners.set_trial(index, false, false);
+        }
+    }
+    return corners.concerned([&](std::uint32_t block) { return blocks.bodies.fixed[block] != 0; });
+}
+
+void note_tried(const MemoryArray& in_trial, MemoryArray& memory) {
+    for (std::size_t index = 0; index < memory.size(); ++index) {
+        ContactMemory one = memory[index];
+        if (in_trial[index].tried && !one.tried) {
+            one.tried = true;
+            memory.set(index, one);
+        }
+    }
+}
+
+void forget_tried(MemoryArray& memory) {
+    for (std::size_t index = 0; index < memory.size(); ++index) {
+        ContactMemory one = memory[index];
+        if (one.tried) {
+            one.tried = false;
+            memory.set(index, one);
+        }
+    }
+}
+
+}  // namespace delabole

@@ -1,0 +1,435 @@
+#include "dynamic_relaxation/contact/pair_search.hpp"
+
+#include "dynamic_relaxation/contact/contact_law.hpp"
+#include "dynamic_relaxation/contact/corner_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace delabole {
+
+namespace {
+
+// A face may lean on another by this much and still touch it with both ends (sine); a corner's own other face, at right
+// angles in a rectangle, must not count as touching.
+constexpr double lean = 0.35;
+// A corner that bears on an edge goes on doing so up to here: to take it away, or to give its load to the next edge, on
+// which it is deeper, would make energy out of nothing.
+constexpr double lean_while_touching = 0.7;
+// The weight of a contact changes over this way around an edge's end, in shortest edges. Far above any overlap, so that
+// a change of overlap hardly changes a weight, and far below what an eye or a lever arm would see.
+constexpr double blend_way = 1e-3;
+// A joint drawn open by less than this, in shortest edges, is closed.
+constexpr double closed = 1e-3;
+// A corner that is found below an edge came there over the edge if it is no deeper than this, in margins.
+constexpr double came_over = 0.01;
+// Deeper corners belong to the block's other side, unless they bear already.
+constexpr double deepest = 0.25;
+// Of two edges that meet in a tip, a corner at the tip is on the one into whose block its faces dip less by so much
+// (sine).
+constexpr double clearly_less = 0.15;
+// As far from the tip, in shortest edges, as overlaps may not yet tell.
+constexpr double at_tip = 0.05;
+
+constexpr std::size_t unknown = static_cast<std::size_t>(-1);
+
+// Greatest distance by which the line of an edge parts a block's corners from the edge's block.
+template <class GapOf>
+double greatest_distance(const CornerRange& corners, const CornerRange& edges, const GapOf& gap_of) {
+    double greatest = -std::numeric_limits<double>::infinity();
+    for (std::size_t edge = edges.begin; edge < edges.end; ++edge) {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t corner = corners.begin; corner < corners.end; ++corner) {
+            least = std::min(least, gap_of(corner, edge));
+        }
+        greatest = std::max(greatest, least);
+    }
+    return greatest;
+}
+
+// In the drawing, below the line of the edge but outside another edge of the same block; or farther below than the
+// blocks overlap, as tips of blocks on the other side of a thin one are.
+bool beside(const Bodies& bodies, const RelaxationContact& contact, double shortest) {
+    if (contact.gap >= 0) {
+        return false;
+    }
+    if (contact.gap < distance_between(bodies, contact.block, contact.other) - blend_way * shortest) {
+        return true;
+    }
+    const PlanePoint<> between = bodies.centroid[contact.block] - bodies.centroid[contact.other];
+    const CornerRange& range = bodies.range[contact.other];
+    for (std::size_t edge = range.begin; edge < range.end; ++edge) {
+        if (bodies.normal(edge).dot(between + (bodies.corner[contact.corner] - bodies.corner[edge])) >
+            blend_way * shortest) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+double distance_between(const Bodies& bodies, std::size_t first, std::size_t second) {
+    const auto over_edges_of = [&](std::size_t other, std::size_t block) {
+        const PlanePoint<> between = bodies.centroid[block] - bodies.centroid[other];
+        return greatest_distance(bodies.range[block], bodies.range[other], [&](std::size_t corner, std::size_t edge) {
+            return bodies.normal(edge).dot(between + (bodies.corner[corner] - bodies.corner[edge]));
+        });
+    };
+    return std::max(over_edges_of(second, first), over_edges_of(first, second));
+}
+
+void PairContacts::clear() {
+    contact.clear();
+    law.clear();
+    memory.clear();
+    distance = worst_overlap = 0;
+}
+
+std::size_t PairSearch::Side::before(std::size_t corner_number) const {
+    return corner_number > 0 ? corner_number - 1 : corner.size() - 1;
+}
+
+std::size_t PairSearch::Side::after(std::size_t corner_number) const {
+    return corner_number + 1 < corner.size() ? corner_number + 1 : 0;
+}
+
+PairSearch::PairSearch(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping)
+    : scene_(scene), bodies_(bodies), viscous_damping_(viscous_damping) {
+    for (const JointMaterial& joint : scene.material) {
+        friction_.push_back(std::tan(joint.friction_angle));
+        residual_friction_.push_back(std::tan(joint.residual_friction_angle.value_or(joint.friction_angle)));
+    }
+}
+
+void PairSearch::place(std::uint32_t block, const std::vector<Motion>& motion, Side& side) const {
+    const CornerRange& range = bodies_.range[block];
+    side.block = block;
+    side.begin = range.begin;
+    side.corner.resize(range.size());
+    side.along.resize(range.size());
+    const Motion& moved = motion[block];
+    const PlanePoint<> centroid = bodies_.centroid[block] + PlanePoint<>(moved.x, moved.y);
+    for (std::size_t corner = 0; corner < range.size(); ++corner) {
+        side.corner[corner] = centroid + moved.turned(bodies_.corner[range.begin + corner]);
+        side.along[corner] = moved.turned(bodies_.along[range.begin + corner]);
+    }
+}
+
+// Returns the greatest distance by which an edge of the other block parts them.
+double PairSearch::measure(const Side& block, const Side& other, Gaps& gaps) {
+    gaps.corners = block.corner.size();
+    gaps.gap.resize(block.corner.size() * other.corner.size());
+    return greatest_distance(
+        {0, block.corner.size()}, {0, other.corner.size()}, [&](std::size_t corner, std::size_t edge) {
+            return gaps(corner, edge) = other.normal(edge).dot(block.corner[corner] - other.corner[edge]);
+        });
+}
+
+void PairSearch::find(const BlockPair& pair, const std::vector<Motion>& motion, double margin, bool first,
+                      const ContactList& list, const ContactRange& before, const std::optional<PairPose>& then,
+                      PairContacts& found) {
+    found.clear();
+    margin_ = margin;
+    shortest_ = std::min(bodies_.shortest_edge[pair.first], bodies_.shortest_edge[pair.second]);
+    first_ = first;
+    list_ = &list;
+    before_ = before;
+    then_ = then;
+    place(pair.first, motion, side_[0]);
+    place(pair.second, motion, side_[1]);
+    const double distance = std::max(measure(side_[0], side_[1], gaps_[0]), measure(side_[1], side_[0], gaps_[1]));
+    found.distance = distance;
+    found.worst_overlap = std::max(0.0, -distance / shortest_);
+    if (distance > margin + 3 * blend_way * shortest_) {
+        return;
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Gaps& gaps = gaps_[side];
+        for (std::size_t corner = 0; corner < side_[side].corner.size(); ++corner) {
+            for (std::size_t edge = 0; edge < side_[1 - side].corner.size(); ++edge) {
+                const bool too_deep = gaps(corner, edge) < -deepest * shortest_;
+                if (gaps(corner, edge) <= margin && (!too_deep || bears(side_[side], corner, side_[1 - side], edge))) {
+                    add_corner(side, corner, edge, found);
+                }
+            }
+        }
+    }
+    pair_twins(found);
+    remember(found, motion);
+}
+
+// `side`: that of the corner.
+void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t edge, PairContacts& found) const {
+    const Side& block = side_[side];
+    const Side& other = side_[1 - side];
+    const Gaps& gaps = gaps_[side];
+    const std::size_t corner_number = block.begin + corner;
+    const std::size_t edge_number = other.begin + edge;
+    const double length = bodies_.length[edge_number];
+    const PlanePoint<>& along = other.along[edge];
+    const double position = along.dot(block.corner[corner] - other.corner[edge]);
+    const double reach = margin_ + 3 * blend_way * shortest_;
+    if (position < -reach || position > length + reach || !can_bear(block, corner, other, edge)) {
+        return;
+    }
+    const bool start_is_near = position < length / 2;
+    const std::size_t near = start_is_near ? other.before(edge) : other.after(edge);
+    const std::size_t far = start_is_near ? other.after(edge) : other.before(edge);
+    const bool near_bears = can_bear(block, corner, other, near);
+    // Of a short edge the end farther off can be the one to which the corner is carried.
+    const bool far_counts = -gaps(corner, far) < deepest * shortest_ &&
+                            (!near_bears || gaps(corner, far) > gaps(corner, near)) &&
+                            can_bear(block, corner, other, far);
+    const bool at_start = start_is_near != far_counts;
+    const std::size_t beyond = other.begin + (far_counts ? far : near);
+    bool rival = far_counts || near_bears;
+    const bool alone = rival && bodies_.along[edge_number].dot(bodies_.along[beyond]) < one_face;
+    const double from_end = at_start ? position : length - position;
+    if (rival && !alone && std::abs(from_end) < at_tip * shortest_) {
+        const double excess = dip_beyond_that_of(corner_number, edge_number, beyond, at_start);
+        if (excess > clearly_less) {
+            return;
+        }
+        rival = excess >= -clearly_less;
+    }
+    ContactLaw law = law_between(block, corner, other, edge);
+    if (rival) {
+        const PlanePoint<>& one = bodies_.along[edge_number];
+        const PlanePoint<>& two = bodies_.along[beyond];
+        law.rival = at_start ? 1 : -1;
+        law.rival_sine = std::abs(one.x() * two.y() - one.y() * two.x());
+        law.rival_cosine = -one.dot(two);
+        law.alone = alone ? 1 : 0;
+    }
+    add_twin_as_rival(block, corner, other, edge, at_start, law);
+    if (law.alone > 0) {
+        // How far the blocks overlap is all that the weight depends on at this end.
+        (at_start ? law.start_weight : law.end_weight) = 1;
+    }
+    found.contact.push_back(contact_of(corner_number, edge_number));
+    found.law.push_back(law);
+}
+
+// Beyond the edge's end the end itself may bear on a face of the corner's block. Between edges of two blocks the angle
+// changes as they turn: it is rounded, so that the law stays the same from search to search.
+void PairSearch::add_twin_as_rival(const Side& block, std::size_t corner, const Side& other, std::size_t edge,
+                                   bool at_start, ContactLaw& law) const {
+    const std::size_t end = at_start ? edge : other.after(edge);
+    const std::size_t face = at_start ? block.before(corner) : corner;
+    const PlanePoint<> inward = at_start ? other.along[edge] : PlanePoint<>(-other.along[edge]);
+    const PlanePoint<> along_face = at_start ? PlanePoint<>(-block.along[face]) : block.along[face];
+    const double cosine = inward.dot(along_face);
+    // The one nearer in its normal is the neighbour on the outline of all differences. Where joints of two sets cross
+    // both are as near, and a hair's turn must not change the law.
+    constexpr double clearly_nearer = 0.02;
+    const bool farther = law.alone > 0 && cosine < -law.rival_cosine + clearly_nearer;
+    if (farther || !can_bear(other, end, block, face)) {
+        return;
+    }
+    if (cosine > one_face) {
+        // Both go on into each other as one face, and what the block has beyond the end is not beside it.
+        if (law.alone > 0) {
+            law.rival = law.rival_sine = law.rival_cosine = law.alone = 0;
+        }
+        return;
+    }
+    constexpr double round_to = 1.0 / 64;
+    const double angle = std::round(std::acos(std::max(cosine, -1.0)) / round_to) * round_to;
+    law.rival = at_start ? 1 : -1;
+    law.rival_sine = std::sin(angle);
+    law.rival_cosine = -std::cos(angle);
+    law.alone = law.alone > 0 ? 1 : 2;
+}
+
+bool PairSearch::can_bear(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const {
+    const PlanePoint<> normal = other.normal(edge);
+    // Of the corner's faces below the edge, sine.
+    const double dips = std::max(-block.along[corner].dot(normal), block.along[block.before(corner)].dot(normal));
+    if (dips <= lean || dips > lean_while_touching) {
+        return dips <= lean;
+    }
+    return bears(block, corner, other, edge);
+}
+
+bool PairSearch::bears(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const {
+    const std::size_t before = known(block.begin + corner, other.begin + edge);
+    return before != unknown && list_->memory[before].touching;
+}
+
+// Where a joint comes out of a face at an acute angle, the corners of both blocks coincide in the drawing: they bear on
+// each other's joint, but on each other's face they would hold the joint. By how much the faces of a corner dip deeper
+// (sine) below one edge than below the one beyond its end; 0 where the corner is not drawn at that end.
+double PairSearch::dip_beyond_that_of(std::size_t corner, std::size_t edge, std::size_t beyond, bool at_start) const {
+    const std::size_t block = bodies_.block_of[corner];
+    const std::size_t end = at_start ? edge : bodies_.range[bodies_.block_of[edge]].after(edge);
+    const PlanePoint<> apart = (bodies_.centroid[block] - bodies_.centroid[bodies_.block_of[edge]]) +
+                               (bodies_.corner[corner] - bodies_.corner[end]);
+    if (apart.norm() > closed * shortest_) {
+        return 0;
+    }
+    const PlanePoint<>& to_next = bodies_.along[corner];
+    const PlanePoint<> to_previous = -bodies_.along[bodies_.range[block].before(corner)];
+    const auto dip = [&](std::size_t below) {
+        const PlanePoint<> normal = bodies_.normal(below);
+        return -std::min(to_next.dot(normal), to_previous.dot(normal));
+    };
+    return dip(edge) - dip(beyond);
+}
+
+RelaxationContact PairSearch::contact_of(std::size_t corner, std::size_t edge) const {
+    const std::size_t block = bodies_.block_of[corner];
+    const std::size_t other = bodies_.block_of[edge];
+    RelaxationContact contact{};
+    contact.block = static_cast<std::uint32_t>(block);
+    contact.other = static_cast<std::uint32_t>(other);
+    contact.corner = static_cast<std::uint32_t>(corner);
+    contact.edge = static_cast<std::uint32_t>(edge);
+    contact.twin = no_twin;
+    const PlanePoint<> offset =
+        (bodies_.centroid[block] - bodies_.centroid[other]) + (bodies_.corner[corner] - bodies_.corner[edge]);
+    const PlanePoint<>& arm = bodies_.corner[corner];
+    const PlanePoint<> other_arm = bodies_.corner[edge] + offset;
+    const PlanePoint<>& along = bodies_.along[edge];
+    contact.arm_x = arm.x();
+    contact.arm_y = arm.y();
+    contact.other_arm_x = other_arm.x();
+    contact.other_arm_y = other_arm.y();
+    contact.along_x = along.x();
+    contact.along_y = along.y();
+    contact.gap = bodies_.normal(edge).dot(offset);
+    contact.from_start = along.dot(offset);
+    contact.to_end = bodies_.length[edge] - contact.from_start;
+    return contact;
+}
+
+ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const {
+    const PlanePoint<>& to_next = block.along[corner];
+    const PlanePoint<> to_previous = -block.along[block.before(corner)];
+    const PlanePoint<> normal = other.normal(edge);
+    // The face of the corner's block that lies on the edge is the one nearer to its direction.
+    const std::size_t face =
+        std::abs(to_next.dot(normal)) < std::abs(to_previous.dot(normal)) ? corner : block.before(corner);
+    const double next = to_next.dot(other.along[edge]);
+    const double previous = to_previous.dot(other.along[edge]);
+    ContactLaw law{};
+    // Over the end of an edge, a block that reaches back over it hands over to its twin; one that only touches the end
+    // with a corner does not bear there at all.
+    law.start_weight = std::max(next, previous) > lean ? 0.5 : -0.5;
+    law.end_weight = -std::min(next, previous) > lean ? 0.5 : -0.5;
+    law.inverse_blend = 1 / (2 * (blend_way * shortest_));
+    const std::size_t of_face = bodies_.material[block.begin + face];
+    const std::size_t of_edge = bodies_.material[other.begin + edge];
+    const std::size_t weaker =
+        scene_.material[of_face].friction_angle < scene_.material[of_edge].friction_angle ? of_face : of_edge;
+    const JointMaterial& joint = scene_.material[weaker];
+    law.normal_stiffness = joint.normal_stiffness;
+    law.shear_stiffness = joint.shear_stiffness;
+    const double effective_mass = 1 / (bodies_.inverse_mass[block.block] + bodies_.inverse_mass[other.block]);
+    law.normal_dashpot = 2 * viscous_damping_ * std::sqrt(effective_mass * joint.normal_stiffness);
+    law.shear_dashpot = 2 * viscous_damping_ * std::sqrt(effective_mass * joint.shear_stiffness);
+    law.friction = friction_[weaker];
+    law.residual_friction = residual_friction_[weaker];
+    if (joint.cohesion != 0 || joint.tensile_strength != 0) {
+        const double half_shared = shared_length(block, face, other, edge, bodies_.length[other.begin + edge]) / 2;
+        law.cohesion = joint.cohesion * half_shared;
+        law.residual_cohesion = joint.residual_cohesion * half_shared;
+        law.tension = joint.tensile_strength * half_shared;
+    }
+    return law;
+}
+
+double PairSearch::shared_length(const Side& block, std::size_t face, const Side& other, std::size_t edge,
+                                 double length) {
+    const double one = other.along[edge].dot(block.corner[face] - other.corner[edge]);
+    const double two = other.along[edge].dot(block.corner[block.after(face)] - other.corner[edge]);
+    return std::max(0.0, std::min(length, std::max(one, two)) - std::max(0.0, std::min(one, two)));
+}
+
+// A corner's twin at the start of an edge is that end on the face that ends at the corner, because both outlines run
+// anticlockwise; at the edge's end it is the face that begins there.
+void PairSearch::pair_twins(PairContacts& found) const {
+    const auto number_of = [&](std::size_t corner, std::size_t edge) {
+        const auto is_it = [&](const RelaxationContact& contact) {
+            return contact.corner == corner && contact.edge == edge;
+        };
+        const auto twin = std::find_if(found.contact.begin(), found.contact.end(), is_it);
+        return twin == found.contact.end() ? no_twin : static_cast<std::uint32_t>(twin - found.contact.begin());
+    };
+    for (RelaxationContact& contact : found.contact) {
+        const Side& block = side_of(contact.block);
+        const Side& other = side_of(contact.other);
+        const std::size_t edge = contact.edge - other.begin;
+        const double position = other.along[edge].dot(block.corner[contact.corner - block.begin] - other.corner[edge]);
+        contact.twin = position < contact.edge_length() / 2
+                           ? number_of(contact.edge, bodies_.range[contact.block].before(contact.corner))
+                           : number_of(bodies_.range[contact.other].after(contact.edge), contact.corner);
+    }
+}
+
+void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion) const {
+    found.memory.resize(found.contact.size());
+    for (std::size_t index = 0; index < found.contact.size(); ++index) {
+        RelaxationContact& contact = found.contact[index];
+        const ContactLaw& law = found.law[index];
+        ContactMemory& memory = found.memory[index];
+        memory = {};
+        const std::size_t before = known(contact.corner, contact.edge);
+        if (before != unknown) {
+            memory = list_->memory[before];
+            contact.gap += memory.shortened;
+        } else {
+            memory.broken = !(first_ && contact.gap <= closed * shortest_);
+            const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
+            memory.beneath = first_ ? beside(bodies_, contact, shortest_)
+                                    : law.rival == 0 && at.gap < -came_over * margin_ && !came_over_edge(contact, at);
+            memory.touching = !memory.broken && !memory.beneath && (law.tension > 0 || contact.gap < 0);
+        }
+    }
+    for (std::size_t index = 0; index < found.contact.size(); ++index) {
+        const RelaxationContact& contact = found.contact[index];
+        const ContactLaw& law = found.law[index];
+        const ContactMemory& memory = found.memory[index];
+        if (memory.beneath || memory.yields) {
+            continue;
+        }
+        const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
+        if (-at.gap > found.worst_overlap * shortest_ && contact_weight(law, contact, at, memory.insists) > 0) {
+            found.worst_overlap = -at.gap / shortest_;
+        }
+    }
+}
+
+// Whether the corner has crossed the line of the edge between the edge's ends since the pair was last looked at.
+bool PairSearch::came_over_edge(const RelaxationContact& contact, const ContactPosition& now) const {
+    if (!then_) {
+        return false;
+    }
+    Motion first;
+    first.x = then_->x;
+    first.y = then_->y;
+    first.set_angle(then_->first_angle);
+    Motion second;
+    second.set_angle(then_->second_angle);
+    const bool of_first = contact.block == side_[0].block;
+    const ContactPosition before = locate(contact, of_first ? first : second, of_first ? second : first);
+    if (before.gap < 0) {
+        return false;
+    }
+    const double share = before.gap / (before.gap - now.gap);
+    const double position = before.position + share * (now.position - before.position);
+    return position >= 0 && position <= contact.edge_length();
+}
+
+std::size_t PairSearch::known(std::size_t corner, std::size_t edge) const {
+    const std::span<const ContactCorner> corners = list_->contact.corners();
+    for (std::size_t index = before_.begin; index < before_.end; ++index) {
+        if (corners[index].corner == corner && corners[index].edge == edge) {
+            return index;
+        }
+    }
+    return unknown;
+}
+
+}  // namespace delabole

@@ -1,0 +1,107 @@
+// The contacts of one pair of blocks.
+#pragma once
+
+#include "dynamic_relaxation/blocks/neighbours.hpp"
+#include "dynamic_relaxation/contact/contact_law.hpp"
+#include "dynamic_relaxation/contact/contacts.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace delabole {
+
+// What a pair has had so far, or has now. Twins are counted from the pair's first contact.
+struct PairContacts {
+    std::vector<RelaxationContact> contact = {};
+    std::vector<ContactLaw> law = {};  // of each contact, whatever its number says
+    std::vector<ContactMemory> memory = {};
+    // m; the blocks are apart by no less. Negative: the least displacement that parts them.
+    double distance = 0;
+    double worst_overlap = 0;  // in shortest edges of the two blocks: of contacts, or of the blocks if that is more
+
+    void clear();
+};
+
+// How the blocks of a pair lay when it was last looked at.
+struct PairPose {
+    double x = 0;  // m, displacement of the first block against the second
+    double y = 0;
+    double first_angle = 0;  // rad
+    double second_angle = 0;
+};
+
+// In the drawing: greatest distance by which a line along an edge of either block parts them; negative: least way out
+// of an overlap.
+double distance_between(const Bodies& bodies, std::size_t first, std::size_t second);
+
+class PairSearch {
+  public:
+    PairSearch(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping);
+
+    // Contacts of corners of the first block on edges of the second, then the other way round. `first` as in
+    // SearchOptions. Those that were contacts already, in this range of the list, keep their memory. `then`: the last
+    // time, if there was one.
+    void find(const BlockPair& pair, const std::vector<Motion>& motion, double margin, bool first,
+              const ContactList& list, const ContactRange& before, const std::optional<PairPose>& then,
+              PairContacts& found);
+
+  private:
+    // A block where it is now; its corners and edges counted from its first.
+    struct Side {
+        std::uint32_t block = 0;
+        std::size_t begin = 0;
+        std::vector<PlanePoint<>> corner = {};
+        std::vector<PlanePoint<>> along = {};  // of the edge that begins at the corner
+
+        PlanePoint<> normal(std::size_t edge) const { return {along[edge].y(), -along[edge].x()}; }
+        std::size_t before(std::size_t corner_number) const;
+        std::size_t after(std::size_t corner_number) const;
+    };
+
+    // Of the corners of one above the edges of the other.
+    struct Gaps {
+        std::size_t corners = 0;
+        std::vector<double> gap = {};  // edge by edge
+
+        double& operator()(std::size_t corner, std::size_t edge) { return gap[edge * corners + corner]; }
+        double operator()(std::size_t corner, std::size_t edge) const { return gap[edge * corners + corner]; }
+    };
+
+    void place(std::uint32_t block, const std::vector<Motion>& motion, Side& side) const;
+    static double measure(const Side& block, const Side& other, Gaps& gaps);
+    void add_corner(std::size_t side, std::size_t corner, std::size_t edge, PairContacts& found) const;
+    void add_twin_as_rival(const Side& block, std::size_t corner, const Side& other, std::size_t edge, bool at_start,
+                           ContactLaw& law) const;
+    bool can_bear(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;
+    bool bears(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;  // by what is known
+    double dip_beyond_that_of(std::size_t corner, std::size_t edge, std::size_t beyond, bool at_start) const;
+    RelaxationContact contact_of(std::size_t corner, std::size_t edge) const;
+    ContactLaw law_between(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;
+    static double shared_length(const Side& block, std::size_t face, const Side& other, std::size_t edge,
+                                double length);
+    void pair_twins(PairContacts& found) const;
+    void remember(PairContacts& found, const std::vector<Motion>& motion) const;
+    bool came_over_edge(const RelaxationContact& contact, const ContactPosition& now) const;
+    std::size_t known(std::size_t corner, std::size_t edge) const;
+    const Side& side_of(std::uint32_t block) const { return block == side_[0].block ? side_[0] : side_[1]; }
+
+    const RelaxationScene& scene_;
+    const Bodies& bodies_;
+    double viscous_damping_;
+    std::vector<double> friction_ = {};  // tangents, of each material
+    std::vector<double> residual_friction_ = {};
+    // Of the pair:
+    std::array<Side, 2> side_ = {};
+    std::array<Gaps, 2> gaps_ = {};
+    double margin_ = 0;
+    double shortest_ = 0;
+    bool first_ = false;
+    const ContactList* list_ = nullptr;
+    ContactRange before_{0, 0};
+    std::optional<PairPose> then_ = {};
+};
+
+}  // namespace delabole

@@ -1,0 +1,39 @@
+// The greatest stable step of a system of blocks on springs.
+#pragma once
+
+#include "dynamic_relaxation/contact/bonds.hpp"
+#include "dynamic_relaxation/contact/contacts.hpp"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace delabole {
+
+// The springs and dashpots on one block, for the greatest step that leap-frog with dashpots half a step behind bears,
+//   step^2 stiffness / 4 + step damping / 2 = 1,
+// where stiffness and damping are the greatest eigenvalues of (mass matrix)^-1 (sum over all contacts of the list and
+// all whole bonds, each taken with the contacts that would replace it), those with free blocks counted twice: no system
+// of such blocks can be stiffer, whichever of the contacts close. Without damping it is 2 / (circular frequency). The
+// least over all blocks is a step that the system bears.
+class SpringsOnBlock {
+  public:
+    SpringsOnBlock(const Bodies& bodies, std::size_t block) : bodies_(bodies), block_(block) {}
+
+    void add(const RelaxationContact& contact, const ContactLaw& law, const std::vector<Motion>& motion);
+    void add(const Bond& bond, const std::vector<Motion>& motion);
+
+    double stable_step() const;  // s; infinite without springs
+
+  private:
+    // Rows of a displacement on the block's two displacements and its rotation.
+    void add(const Eigen::Vector3d& normal, const Eigen::Vector3d& along, const auto& joint, double share);
+
+    const Bodies& bodies_;
+    std::size_t block_;
+    Eigen::Matrix3d stiffness_ = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d damping_ = Eigen::Matrix3d::Zero();
+};
+
+}  // namespace delabole

@@ -1,0 +1,335 @@
+#include "dynamic_relaxation/scene/slope_scene.hpp"
+
+#include "dynamic_relaxation/scene/water_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+std::vector<std::string> names_of(const auto& list) {
+    std::vector<std::string> names;
+    names.reserve(list.size());
+    for (const auto& entry : list) {
+        names.push_back(entry.name);
+    }
+    return names;
+}
+
+std::optional<std::size_t> index_of(const std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
+}
+
+Polygon<> polygon_of(const std::vector<SectionPoint>& area) {
+    Polygon<> polygon;
+    polygon.reserve(area.size());
+    for (const SectionPoint& point : area) {
+        polygon.emplace_back(point.x, point.y);
+    }
+    return polygon;
+}
+
+std::vector<Polygon<>> polygons_of(const auto& areas) {
+    std::vector<Polygon<>> polygons;
+    polygons.reserve(areas.size());
+    for (const auto& area : areas) {
+        polygons.push_back(polygon_of(area.vertex));
+    }
+    return polygons;
+}
+
+struct Bounds {
+    double left = std::numeric_limits<double>::infinity();
+    double right = -std::numeric_limits<double>::infinity();
+    double bottom = std::numeric_limits<double>::infinity();
+    double top = -std::numeric_limits<double>::infinity();
+};
+
+Bounds bounds_of(const std::vector<PlanePoint<>>& points) {
+    Bounds bounds;
+    for (const PlanePoint<>& point : points) {
+        bounds.left = std::min(bounds.left, point.x());
+        bounds.right = std::max(bounds.right, point.x());
+        bounds.bottom = std::min(bounds.bottom, point.y());
+        bounds.top = std::max(bounds.top, point.y());
+    }
+    return bounds;
+}
+
+Polygon<> rectangle(double left, double bottom, double right, double top) {
+    return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
+
+// A section is needed several times in a row for the same geometry: to check a case, to name its outputs, for each run
+// of a fit. The last one of each thread is kept.
+const JointedSection& section_of(const SlopeGeometry& geometry, const std::vector<std::string>& rocks,
+                                 const std::vector<std::string>& joints) {
+    struct Kept {
+        SlopeGeometry geometry;
+        std::vector<std::string> rocks;
+        std::vector<std::string> joints;
+        JointedSection section;
+    };
+    thread_local std::optional<Kept> kept;
+    if (!kept || kept->rocks != rocks || kept->joints != joints || kept->geometry != geometry) {
+        kept.reset();
+        kept.emplace(Kept{geometry, rocks, joints, cut_slope(geometry, rocks, joints)});
+    }
+    return kept->section;
+}
+
+class SlopeSceneMaker {
+  public:
+    explicit SlopeSceneMaker(const RelaxationSlope& slope)
+        : slope_(slope), joints_(names_of(slope.joint)), rocks_(names_of(slope.rock)) {}
+
+    SlopeScene make() {
+        scene_.section = section_of(slope_.geometry, rocks_, joints_);
+        if (section().check != SlopeCheck::valid) {
+            return refused(section().check, section().cut_at_fault);
+        }
+        const SlopeCheck check = check_rest();
+        if (check != SlopeCheck::valid) {
+            return refused(check, index_at_fault_);
+        }
+        bounds_ = bounds_of(section().vertex);
+        add_blocks();
+        if (slope_.frame && !add_frame()) {
+            return refused(SlopeCheck::frame_without_edge, 0);
+        }
+        for (std::size_t index = 0; index < used_.size(); ++index) {
+            if (!used_[index]) {
+                return refused(SlopeCheck::area_without_block, index);
+            }
+        }
+        section().vertex.clear();
+        section().block.clear();
+        return std::move(scene_);
+    }
+
+  private:
+    JointedSection& section() { return scene_.section; }
+
+    static SlopeScene refused(SlopeCheck check, std::size_t index) {
+        SlopeScene scene;
+        scene.check = check;
+        scene.index_at_fault = index;
+        return scene;
+    }
+
+    SlopeCheck check_rest() {
+        if (slope_.geometry.intact_joint) {
+            intact_ = index_of(joints_, *slope_.geometry.intact_joint);
+            if (!intact_) {
+                return SlopeCheck::unknown_joint;
+            }
+        } else if (section().intact_edges > 0) {
+            return SlopeCheck::intact_joint_missing;
+        }
+        if (slope_.frame) {
+            frame_joint_ = index_of(joints_, slope_.frame->joint);
+            if (!frame_joint_) {
+                return SlopeCheck::unknown_joint;
+            }
+        }
+        if (slope_.water) {
+            const auto& points = slope_.water->vertex;
+            if (points.size() < 2) {
+                return SlopeCheck::water_table_too_short;
+            }
+            for (std::size_t index = 1; index < points.size(); ++index) {
+                if (!(points[index].x > points[index - 1].x)) {
+                    return SlopeCheck::water_table_not_increasing;
+                }
+            }
+        }
+        const auto too_short = [&](const auto& areas, std::size_t counted_before) {
+            for (std::size_t index = 0; index < areas.size(); ++index) {
+                if (areas[index].vertex.size() < 3) {
+                    index_at_fault_ = counted_before + index;
+                    return true;
+                }
+            }
+            return false;
+        };
+        if (too_short(slope_.fixed, 0) || too_short(slope_.stage, slope_.fixed.size())) {
+            return SlopeCheck::area_too_short;
+        }
+        used_.assign(slope_.fixed.size() + slope_.stage.size(), false);
+        return SlopeCheck::valid;
+    }
+
+    void add_blocks() {
+        struct Place {
+            bool fixed;
+            double level;  // in snap distances: centres of one row differ by rounding
+            double x;
+            double y;
+            std::size_t index;
+
+            auto key() const { return std::tie(fixed, level, x, y, index); }
+        };
+        const std::vector<Polygon<>> fixed_areas = polygons_of(slope_.fixed);
+        const std::vector<Polygon<>> stages = polygons_of(slope_.stage);
+        std::vector<Place> order;
+        for (std::size_t index = 0; index < section().block.size(); ++index) {
+            const PlanePoint<> centre = area_properties(outline_of(section(), section().block[index])).centroid;
+            bool fixed = false;
+            for (std::size_t area = 0; area < slope_.fixed.size(); ++area) {
+                if (inside(fixed_areas[area], centre)) {
+                    fixed = used_[area] = true;
+                }
+            }
+            const double level = std::round((centre.y() - bounds_.bottom) / section().snap_distance);
+            order.push_back({fixed, level, centre.x(), centre.y(), index});
+        }
+        std::sort(order.begin(), order.end(),
+                  [](const Place& one, const Place& other) { return one.key() < other.key(); });
+        for (const Place& place : order) {
+            add_block(section().block[place.index], place.fixed);
+            for (std::size_t stage = 0; stage < slope_.stage.size(); ++stage) {
+                if (inside(stages[stage], {place.x, place.y})) {
+                    used_[slope_.fixed.size() + stage] = true;
+                    scene_.removal.push_back({scene_.block.size() - 1, slope_.stage[stage].time});
+                }
+            }
+        }
+    }
+
+    bool needed(const SlopeBlock& block, std::size_t vertex) const {
+        const std::size_t count = block.vertex.size();
+        const std::size_t before = (vertex + count - 1) % count;
+        if (block.joint[before] != block.joint[vertex]) {
+            return true;
+        }
+        const auto at = [&](std::size_t index) { return scene_.section.vertex[block.vertex[index]]; };
+        return std::abs(sine_of_turn(at(before), at(vertex), at((vertex + 1) % count))) > 10 * straight_sine;
+    }
+
+    void add_block(const SlopeBlock& block, bool fixed) {
+        RelaxationBlock made{{}, slope_.rock[block.rock].density};
+        made.fixed = fixed;
+        std::vector<MeshIndex> joints;
+        for (std::size_t vertex = 0; vertex < block.vertex.size(); ++vertex) {
+            if (needed(block, vertex)) {
+                made.outline.push_back(section().vertex[block.vertex[vertex]]);
+                joints.push_back(block.joint[vertex]);
+            }
+        }
+        for (std::size_t edge = 0; edge < made.outline.size(); ++edge) {
+            const PlanePoint<>& from = made.outline[edge];
+            const PlanePoint<>& to = made.outline[(edge + 1) % made.outline.size()];
+            const MeshIndex joint = joints[edge];
+            const bool framed = joint == free_surface && on_frame(from, to);
+            made.joint.push_back(framed                  ? *frame_joint_
+                                 : joint == free_surface ? 0
+                                 : joint == intact_rock  ? *intact_
+                                                         : joint);
+            const double share =
+                joint == free_surface && !framed ? 1 : slope_.joint[made.joint.back()].water_share.value_or(1);
+            if (slope_.water && !fixed && joint != intact_rock && share > 0) {
+                add_pressures(edge, share * slope_.water->unit_weight, depths_along(slope_.water->vertex, from, to));
+            }
+        }
+        scene_.block.push_back(std::move(made));
+        scene_.rock.push_back(block.rock);
+    }
+
+    // On an edge of the block that is being made.
+    void add_pressures(std::size_t edge, double unit_weight, const std::vector<FaceDepth>& depths) {
+        for (std::size_t piece = 1; piece < depths.size(); ++piece) {
+            const FaceDepth& from = depths[piece - 1];
+            const FaceDepth& to = depths[piece];
+            if (from.depth > 0 || to.depth > 0) {
+                const bool whole = depths.size() == 2;
+                scene_.pressure.push_back({scene_.block.size(), edge, unit_weight * from.depth, unit_weight * to.depth,
+                                           whole ? std::nullopt : std::optional(EdgePart{from.place, to.place})});
+            }
+        }
+    }
+
+    bool has(FrameSides side) const { return slope_.frame && slope_.frame->sides >= side; }
+
+    bool on_frame(const PlanePoint<>& from, const PlanePoint<>& to) {
+        if (!slope_.frame) {
+            return false;
+        }
+        const double near = section().snap_distance;
+        const auto along = [&](double one, double other, double side) {
+            return std::abs(one - side) < near && std::abs(other - side) < near;
+        };
+        const bool below = along(from.y(), to.y(), bounds_.bottom);
+        const bool behind = has(FrameSides::below_and_behind) && along(from.x(), to.x(), bounds_.right);
+        const bool in_front = has(FrameSides::all_around) && along(from.x(), to.x(), bounds_.left);
+        const auto note = [](Side& side, bool there, double top) {
+            side.there = side.there || there;
+            side.top = there ? std::max(side.top, top) : side.top;
+        };
+        const double top = std::max(from.y(), to.y());
+        note(below_, below, top);
+        note(behind_, behind, top);
+        note(in_front_, in_front, top);
+        return below || behind || in_front;
+    }
+
+    bool add_frame() {
+        const SlopeFrame& frame = *slope_.frame;
+        const bool behind = has(FrameSides::below_and_behind);
+        const bool in_front = has(FrameSides::all_around);
+        if (!below_.there || (behind && !behind_.there) || (in_front && !in_front_.there)) {
+            return false;
+        }
+        const double reach = frame.reach.value_or(0);
+        const double left = bounds_.left - (in_front ? frame.thickness : reach);
+        const double right = bounds_.right + (behind ? frame.thickness : reach);
+        add_frame_block(rectangle(left, bounds_.bottom - frame.thickness, right, bounds_.bottom));
+        if (behind) {
+            add_frame_block(rectangle(bounds_.right, bounds_.bottom, right, behind_.top));
+        }
+        if (in_front) {
+            add_frame_block(rectangle(left, bounds_.bottom, bounds_.left, in_front_.top));
+        }
+        return true;
+    }
+
+    void add_frame_block(Polygon<> outline) {
+        RelaxationBlock block{std::move(outline), slope_.rock.front().density};
+        block.fixed = true;
+        block.joint.assign(block.outline.size(), *frame_joint_);
+        scene_.block.push_back(std::move(block));
+        scene_.rock.push_back(slope_.rock.size());
+    }
+
+    struct Side {
+        bool there = false;
+        double top = -std::numeric_limits<double>::infinity();
+    };
+
+    const RelaxationSlope& slope_;
+    std::vector<std::string> joints_;
+    std::vector<std::string> rocks_;
+    SlopeScene scene_ = {};
+    Bounds bounds_ = {};
+    std::optional<std::size_t> intact_ = {};
+    std::optional<std::size_t> frame_joint_ = {};
+    std::size_t index_at_fault_ = 0;
+    std::vector<bool> used_ = {};  // areas, then stages, that hold a block
+    Side below_ = {};
+    Side behind_ = {};
+    Side in_front_ = {};
+};
+
+}  // namespace
+
+SlopeScene slope_scene(const RelaxationSlope& slope) {
+    return SlopeSceneMaker(slope).make();
+}
+
+}  // namespace delabole

@@ -1,0 +1,382 @@
+#include "dynamic_relaxation/statics/preload.hpp"
+
+#include "dynamic_relaxation/contact/contact_law.hpp"
+#include "dynamic_relaxation/contact/corner_choice.hpp"
+#include "dynamic_relaxation/statics/static_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+// Above so many free blocks rounds go astray: too many contacts change in each of them.
+constexpr std::size_t few_blocks = 24;
+
+class Preload {
+  public:
+    Preload(const Bodies& bodies, const PreloadSettings& settings, const Preloaded* creeping, const Bonds& bonds,
+            StaticEquations& equations)
+        : bodies_(bodies),
+          settings_(settings),
+          creeping_(creeping),
+          bonds_(bonds),
+          equations_(equations),
+          is_small_(equations.free_blocks().size() < few_blocks) {}
+
+    Preloaded solve(std::vector<Motion>& motion, ContactList& list) {
+        if (equations_.free_blocks().empty()) {
+            return {0, false, false, motion, list.memory, 0};
+        }
+        forget_tried(list.memory);
+        const MemoryArray memory = list.memory;
+        std::vector<Motion> start = motion;
+        Preloaded found = approach(start, motion, list);
+        constexpr std::size_t few_enough = 400;  // many settle in the run for less
+        if (found.ratio > settings_.tolerance && !settings_.leave_crept && !bonds_.empty() &&
+            equations_.free_blocks().size() < few_enough) {
+            approach_in_steps(start, memory, found, motion, list);
+        }
+        // Peak strength goes one joint after the other, wherever it is reached.
+        while (found.ratio <= settings_.tolerance && break_spent(motion, list)) {
+            start = motion;
+            found = approach(start, motion, list);
+        }
+        while (found.ratio <= settings_.tolerance && try_corners(found, motion, list)) {
+        }
+        if (creeping_ != nullptr && found.ratio > settings_.tolerance && creeping_->ratio < found.ratio) {
+            found.ratio = creeping_->ratio;
+            found.most_balanced = creeping_->most_balanced;
+            found.memory = {};
+        }
+        found.contacts_evaluated = equations_.contacts_evaluated();
+        return found;
+    }
+
+  private:
+    // Slender bonded columns lean far on each other before the full load is in balance, and rounds go astray on the
+    // way. Under a load that grows they follow. (Without bonds it would not help: what friction cannot hold, it cannot
+    // hold in part either.) Where this fails, too, all is left as it was.
+    void approach_in_steps(const std::vector<Motion>& start, const MemoryArray& memory, Preloaded& found,
+                           std::vector<Motion>& motion, ContactList& list) {
+        constexpr int steps = 8;
+        constexpr double astray = 0.3;  // of a load: not to be made good by the steps after it
+        std::vector<Motion> stepped = start;
+        MemoryArray memory_found = std::exchange(list.memory, memory);
+        Preloaded last{0, false, false, start, {}, 0};
+        for (int step = 1; step <= steps && last.ratio <= astray; ++step) {
+            equations_.set_load_share(static_cast<double>(step) / steps);
+            last = approach(start, stepped, list);
+        }
+        equations_.set_load_share(1);
+        if (last.ratio > settings_.tolerance) {
+            list.memory = std::move(memory_found);
+            return;
+        }
+        found = std::move(last);
+        motion = std::move(stepped);
+    }
+
+    // What corners on corners hold has to be held either way (corner_choice.hpp). Returns whether there was anything to
+    // try.
+    bool try_corners(Preloaded& found, std::vector<Motion>& motion, ContactList& list) {
+        MemoryArray memory_before = list.memory;
+        if (try_other_edges({bodies_, motion}, equations_.weights(), list).empty()) {
+            return false;
+        }
+        const std::vector<Motion> before = motion;
+        Preloaded other = approach(before, motion, list);
+        if (other.ratio > settings_.tolerance) {
+            found = std::move(other);
+            return true;
+        }
+        note_tried(list.memory, memory_before);
+        motion = before;
+        list.memory = std::move(memory_before);
+        return true;
+    }
+
+    // Contacts with a peak that carry all they can slip, and have their residual strength from then on.
+    bool break_spent(const std::vector<Motion>& motion, ContactList& list) const {
+        constexpr double nearly = 1 - 1e-9;
+        bool any = false;
+        for (std::size_t index = 0; index < list.contact.size(); ++index) {
+            const RelaxationContact contact = list.contact[index];
+            const ContactLaw law = list.law_of(contact);
+            ContactMemory memory = list.memory[index];
+            if (!memory.touching || memory.broken ||
+                (law.cohesion == law.residual_cohesion && law.friction == law.residual_friction)) {
+                continue;
+            }
+            const double overlap = -locate(contact, motion[contact.block], motion[contact.other]).gap;
+            const double strength = law.normal_stiffness * std::max(overlap, 0.0) * law.friction + law.cohesion;
+            memory.broken = law.shear_stiffness * std::abs(memory.shear) >= nearly * strength;
+            list.memory.set(index, memory);
+            any |= memory.broken;
+        }
+        return any;
+    }
+
+    // `start`: where the limits of motion are measured from.
+    Preloaded approach(const std::vector<Motion>& start, std::vector<Motion>& motion, ContactList& list) {
+        return is_small_ ? approach_in_rounds(start, motion, list) : approach_in_motion(start, motion, list);
+    }
+
+    Preloaded approach_in_rounds(const std::vector<Motion>& start, std::vector<Motion>& motion, ContactList& list) {
+        // As stiff as the joints at first, so that no contact is left behind by a leap; then thinner as long as balance
+        // does not get much worse. Blocks may lose balance for a while before they jam. Leaps to where it is far worse,
+        // or over half of the way that is allowed, are not made: friction would keep what they leave behind, and could
+        // hold blocks that nothing holds.
+        constexpr double thinner = 1.6;
+        constexpr double thicker = 4;
+        constexpr double much_worse = 1.5;
+        constexpr double far_worse = 4;
+        constexpr double half_way = 0.5;
+        double resistance = 1;
+        double ratio = evaluate(motion, list);
+        Preloaded best{ratio, false, false, motion, list.memory, 0};
+        bool improves = true;
+        for (int round = 0;; ++round) {
+            if (best.ratio <= settings_.finest || (best.ratio <= settings_.tolerance && !improves)) {
+                break;
+            }
+            if (round == most_rounds()) {
+                break;
+            }
+            const std::optional<Eigen::VectorXd> change = equations_.change({resistance, 0}, equations_.unbalanced());
+            if (!change) {
+                break;
+            }
+            const std::vector<Motion> motion_before = motion;
+            const MemoryArray memory_before = list.memory;
+            const double ratio_before = ratio;
+            const double come = share_of_limits(start, best, motion);
+            equations_.move(*change, motion);
+            const double gone = share_of_limits(start, best, motion);
+            if (gone >= 1 && come > half_way) {
+                if (!settings_.leave_crept || best.ratio <= settings_.tolerance) {
+                    break;
+                }
+                best.at_farthest = share_of_farthest(start, motion) >= gone;
+                equations_.move(-share_beyond(come, gone) * *change, motion);
+                evaluate(motion, list);
+                settle(resistance, motion, list);
+                return best;
+            }
+            ratio = gone < 1 ? evaluate(motion, list) : std::numeric_limits<double>::infinity();
+            if (settings_.leave_crept && gone < 1 && ratio > settings_.tolerance) {
+                ratio = settle(resistance, motion, list);
+            }
+            if (!(ratio < far_worse * ratio_before)) {
+                motion = motion_before;
+                list.memory = memory_before;
+                ratio = evaluate(motion, list);
+                resistance *= thicker;
+                continue;
+            }
+            improves = ratio < ratio_before / 2;
+            if (ratio < best.ratio) {
+                best.ratio = ratio;
+                best.most_balanced = motion;
+                best.memory = list.memory;
+            }
+            resistance =
+                std::max(ratio < much_worse * ratio_before ? resistance / thinner : resistance * thicker, 1e-13);
+        }
+        motion = best.most_balanced;
+        list.memory = best.memory;
+        return best;
+    }
+
+    int most_rounds() const { return settings_.leave_crept ? 2000 : 300; }
+
+    double evaluate(const std::vector<Motion>& motion, ContactList& list) {
+        equations_.evaluate(motion, list.memory, list);
+        return equations_.unbalanced_ratio();
+    }
+
+    // A round too thick for blocks to creep: stiff joints only recover from the last one, which took a straight way.
+    double settle(double resistance, std::vector<Motion>& motion, ContactList& list) {
+        constexpr double thick = 1e-3;
+        if (const auto change = equations_.change({std::max(resistance, thick), 0}, equations_.unbalanced())) {
+            equations_.move(*change, motion);
+        }
+        return evaluate(motion, list);
+    }
+
+    // One implicit step of the motion without mass, from `motion` and the memories that contacts had before it: forces
+    // out of balance are those that pseudo-viscosity holds. Newton's method, with a line search over the root of the
+    // mean square of what they lack.
+    struct ImplicitStep {
+        Eigen::VectorXd moved;
+        int solutions = 0;      // of linear equations
+        bool balanced = false;  // with pseudo-viscosity, well enough for the next step
+        bool kept = false;      // or nearer to that than at first
+    };
+
+    ImplicitStep step_implicitly(double pseudo_viscosity, const MemoryArray& before, std::vector<Motion>& motion,
+                                 ContactList& list) {
+        constexpr double well_enough = 0.3;  // of what was lacking at first: the next step makes it good
+        constexpr double nearer = 0.5;
+        constexpr double astray = 2;
+        constexpr int most_solutions = 8;
+        constexpr int most_halvings = 3;
+        constexpr double rounding = 1e-13;
+        // What rigid motion of many blocks together meets has to fade faster than what holds contacts from changing.
+        const PseudoViscosity resisting{pseudo_viscosity * std::min(1.0, 10 * pseudo_viscosity), pseudo_viscosity};
+        ImplicitStep step{Eigen::VectorXd::Zero(equations_.unbalanced().size())};
+        Eigen::VectorXd lacking = equations_.unbalanced();
+        const double at_first = equations_.mean_ratio(lacking);
+        double lacks = at_first;
+        while (step.solutions < most_solutions && !step.balanced) {
+            ++step.solutions;
+            const std::optional<Eigen::VectorXd> change = equations_.change(resisting, lacking);
+            if (!change) {
+                return step;
+            }
+            const std::vector<Motion> from = motion;
+            const double lacked = lacks;
+            double share = 1;
+            for (int halvings = 0;; ++halvings, share /= 2) {
+                motion = from;
+                equations_.move(share * *change, motion);
+                equations_.evaluate(motion, before, list);
+                lacking = equations_.unbalanced() - equations_.resistance(resisting, step.moved + share * *change);
+                lacks = equations_.mean_ratio(lacking);
+                if (lacks < lacked || halvings == most_halvings) {
+                    break;
+                }
+            }
+            step.moved += share * *change;
+            step.balanced = lacks <= std::max(well_enough * at_first, rounding);
+            if (!(lacks < astray * at_first)) {
+                return step;
+            }
+        }
+        step.kept = step.balanced || lacks <= nearer * at_first;
+        return step;
+    }
+
+    Preloaded approach_in_motion(const std::vector<Motion>& start, std::vector<Motion>& motion, ContactList& list) {
+        constexpr double thinner = 2;
+        constexpr double thicker = 4;
+        constexpr double thinnest = 1e-13;
+        constexpr double thickest = 1e3;
+        constexpr int easily = 4;  // solutions
+        constexpr int most_solutions = 2000;
+        constexpr double half_way = 0.5;
+        double pseudo_viscosity = 0.3;
+        equations_.let_contacts_resist();
+        double ratio = evaluate(motion, list);
+        MemoryArray memory = list.memory;
+        Preloaded best{ratio, false, false, motion, list.memory, 0};
+        bool improves = true;
+        int solutions = 0;
+        while (best.ratio > settings_.finest && (best.ratio > settings_.tolerance || improves) &&
+               pseudo_viscosity <= thickest) {
+            if (solutions >= most_solutions) {
+                best.cut_short = best.ratio > settings_.tolerance;
+                break;
+            }
+            const std::vector<Motion> from = motion;
+            const double come = share_of_limits(start, best, from);
+            const ImplicitStep step = step_implicitly(pseudo_viscosity, memory, motion, list);
+            solutions += step.solutions;
+            const double gone = share_of_limits(start, best, motion);
+            if (gone >= 1 && come > half_way) {
+                best.at_farthest = creeps() && share_of_farthest(start, motion) >= gone;
+                if (best.ratio <= settings_.tolerance || !(settings_.leave_crept || best.at_farthest)) {
+                    break;
+                }
+                equations_.move(-share_beyond(come, gone) * step.moved, motion);
+                equations_.evaluate(motion, memory, list);
+                return best;
+            }
+            if (!(gone < 1) || !step.kept) {
+                improves = false;
+                motion = from;
+                equations_.evaluate(motion, memory, list);
+                pseudo_viscosity *= thicker;
+                continue;
+            }
+            memory = list.memory;
+            const double ratio_before = std::exchange(ratio, equations_.unbalanced_ratio());
+            improves = ratio < ratio_before / 2;
+            if (ratio < best.ratio) {
+                best.ratio = ratio;
+                best.most_balanced = motion;
+                best.memory = memory;
+            }
+            if (step.balanced && step.solutions <= easily) {
+                const double by = step.solutions == 1 ? thinner * thinner : thinner;
+                pseudo_viscosity = std::max(pseudo_viscosity / by, thinnest);
+            }
+        }
+        motion = best.most_balanced;
+        list.memory = best.memory;
+        return best;
+    }
+
+    // Few blocks that are not left where they crept to are not worth it: they jam sooner in the run.
+    bool creeps() const { return settings_.creep_rotation > 0 && (settings_.leave_crept || !is_small_); }
+
+    // A change led from within the limits to beyond them: so much of it is taken back, so that the run has only to show
+    // that blocks move on.
+    static double share_beyond(double come, double gone) {
+        constexpr double just_within = 0.99;
+        return std::min(1.0, (gone - just_within) / (gone - come));
+    }
+
+    double share_of_farthest(const std::vector<Motion>& start, const std::vector<Motion>& motion) const {
+        double share = 0;
+        for (const std::size_t block : equations_.free_blocks()) {
+            const Motion& now = motion[block];
+            const Motion& then = start[block];
+            const double way =
+                std::hypot(now.x - then.x, now.y - then.y) + std::abs(now.angle - then.angle) * bodies_.radius[block];
+            share = std::max(share, way / settings_.farthest);
+        }
+        return share;
+    }
+
+    // Up to 1 a motion is within the limits.
+    double share_of_limits(const std::vector<Motion>& start, const Preloaded& met,
+                           const std::vector<Motion>& motion) const {
+        double share = share_of_farthest(start, motion);
+        if (!creeps()) {
+            return share;
+        }
+        const std::vector<Motion>& from =
+            creeping_ != nullptr && creeping_->ratio < met.ratio ? creeping_->most_balanced : met.most_balanced;
+        for (const std::size_t block : equations_.free_blocks()) {
+            const Motion& now = motion[block];
+            const Motion& best = from[block];
+            share = std::max(
+                {share, std::abs(now.angle - best.angle) / settings_.creep_rotation,
+                 std::hypot(now.x - best.x, now.y - best.y) / (settings_.creep_slide * bodies_.radius[block])});
+        }
+        return share;
+    }
+
+    const Bodies& bodies_;
+    const PreloadSettings& settings_;
+    const Preloaded* creeping_;
+    const Bonds& bonds_;
+    StaticEquations& equations_;
+    bool is_small_;
+};
+
+}  // namespace
+
+Preloaded preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
+                  const PreloadSettings& settings, const Preloaded* creeping, const Bonds& bonds,
+                  const std::vector<BondMemory>& bond_memory, std::vector<Motion>& motion, ContactList& list) {
+    StaticEquations equations(bodies, held, loads, bonds, bond_memory, list);
+    return Preload(bodies, settings, creeping, bonds, equations).solve(motion, list);
+}
+
+}  // namespace delabole

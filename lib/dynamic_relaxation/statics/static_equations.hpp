@@ -1,0 +1,105 @@
+// Forces that are out of balance in a state of the blocks, and how they change with small motions: what a static
+// equilibrium solve repeats in each of its rounds.
+#pragma once
+
+#include "dynamic_relaxation/contact/bonds.hpp"
+#include "dynamic_relaxation/contact/contacts.hpp"
+#include "numerics/sparse_system.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace delabole {
+
+// Resists the change from one state to the next: force for a displacement, as a share of a stiffness.
+struct PseudoViscosity {
+    double of_blocks;    // against displacements of each block, of the stiffest joint
+    double of_contacts;  // between two blocks, of the springs that their contacts have or would have if they closed
+};
+
+// Rotations and moments are counted at the block's radius: all unknowns are lengths, so that scenes of every size lead
+// to the same equations. Loads: x force, y force and moment of each block.
+//
+// Which blocks act on each other is taken from a list of contacts and the whole bonds once; their forces and tangents
+// are then added in place.
+class StaticEquations {
+  public:
+    StaticEquations(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
+                    const Bonds& bonds, const std::vector<BondMemory>& bond_memory, const ContactList& list);
+
+    const std::vector<std::size_t>& free_blocks() const { return free_blocks_; }
+
+    // N/m, of the loads of each block; infinite where it is held.
+    std::vector<double> weights() const;
+
+    // Of the loads, that acts. 1 unless told otherwise.
+    void set_load_share(double share) { load_share_ = share; }
+
+    // Without it, contacts do not resist, and nothing is computed for that.
+    void let_contacts_resist() { damping_.resize(tangent_.size()); }
+
+    // Forces and tangents where blocks have moved to `motion` since contacts had the memories of `before`; `list`,
+    // which has the constructor's contacts in the same order, gets those of now.
+    void evaluate(const std::vector<Motion>& motion, const MemoryArray& before, ContactList& list);
+
+    // Three numbers for each free block: x force, y force, moment over radius.
+    const Eigen::VectorXd& unbalanced() const { return unbalanced_; }
+    // The greatest of a block over its load.
+    double unbalanced_ratio() const;
+    // Root of the mean square of forces over their blocks' loads.
+    double mean_ratio(const Eigen::VectorXd& forces) const;
+
+    // Motion that would balance the forces if tangents stayed what they are: three numbers for each free block. Nothing
+    // where the equations have no solution.
+    std::optional<Eigen::VectorXd> change(const PseudoViscosity& resisting, const Eigen::VectorXd& forces);
+    // What pseudo-viscosity holds against blocks that have moved so far.
+    Eigen::VectorXd resistance(const PseudoViscosity& resisting, const Eigen::VectorXd& moved) const;
+
+    // Turns are about their own centre, exact to second order: what rolls over its toe stays on it.
+    void move(const Eigen::VectorXd& change, std::vector<Motion>& motion) const;
+
+    std::uint64_t contacts_evaluated() const { return contacts_evaluated_; }
+
+  private:
+    using Vector6 = Eigen::Matrix<double, 6, 1>;
+    using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+    // Of the three rows of a block in the three columns of another, among the values of the system: the first row of
+    // the first column, and entries from one column to the next.
+    struct Place {
+        int begin;  // none where one of the blocks is held
+        int stride;
+    };
+    using Places = std::array<Place, 4>;  // block on block, other on block, block on other, other on other
+    static constexpr int none = -1;
+
+    double load_of(std::size_t index) const;  // of a free block, N per metre run
+    SparsePattern pattern_of(const ContactList& list) const;
+    Places places_of(const SparsePattern& pattern, std::size_t block, std::size_t other) const;
+    void add(std::size_t block, std::size_t other, const Places& places, const Vector6& force, const Matrix6& stiffness,
+             const Matrix6& damping);
+
+    const Bodies& bodies_;
+    const std::vector<Eigen::Vector3d>& loads_;
+    const Bonds& bonds_;
+    const std::vector<BondMemory>& bond_memory_;
+    std::vector<std::size_t> free_blocks_ = {};
+    std::vector<int> unknown_;  // first of a block's three; none where it is held
+    std::vector<Places> places_of_contact_ = {};
+    std::vector<Places> places_of_bond_ = {};
+    std::vector<int> diagonal_ = {};           // among the values, of each unknown
+    std::optional<SparseSystem> system_ = {};  // none where no block is free
+    std::vector<double> tangent_ = {};         // in the order of the pattern
+    std::vector<double> damping_ =
+        {};  // likewise, of a pseudo-viscosity of contacts of 1; empty where they do not resist
+    Eigen::VectorXd unbalanced_ = {};
+    double load_share_ = 1;
+    double stiffest_ = 0;
+    std::uint64_t contacts_evaluated_ = 0;
+};
+
+}  // namespace delabole

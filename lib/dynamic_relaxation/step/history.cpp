@@ -1,0 +1,111 @@
+#include "dynamic_relaxation/step/history.hpp"
+
+#include "dynamic_relaxation/contact/contact_law.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace delabole {
+
+std::vector<CornerForce> corner_forces(const Bodies& bodies, const RelaxationState& state) {
+    std::vector<CornerForce> forces;
+    for (std::size_t index = 0; index < state.contacts.contact.size(); ++index) {
+        const RelaxationContact contact = state.contacts.contact[index];
+        const ContactLaw law = state.contacts.law_of(contact);
+        const ContactMemory memory = state.contacts.memory[index];
+        const ContactPosition at = locate(contact, state.motion[contact.block], state.motion[contact.other]);
+        const double weight = contact_weight(law, contact, at, memory.insists);
+        if (!memory.touching || !(weight > 0)) {
+            continue;
+        }
+        const double normal = -weight * law.normal_stiffness * at.gap;
+        const double shear = -weight * law.shear_stiffness * memory.shear;
+        forces.push_back(
+            {contact.block, contact.other, moved_corner(bodies, state.motion, contact.corner),
+             PlanePoint<>(at.normal_x * normal + at.along_x() * shear, at.normal_y * normal + at.along_y() * shear),
+             normal, shear, -at.gap, memory.sliding});
+    }
+    return forces;
+}
+
+namespace {
+
+MotionFrame frame_of(const Simulation& simulation, FrameParts parts) {
+    const RelaxationState& state = simulation.state();
+    return {state.time, simulation.tilt(), state.motion, simulation.block_outcomes(),
+            parts == FrameParts::all ? corner_forces(simulation.bodies(), state) : std::vector<CornerForce>{}};
+}
+
+// An even number. Motion alone is kept of any scene, whatever its size.
+std::size_t most_frames(std::size_t blocks, FrameParts parts) {
+    constexpr std::size_t most = 120;
+    constexpr std::size_t block_frames = 1'200'000;
+    return parts == FrameParts::all ? most : std::clamp<std::size_t>(block_frames / blocks / 2 * 2, 8, most);
+}
+
+}  // namespace
+
+void MotionRecord::look(const Simulation& simulation, FrameParts parts) {
+    const RelaxationState& state = simulation.state();
+    if (state.time < next) {
+        return;
+    }
+    constexpr double first_interval_in_steps = 20;
+    interval = interval > 0 ? interval : first_interval_in_steps * state.step;
+    if (frame.size() == most_frames(state.motion.size(), parts)) {
+        std::vector<MotionFrame> kept;
+        for (std::size_t index = 0; index < frame.size(); index += 2) {
+            kept.push_back(std::move(frame[index]));
+        }
+        frame = std::move(kept);
+        interval *= 2;
+    }
+    frame.push_back(frame_of(simulation, parts));
+    next = state.time + interval;
+}
+
+void MotionRecord::add_last(const Simulation& simulation) {
+    if (frame.empty() || frame.back().time < simulation.state().time) {
+        frame.push_back(frame_of(simulation, FrameParts::all));
+    }
+}
+
+HistoryLine history_line(const HistoryRequest& request, const Simulation& simulation) {
+    const RelaxationState& state = simulation.state();
+    HistoryLine line;
+    line.time = state.time;
+    line.tilt = simulation.tilt();
+    line.energy = simulation.ledger();
+    for (const BlockMonitor& monitor : request.block) {
+        const auto block = static_cast<std::size_t>(monitor.block) - 1;
+        const Motion& motion = state.motion[block];
+        const Motion& origin = state.origin[block];
+        line.block.push_back(
+            {motion.x - origin.x, motion.y - origin.y, motion.angle - origin.angle, motion.vx, motion.vy, motion.spin});
+    }
+    if (!request.contact.empty()) {
+        const std::vector<CornerForce> forces = corner_forces(simulation.bodies(), state);
+        for (const ContactMonitor& monitor : request.contact) {
+            const auto block = static_cast<std::size_t>(monitor.block) - 1;
+            const auto other = static_cast<std::size_t>(monitor.other) - 1;
+            MonitoredContact sum;
+            for (const CornerForce& force : forces) {
+                const bool as_listed = force.block == block && force.other == other;
+                if (as_listed || (force.block == other && force.other == block)) {
+                    sum.horizontal += as_listed ? force.force.x() : -force.force.x();
+                    sum.vertical += as_listed ? force.force.y() : -force.force.y();
+                    sum.normal += force.normal;
+                    sum.overlap = std::max(sum.overlap, force.overlap);
+                }
+            }
+            line.contact.push_back(sum);
+        }
+    }
+    for (const BlockOutcome& outcome : simulation.block_outcomes()) {
+        line.base_slip.push_back(outcome.base_slip);
+        line.rotation.push_back(outcome.rotation);
+    }
+    return line;
+}
+
+}  // namespace delabole

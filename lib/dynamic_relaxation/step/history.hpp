@@ -1,0 +1,111 @@
+// Print edits: how blocks, contacts and energies go on over time (thesis 5.2.4, Tables 5.1 to 5.5).
+#pragma once
+
+#include "dynamic_relaxation/step/simulation.hpp"
+#include "parameters/fields.hpp"
+
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+namespace delabole {
+
+struct BlockMonitor {
+    double block;
+    static constexpr auto fields() {
+        return std::tuple{number("block", &BlockMonitor::block, Dimension::ratio, at_least(1), "number of the block")};
+    }
+};
+
+struct ContactMonitor {
+    double block;
+    double other;
+    static constexpr auto fields() {
+        using C = ContactMonitor;
+        return std::tuple{
+            number("block", &C::block, Dimension::ratio, at_least(1), "number of the block that is pressed"),
+            number("other", &C::other, Dimension::ratio, at_least(1), "number of the block that presses it")};
+    }
+};
+
+struct HistoryRequest {
+    double interval;
+    std::vector<BlockMonitor> block;
+    std::vector<ContactMonitor> contact;
+    static constexpr auto fields() {
+        using H = HistoryRequest;
+        return std::tuple{
+            number("interval", &H::interval, Dimension::time, more_than(0), "model time between lines of the tables"),
+            section("block", &H::block, "blocks whose motion is wanted"),
+            section("contact", &H::contact, "pairs of blocks whose force is wanted")};
+    }
+};
+
+struct MonitoredBlock {
+    double x = 0;  // m, displacement of the centroid since the start
+    double y = 0;
+    double rotation = 0;  // rad
+    double velocity_x = 0;
+    double velocity_y = 0;
+    double angular_velocity = 0;
+};
+
+// Sum over the corners between two blocks, on the first of them, in the drawing; spring forces without dashpots.
+struct MonitoredContact {
+    double horizontal = 0;  // N/m
+    double vertical = 0;
+    double normal = 0;   // sum of the pressing forces of the corners
+    double overlap = 0;  // m, the greatest
+};
+
+struct HistoryLine {
+    double time = 0;
+    double tilt = 0;
+    EnergyLedger energy = {};
+    std::vector<MonitoredBlock> block = {};      // as the request lists them
+    std::vector<MonitoredContact> contact = {};  // likewise
+    std::vector<double> base_slip = {};          // m, of every block since the start
+    std::vector<double> rotation = {};           // rad, of every block since the start
+};
+
+using RelaxationHistory = std::vector<HistoryLine>;
+
+HistoryLine history_line(const HistoryRequest& request, const Simulation& simulation);
+
+struct CornerForce {
+    std::size_t block;
+    std::size_t other;
+    PlanePoint<> at;     // in the drawing's frame, moved
+    PlanePoint<> force;  // N/m, on `block`
+    double normal;       // N/m, pressing
+    double shear;        // N/m, along the edge
+    double overlap;      // m
+    bool sliding;
+};
+
+// Spring forces of all corners that press, in equilibrium the whole of the forces.
+std::vector<CornerForce> corner_forces(const Bodies& bodies, const RelaxationState& state);
+
+struct MotionFrame {
+    double time = 0;
+    double tilt = 0;
+    std::vector<Motion> motion = {};
+    std::vector<BlockOutcome> outcome = {};
+    std::vector<CornerForce> force = {};  // empty where only the motion is kept
+};
+
+enum class FrameParts { motion, all };
+
+// Frames spread evenly over a run whose length nobody knows beforehand: every second one is dropped, and the interval
+// doubled, whenever there are too many.
+struct MotionRecord {
+    std::vector<MotionFrame> frame = {};
+    double interval = 0;  // s, between frames; 0 before the first
+    double next = 0;      // s, when the next frame is due
+
+    // With as many frames as their parts leave room for: 8 to 120.
+    void look(const Simulation& simulation, FrameParts parts = FrameParts::all);
+    void add_last(const Simulation& simulation);
+};
+
+}  // namespace delabole

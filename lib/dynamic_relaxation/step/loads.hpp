@@ -1,0 +1,36 @@
+// Loads and prescribed motions at a moment of a run.
+#pragma once
+
+#include "dynamic_relaxation/blocks/bodies.hpp"
+#include "dynamic_relaxation/contact/contact_forces.hpp"
+#include "dynamic_relaxation/scene/scene.hpp"
+#include "dynamic_relaxation/scene/settings.hpp"
+
+#include <vector>
+
+namespace delabole {
+
+double tilt_at(const Gravity& gravity, double time);           // rad
+PlanePoint<> gravity_at(const Gravity& gravity, double time);  // m/s2
+// Of the ground, in the drawing, m/s2.
+PlanePoint<> shaking_at(const RelaxationScene& scene, double time);
+
+struct FaceForce {
+    PlanePoint<> arm;    // about the block's centroid, as it is turned now
+    PlanePoint<> force;  // N/m
+};
+
+// Resultant of a pressure that is linear along the face, at its centre of pressure.
+FaceForce force_of(const FacePressure& pressure, const Bodies& bodies, const Motion& motion);
+
+// Sets the velocity of a fixed block.
+void prescribe(const PrescribedMotion& prescribed, const Bodies& bodies, double time, Motion& motion);
+
+// Forces on all blocks but contacts and bonds. Nothing on those that are held.
+void sum_loads(const RelaxationScene& scene, const RelaxationSettings& settings, const Bodies& bodies, double time,
+               const std::vector<char>& held, const std::vector<Motion>& motion, std::vector<BlockForce>& load);
+
+// After it, nothing changes any more of itself; no equilibrium is final before.
+double last_scheduled_time(const RelaxationScene& scene, const RelaxationSettings& settings);
+
+}  // namespace delabole

@@ -1,0 +1,130 @@
+// What a run of dynamic relaxation found.
+#pragma once
+
+#include "dynamic_relaxation/scene/scene.hpp"
+#include "dynamic_relaxation/scene/settings.hpp"
+#include "dynamic_relaxation/step/state.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+enum class RelaxationOutcome {
+    undecided,            // neither at rest nor failed when time ran out
+    equilibrium,          // unbalanced forces and kinetic energy have died away
+    onset,                // blocks moved past the threshold of onset; the run was told to stop there
+    collapse,             // blocks moved past the threshold of collapse
+    overlap_too_large,    // of a contact, or of two blocks as they lie: one has got into the other
+    energy_not_balanced,  // at the end, the ledger lacks more than `most_energy_lacking`
+    motion_not_finite,
+    interrupted,
+    scene_not_valid,
+};
+
+constexpr std::array<std::string_view, 9> enum_names(RelaxationOutcome) {
+    return {"undecided",           "equilibrium",       "onset",       "collapse",       "overlap_too_large",
+            "energy_not_balanced", "motion_not_finite", "interrupted", "scene_not_valid"};
+}
+
+// Share of the energy turned over, and stored in springs at the start, that a run's ledger may lack and its outcome
+// still be believed: several times what impacts lose. Energy that lifts the blocks by no more than so many of their
+// settlements moves none: blocks that only stand turn over no more than that.
+constexpr double most_energy_lacking = 0.1;
+constexpr double settlements_lacking = 10;
+
+enum class BlockMovement {
+    stays,
+    slides_forward,
+    slides_backward,
+    rotates,
+    slides_forward_and_rotates,
+    slides_backward_and_rotates,
+    moves,  // otherwise: on blocks that are not fixed, or falling
+    fixed,
+    removed,
+};
+
+constexpr std::array<std::string_view, 9> enum_names(BlockMovement) {
+    return {"stays",
+            "slides_forward",
+            "slides_backward",
+            "rotates",
+            "slides_forward_and_rotates",
+            "slides_backward_and_rotates",
+            "moves",
+            "fixed",
+            "removed"};
+}
+
+struct BlockOutcome {
+    // Against the thresholds of onset. Where failure has set in, against a tenth of the farthest motion, if that is
+    // less: a run that ends with the first block beyond its threshold tells which others have begun to move with it.
+    BlockMovement movement = BlockMovement::stays;
+    // Since the start; where all fixed blocks move as one, as seen from them.
+    double rotation = 0;      // rad, anticlockwise: towards -x for a block that topples out of the slope
+    double displacement = 0;  // m, of the centroid
+    // m, plastic, over the face of fixed blocks that looks up most, of the corner that slips farthest; negative:
+    // forward, towards -x. Accuracy: a block that turns over a corner changes corners, and so this, within fifty steps.
+    double base_slip = 0;
+};
+
+// The contact with the greatest overlap.
+struct ContactName {
+    std::size_t block = 0;
+    std::size_t corner = 0;  // of the block's outline
+    std::size_t other = 0;
+    std::size_t edge = 0;  // of the other's outline
+    double overlap = 0;    // m
+};
+
+struct RelaxationCost {
+    std::uint64_t steps = 0;
+    std::uint64_t looks = 0;  // at pairs of blocks, for contacts
+    std::uint64_t contacts_evaluated = 0;
+    double step = 0;  // s, the last one
+};
+
+struct RelaxationResult {
+    RelaxationOutcome outcome = RelaxationOutcome::scene_not_valid;
+    SceneFault fault = {};                  // where the scene is not valid
+    double time = 0;                        // s of model time
+    double tilt = 0;                        // rad, of gravity at the end
+    double tilt_of_base = 0;                // rad, against gravity: the same with a turned base's own
+    std::optional<double> onset_time = {};  // s
+    std::optional<FirstCrack> first_crack = {};
+    std::size_t broken_bonds = 0;
+    std::optional<StartBalance> start_balance = {};  // absent where nothing was preloaded
+    double unbalanced_ratio = 0;                     // greatest unbalanced force over the block's weight of late
+    EnergyLedger ledger = {};
+    std::optional<ContactName> deepest = {};
+    std::optional<BlockOverlap> overlap = {};  // the greatest share measured, every 5000 steps and at the end
+    RelaxationCost cost = {};
+    std::vector<BlockOutcome> block = {};
+};
+
+// Of all free blocks, since the start; where all fixed blocks move as one, as seen from them.
+struct MotionExtremes {
+    double rotation = 0;      // rad
+    double displacement = 0;  // of the centroid, in radii of the block
+};
+
+MotionExtremes farthest_motion(const Bodies& bodies, const RelaxationState& state);
+
+// Slip of a contact over a fixed face that looks up, kept for its free block if it goes before what is there. `up`: a
+// unit vector against gravity.
+void note_base_slip(const Bodies& bodies, const std::vector<Motion>& motion, const RelaxationContact& contact,
+                    const ContactMemory& memory, const PlanePoint<>& up, std::vector<SlipOverFace>& noted);
+
+// Slip of contacts since the last time becomes part of `base_slip`.
+void book_base_slip(const Bodies& bodies, const PlanePoint<>& up, RelaxationState& state);
+
+std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const PlanePoint<>& up, const RelaxationState& state,
+                                         const RelaxationSettings& settings);
+
+std::optional<ContactName> deepest_contact(const Bodies& bodies, const RelaxationState& state);
+
+}  // namespace delabole

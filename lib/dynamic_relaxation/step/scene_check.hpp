@@ -1,0 +1,18 @@
+// What dynamic relaxation refuses to run.
+#pragma once
+
+#include "dynamic_relaxation/scene/scene.hpp"
+#include "dynamic_relaxation/scene/settings.hpp"
+
+namespace delabole {
+
+// Numbers, outlines, stiffnesses and references. All but the overlap.
+SceneFault check_scene(const RelaxationScene& scene);
+
+// Ranges of settings.hpp.
+SceneFault check_settings(const RelaxationSettings& settings);
+
+// Overlaps of the drawing; the scene must have passed check_scene.
+SceneFault check_start(const RelaxationScene& scene);
+
+}  // namespace delabole

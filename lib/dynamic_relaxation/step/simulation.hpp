@@ -1,0 +1,124 @@
+// Dynamic relaxation of rigid blocks (Cundall 1971; chapter 5 of the thesis): Newton's equations of motion with
+// springs, friction and dashpots at the corners, integrated explicitly until the blocks rest or fail.
+//
+// Time stepping is the leap-frog of (I) with velocities half a step behind positions, the first kick half as long, so
+// that free motion is exact to second order. What a step does stands in Simulation::step.
+//
+// Limits: rigid blocks, plane; rock breaks only where a bond stands for it (bonds.hpp). Overlaps are the price of
+// explicit contact: they shift the critical tilt of a single block to tan(tilt) = b/a - (W/(k b)) sqrt(1 + (b/a)^2),
+// and accordingly in systems.
+#pragma once
+
+#include "dynamic_relaxation/blocks/block_sweep.hpp"
+#include "dynamic_relaxation/contact/contact_forces.hpp"
+#include "dynamic_relaxation/scene/settings.hpp"
+#include "dynamic_relaxation/step/outcome.hpp"
+#include "dynamic_relaxation/step/state.hpp"
+#include "dynamic_relaxation/wide/team.hpp"
+
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace delabole {
+
+struct PreloadSettings;
+
+class Simulation {
+  public:
+    // The scene must be valid.
+    Simulation(RelaxationScene scene, RelaxationSettings settings);
+    // Goes on from a state of the same scene and settings, to the last bit.
+    Simulation(RelaxationScene scene, RelaxationSettings settings, RelaxationState state);
+    // Begins preloaded from where a run of the same blocks, of other strengths or other gravity, came to rest.
+    Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from);
+
+    void step();
+    // At rest: balance that relies on corners on corners has yet to be found with the other edges (corner_choice.hpp).
+    // Returns whether a trial has begun or ended: the run has to go on.
+    bool try_corners();
+    bool running() const { return outcome() == RelaxationOutcome::undecided && !out_of_time(); }
+
+    RelaxationOutcome outcome() const { return static_cast<RelaxationOutcome>(state_.outcome); }
+    const RelaxationScene& scene() const { return scene_; }
+    const RelaxationSettings& settings() const { return settings_; }
+    const RelaxationState& state() const { return state_; }
+    const Bodies& bodies() const { return bodies_; }
+
+    // s; what is to be done at a time up to this is done now: no later step ends nearer to it.
+    double reached() const { return state_.time + state_.step / 2; }
+    double tilt() const;          // of gravity, now
+    double tilt_of_base() const;  // against gravity: that of gravity and that by which fixed blocks have been turned
+    std::vector<BlockOutcome> block_outcomes() const;
+    EnergyLedger ledger() const;
+    double kinetic_energy() const;
+    RelaxationResult result() const;
+
+  private:
+    // Whether joints that are closed in the initial geometry have their peak strengths, or what another run left them.
+    enum class JointsAtStart { whole, as_left };
+
+    // A block that has been calm for some looks is at rest until the forces on it are out of balance by this share of
+    // its weight, far below the ratio that counts as equilibrium: it is not moved, and costs next to nothing.
+    double rest_ratio() const { return 1e-3 * settings_.equilibrium_ratio; }
+    static bool rests(std::uint32_t calm) { return calm >= looks_before_rest; }
+    static constexpr std::uint32_t looks_before_rest = 4;
+
+    static RelaxationState begun_at(const RelaxationState& at_rest);
+    bool out_of_time() const { return reached() >= settings_.duration || state_.steps >= settings_.most_steps; }
+    void prepare();
+    void begin(JointsAtStart joints);
+    void take_away_what_is_not_there();
+    PlanePoint<> up() const { return {std::sin(tilt()), std::cos(tilt())}; }
+    bool consolidating() const { return state_.time < settings_.consolidation_time; }
+    double kinetic_energy_of(std::size_t block) const;  // J/m; none where it is held
+    void hold_blocks();
+    void follow_schedules();
+    void break_bonds();
+    PreloadSettings preload_settings() const;
+    void preload_springs(JointsAtStart joints);
+    bool preload_under(double load_share, bool first, const PreloadSettings& limits);
+    void book_springs_of_removed(std::size_t block);
+    double fastest();  // m/s, no point of any block is faster
+    void find_contacts_where_due();
+    void preload_within(double margin, bool first);
+    bool look_at_contacts();
+    void look_again_at(std::size_t block);
+    void choose_step(double last);
+    void apply_contact_forces();
+    void apply_loads();
+    void integrate();
+    void look();
+    void audit();
+    void look_for_crack();
+    bool holds_at_rest() const;
+    bool carried_along();
+    void let_calm_blocks_rest();
+    void take_velocities_away_at_peaks();
+
+    RelaxationScene scene_;
+    RelaxationSettings settings_;
+    Bodies bodies_;
+    RelaxationState state_ = {};
+    double margin_ = 0;        // m, of the smallest blocks
+    double longest_step_ = 0;  // s, in free fall
+    Team team_;
+    ContactForces contact_forces_;
+    Bonds bonds_;
+    ContactWatch contact_watch_;
+    std::vector<std::size_t> just_broken_ = {};  // bonds whose contacts have yet to be found
+    std::vector<SharedFace> watched_ = {};       // for the first tension crack
+    std::vector<BlockForce> load_ = {};          // of the step
+    bool loads_are_final_ = false;               // nothing changes them any more
+    BlockScales scales_ = {};
+    std::vector<char> held_ = {};  // fixed now: fixed blocks, and those held for consolidation
+    bool held_for_consolidation_ = false;
+    std::vector<StepSums> sums_ = {};     // of the step
+    std::optional<double> fastest_ = {};  // with velocities as they are now; none: to be found
+};
+
+// Runs to the end. `watch` is called before each step and may end the run by returning false.
+RelaxationResult relax(const RelaxationScene& scene, const RelaxationSettings& settings,
+                       const std::function<bool(const Simulation&)>& watch = {});
+
+}  // namespace delabole

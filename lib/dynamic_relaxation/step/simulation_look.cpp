@@ -1,0 +1,170 @@
+// What a run looks at every so many steps: whether it is over, whether a crack has opened, which blocks rest.
+#include "dynamic_relaxation/contact/corner_choice.hpp"
+#include "dynamic_relaxation/statics/static_check.hpp"
+#include "dynamic_relaxation/step/loads.hpp"
+#include "dynamic_relaxation/step/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+// Steps between two looks at the balance of forces.
+constexpr std::uint64_t steps_between_looks = 50;
+// Between two measurements of how blocks lie in each other: together they cost less than a hundredth of the run.
+constexpr std::uint64_t steps_between_audits = 5000;
+
+// J/m; what it takes to lift every free block by its settlement on the softest joint.
+double energy_of_settlements(const RelaxationScene& scene, const Bodies& bodies) {
+    const auto softest =
+        std::ranges::min_element(scene.material, {}, [](const JointMaterial& joint) { return joint.normal_stiffness; });
+    double energy = 0;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        const double weight = bodies.fixed[block] != 0 ? 0 : bodies.mass[block] * scene.gravity.acceleration;
+        energy += weight * weight / softest->normal_stiffness;
+    }
+    return energy;
+}
+
+}  // namespace
+
+void Simulation::look() {
+    const bool last = out_of_time();
+    if ((state_.steps % steps_between_looks != 0 && !last) || outcome() != RelaxationOutcome::undecided) {
+        return;
+    }
+    let_calm_blocks_rest();
+    look_for_crack();
+    book_base_slip(bodies_, up(), state_);
+    const double kinetic = kinetic_energy();
+    const bool growing = kinetic > state_.kinetic_then;
+    state_.kinetic_then = kinetic;
+    const double unbalanced = std::exchange(state_.unbalanced, 0.0);
+    // The last look may come a few steps after the one before it.
+    const double lately = std::max(unbalanced, std::exchange(state_.unbalanced_then, unbalanced));
+    const auto at_rest = [&](double ratio) {
+        return !growing && !carried_along() && ratio < settings_.equilibrium_ratio &&
+               // The last step was made under the last of the loads.
+               state_.time - state_.last_step > last_scheduled_time(scene_, settings_) && holds_at_rest();
+    };
+    const MotionExtremes farthest = farthest_motion(bodies_, state_);
+    const auto decide = [&](RelaxationOutcome outcome) { state_.outcome = static_cast<std::uint64_t>(outcome); };
+    if (!std::isfinite(kinetic)) {
+        decide(RelaxationOutcome::motion_not_finite);
+        return;
+    }
+    if (state_.onset_time < 0 &&
+        (farthest.rotation > settings_.onset_rotation || farthest.displacement > settings_.onset_slide)) {
+        state_.onset_time = state_.time;
+    }
+    if (state_.onset_time >= 0 && settings_.stop_at_onset) {
+        decide(RelaxationOutcome::onset);
+        return;
+    }
+    if (farthest.rotation > settings_.collapse_rotation || farthest.displacement > settings_.collapse_displacement) {
+        decide(RelaxationOutcome::collapse);
+    } else if (at_rest(last && !settings_.stop_at_equilibrium ? lately : unbalanced) && !try_corners() &&
+               (last || settings_.stop_at_equilibrium)) {
+        decide(RelaxationOutcome::equilibrium);
+    } else if (last && state_.onset_time >= 0) {
+        // It has moved past the thresholds and has found no rest since.
+        decide(RelaxationOutcome::onset);
+    }
+}
+
+bool Simulation::try_corners() {
+    std::vector<double> weight(bodies_.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        weight[block] = held_[block] != 0 ? weight[block] : 1 / scales_.inverse_weight[block];
+    }
+    std::vector<std::uint32_t> concerned = end_trial({bodies_, state_.motion}, state_.contacts);
+    if (concerned.empty()) {
+        concerned = try_other_edges({bodies_, state_.motion}, weight, state_.contacts);
+    }
+    for (const std::uint32_t block : concerned) {
+        state_.calm[block] = 0;
+        state_.noticed.notice(block, state_.motion[block]);
+    }
+    return !concerned.empty();
+}
+
+// What the contacts do not tell: whether blocks lie in each other, and at the end whether the energy is accounted for.
+void Simulation::audit() {
+    const bool ends = !running();
+    if (!ends && state_.steps % steps_between_audits != 0) {
+        return;
+    }
+    if (!std::isfinite(kinetic_energy())) {
+        state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::motion_not_finite);
+        return;
+    }
+    const std::optional<BlockOverlap> now = greatest_overlap(bodies_, state_.motion, state_.removed);
+    if (now && now->share > (state_.overlap ? state_.overlap->share : 0)) {
+        state_.overlap = now;
+    }
+    if (now && now->share > settings_.overlap_limit) {
+        state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::overlap_too_large);
+    }
+    if (!ends || outcome() == RelaxationOutcome::overlap_too_large) {
+        return;
+    }
+    const EnergyLedger energy = ledger();
+    const double beside = energy.turnover() + energy.elastic_at_start;
+    const double settlements = settlements_lacking * energy_of_settlements(scene_, bodies_);
+    if (!(std::abs(energy.residual()) <= std::max(most_energy_lacking * beside, settlements))) {
+        state_.outcome = static_cast<std::uint64_t>(RelaxationOutcome::energy_not_balanced);
+    }
+}
+
+// Without dashpots, in which a motion that has yet to die out may hide.
+bool Simulation::holds_at_rest() const {
+    constexpr double yet_to_die_out = 10;
+    return check_statics(bodies_, held_, load_, scales_.inverse_weight, bonds_.list(), state_.bond, state_.motion,
+                         state_.contacts)
+        .holds(yet_to_die_out * settings_.equilibrium_ratio);
+}
+
+// A block that a belt carries at an even speed is in balance too, but not at rest.
+bool Simulation::carried_along() {
+    return scene_.belt && fastest() > settings_.equilibrium_ratio * scene_.belt->speed;
+}
+
+double Simulation::tilt_of_base() const {
+    return tilt() + (scene_.motion.empty() ? 0 : state_.motion[scene_.motion.front().block].angle);
+}
+
+void Simulation::look_for_crack() {
+    if (state_.first_crack || watched_.empty()) {
+        return;
+    }
+    double widest = *settings_.crack_opening;
+    for (const SharedFace& face : watched_) {
+        const double opening = locate(face, state_.motion[face.block], state_.motion[face.other]).widest(face.length);
+        if (opening > widest && state_.removed[face.block] == 0 && state_.removed[face.other] == 0) {
+            widest = opening;
+            state_.first_crack = FirstCrack{state_.time, tilt_of_base(), face.block, face.other};
+        }
+    }
+}
+
+void Simulation::let_calm_blocks_rest() {
+    if (state_.time < last_scheduled_time(scene_, settings_)) {
+        std::fill(state_.calm.begin(), state_.calm.end(), std::uint32_t{0});
+        return;
+    }
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        if (held_[block] != 0 || rests(state_.calm[block]) || !rests(++state_.calm[block])) {
+            continue;
+        }
+        Motion& motion = state_.motion[block];
+        state_.ledger.kinetic_damping += kinetic_energy_of(block);
+        motion.vx = motion.vy = motion.spin = 0;
+        fastest_.reset();
+    }
+}
+
+}  // namespace delabole

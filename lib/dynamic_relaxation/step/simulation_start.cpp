@@ -1,0 +1,164 @@
+// The static start of a run, runs that begin from a state at rest, and blocks that are not there at the start.
+#include "dynamic_relaxation/contact/corner_choice.hpp"
+#include "dynamic_relaxation/statics/preload.hpp"
+#include "dynamic_relaxation/step/loads.hpp"
+#include "dynamic_relaxation/step/simulation.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace delabole {
+
+namespace {
+
+// What dissipated or slipped before belongs to the run before.
+ContactMemory with_new_books(ContactMemory memory) {
+    memory.damping = memory.friction = memory.slip = 0;
+    memory.normal_drag = memory.shear_drag = 0;
+    memory.tried = false;
+    return memory;
+}
+
+BondMemory with_new_books(BondMemory memory) {
+    memory.damping = 0;
+    memory.normal_drag = memory.shear_drag = memory.bending_drag = 0;
+    return memory;
+}
+
+}  // namespace
+
+RelaxationState Simulation::begun_at(const RelaxationState& at_rest) {
+    RelaxationState state;
+    const std::size_t blocks = at_rest.motion.size();
+    state.time = at_rest.time;
+    state.motion = at_rest.motion;
+    for (Motion& motion : state.motion) {
+        motion.vx = motion.vy = motion.spin = 0;
+    }
+    state.removed = at_rest.removed;
+    state.base_slip.resize(blocks, 0);
+    state.dropped_slip.resize(blocks);
+    state.calm.resize(blocks, 0);
+    state.noticed.resize(blocks);
+    state.contacts = at_rest.contacts;
+    for (std::size_t index = 0; index < state.contacts.memory.size(); ++index) {
+        state.contacts.memory.set(index, with_new_books(state.contacts.memory[index]));
+    }
+    for (const BondMemory& bond : at_rest.bond) {
+        state.bond.push_back(with_new_books(bond));
+    }
+    ContactWatch::start(blocks, state.watch);
+    // Contacts that come about from now on are none of the initial geometry's.
+    state.watch.searches = 1;
+    return state;
+}
+
+void Simulation::take_away_what_is_not_there() {
+    for (const Removal& removal : scene_.removal) {
+        if (removal.time >= 0) {
+            continue;
+        }
+        state_.removed[removal.block] = 1;
+        for (std::size_t index = 0; index < state_.bond.size(); ++index) {
+            const SharedFace& face = bonds_.list()[index].face;
+            if (face.block == removal.block || face.other == removal.block) {
+                state_.bond[index].state = BondState::block_removed;
+            }
+        }
+    }
+}
+
+PreloadSettings Simulation::preload_settings() const {
+    PreloadSettings limits{};
+    limits.tolerance = settings_.equilibrium_ratio / 10;
+    limits.finest = rest_ratio() / 1000;
+    // Blocks that only jam once they have leaned a little move farther here than between two searches of the run.
+    limits.farthest = 5 * margin_;
+    if (last_scheduled_time(scene_, settings_) <= state_.time) {
+        // Creep that finds no balance shows nothing but onset: it need not go as far where blocks go back after it.
+        constexpr double jammed_by_then = 0.01;
+        limits.leave_crept = settings_.creep;
+        limits.creep_rotation =
+            settings_.creep ? settings_.onset_rotation : std::min(settings_.onset_rotation, jammed_by_then);
+        limits.creep_slide = settings_.creep ? settings_.onset_slide : std::min(settings_.onset_slide, jammed_by_then);
+    }
+    if (limits.leave_crept) {
+        double largest = 0;
+        for (std::size_t block = 0; block < bodies_.size(); ++block) {
+            largest = held_[block] != 0 ? largest : std::max(largest, bodies_.radius[block]);
+        }
+        limits.farthest += std::min((limits.creep_rotation + limits.creep_slide) * largest, 20 * margin_);
+    }
+    return limits;
+}
+
+void Simulation::preload_springs(JointsAtStart joints) {
+    const PreloadSettings limits = preload_settings();
+    apply_loads();
+    bool first = joints == JointsAtStart::whole;
+    if (settings_.start == RelaxationStart::stepped) {
+        constexpr int steps = 10;
+        PreloadSettings on_the_way = limits;
+        on_the_way.creep_rotation = 0;
+        on_the_way.leave_crept = false;
+        // What is not in balance under a part of the loads is left to all of them.
+        bool balanced = true;
+        for (int step = 1; step < steps && balanced; ++step, first = false) {
+            balanced = preload_under(static_cast<double>(step) / steps, first, on_the_way);
+        }
+    }
+    preload_under(1, first, limits);
+}
+
+// Bonds that cannot bear the loads break one after the other, the most overloaded first, while the rest finds its
+// balance; where it finds none, the run goes on with it. Returns whether it did.
+bool Simulation::preload_under(double load_share, bool first, const PreloadSettings& limits) {
+    std::vector<Eigen::Vector3d> loads;
+    for (const BlockForce& load : load_) {
+        loads.emplace_back(load_share * load.x, load_share * load.y, load_share * load.moment);
+    }
+    constexpr int most_continuations = 100;
+    std::optional<Preloaded> creeping;
+    ContactList contacts_at_best;
+    for (int continued = 0;; first = false) {
+        preload_within(2 * limits.farthest, first);
+        Preloaded found = preload(bodies_, held_, loads, limits, creeping ? &*creeping : nullptr, bonds_, state_.bond,
+                                  state_.motion, state_.contacts);
+        state_.origin = found.most_balanced;
+        state_.start_balance = StartBalance{found.ratio, found.cut_short};
+        state_.contacts_evaluated += found.contacts_evaluated;
+        if (found.ratio > limits.tolerance) {
+            if (!limits.leave_crept && found.memory.size() == state_.contacts.contact.size()) {
+                contacts_at_best = state_.contacts;
+                contacts_at_best.memory = found.memory;
+            }
+            if (found.at_farthest && continued++ < most_continuations) {
+                creeping = std::move(found);
+                continue;
+            }
+            if (!limits.leave_crept && creeping) {
+                state_.motion = found.most_balanced;
+                state_.contacts = std::move(contacts_at_best);
+            }
+            return false;
+        }
+        creeping.reset();
+        just_broken_ = bonds_.break_at_rest(state_.motion, state_.bond);
+        if (just_broken_.empty()) {
+            return true;
+        }
+    }
+}
+
+void Simulation::preload_within(double margin, bool first) {
+    const std::vector<BlockPair> bonded = bonds_.joined(state_.bond);
+    state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
+                                    {margin, settings_.viscous_damping, first, bonded}, state_.contacts);
+    for (const std::size_t bond : std::exchange(just_broken_, {})) {
+        hand_over(bonds_.list()[bond], state_.bond[bond].state, bodies_, state_.motion, state_.contacts);
+    }
+}
+
+}  // namespace delabole

@@ -1,0 +1,98 @@
+// All that a run needs to go on: nothing else changes from step to step.
+#pragma once
+
+#include "dynamic_relaxation/blocks/block_sweep.hpp"
+#include "dynamic_relaxation/blocks/bodies.hpp"
+#include "dynamic_relaxation/blocks/overlap.hpp"
+#include "dynamic_relaxation/contact/bonds.hpp"
+#include "dynamic_relaxation/contact/contact_watch.hpp"
+#include "dynamic_relaxation/contact/contacts.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace delabole {
+
+// J per metre run. Applied work = kinetic + elastic + friction + bonds + dashpots + local damping + kinetic damping +
+// residual.
+struct EnergyLedger {
+    double applied = 0;          // work of gravity, forces, water and shaking
+    double prescribed = 0;       // work of moved fixed blocks on the others
+    double kinetic = 0;          // at this time
+    double elastic = 0;          // at this time, above that of the start
+    double friction = 0;         // dissipated by slip, broken bonds and springs of removed blocks
+    double bonds = 0;            // set free by bonds that broke
+    double dashpots = 0;         // dissipated
+    double local_damping = 0;    // dissipated
+    double kinetic_damping = 0;  // taken out at peaks, and with removed blocks
+
+    double elastic_at_start = 0;
+
+    double residual() const {
+        return applied + prescribed - kinetic - elastic - friction - bonds - dashpots - local_damping - kinetic_damping;
+    }
+    // All that has been turned over.
+    double turnover() const;
+    // Residual over turnover. 0 where the residual is no more than rounding of what springs hold, as where blocks only
+    // stand and all that is turned over is of that size.
+    double residual_share() const;
+};
+
+// Of two free blocks that were neighbours in the drawing.
+struct FirstCrack {
+    double time = 0;  // s
+    double tilt = 0;  // rad, of gravity in the drawing and of the first moved base together
+    std::uint64_t block = 0;
+    std::uint64_t other = 0;
+};
+
+// Of the most balanced state that preloading met: the run starts there, unless blocks have crept on.
+struct StartBalance {
+    double unbalanced_ratio = 0;  // greatest unbalanced force on a block, with moment over radius, over its load
+    bool cut_short = false;       // ended for lack of linear solutions: with more there may be balance
+};
+
+struct SlipOverFace {
+    double upward = 0;  // cosine of the angle between the face's outward normal and up; 0: no face
+    double slip = 0;    // m, negative towards -x
+};
+
+struct RelaxationState {
+    double time = 0;       // s
+    double step = 0;       // s, chosen when contacts were last looked at
+    double last_step = 0;  // s, that led here; 0 at the start and after velocities were taken away
+    std::uint64_t steps = 0;
+    std::uint64_t contacts_evaluated = 0;
+    std::vector<Motion> motion = {};
+    std::vector<Motion> origin = {};                 // at the start, after preloading
+    std::optional<StartBalance> start_balance = {};  // absent where nothing was preloaded
+    NoticedMotion noticed = {};
+    std::vector<std::uint32_t> calm = {};  // looks in a row without anything to move a block; see Simulation::rests
+    std::vector<char> removed = {};
+    std::vector<double> base_slip = {};           // m, of each block over fixed ones up to when it was last booked
+    std::vector<SlipOverFace> dropped_slip = {};  // of contacts that have been dropped since
+    ContactList contacts = {};
+    WatchState watch = {};
+    std::vector<BondMemory> bond = {};  // as the scene lists them
+    EnergyLedger ledger = {};           // sums; what is of the moment is filled in when asked for
+
+    // For the decision.
+    double unbalanced = 0;       // greatest since the last look
+    double unbalanced_then = 0;  // greatest between the two looks before
+    double kinetic_then = 0;     // J/m, at the last look
+    double kinetic_before = 0;   // J/m, a step ago; for kinetic damping
+    bool kinetic_rising = false;
+    double onset_time = -1;  // s; negative: none
+    std::optional<FirstCrack> first_crack = {};
+    std::optional<BlockOverlap> overlap = {};  // the greatest share that was measured so far
+    std::uint64_t outcome = 0;                 // RelaxationOutcome
+};
+
+// A state at rest for other runs to begin from: they have its motion, its springs, slip and what has broken, and its
+// time, by which everything scheduled has happened. Their books, steps and displacements begin anew.
+struct ConsolidatedState {
+    RelaxationState at_rest;
+};
+
+}  // namespace delabole

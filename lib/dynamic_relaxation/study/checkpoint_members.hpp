@@ -1,0 +1,115 @@
+// The members of all that a checkpoint holds or depends on, each struct's in one list that serves both directions.
+//
+// A structured binding has to name every member: where a struct has grown, its list here no longer compiles. Whoever
+// adds the member also raises checkpoint_version (checkpoint_bytes.cpp).
+#pragma once
+
+#include "dynamic_relaxation/study/relaxation_study.hpp"
+
+#include <concepts>
+#include <tuple>
+#include <type_traits>
+
+namespace delabole {
+
+template <class T, class Struct>
+concept IsMaybeConst = std::same_as<std::remove_const_t<T>, Struct>;
+
+// References to the members of `object`, constant ones if it is.
+#define DELABOLE_MEMBERS(Struct, ...)      \
+    template <IsMaybeConst<Struct> Object> \
+    auto members_of(Object& object) {      \
+        auto& [__VA_ARGS__] = object;      \
+        return std::tie(__VA_ARGS__);      \
+    }
+
+DELABOLE_MEMBERS(Motion, x, y, sine, versine, vx, vy, spin, angle)
+DELABOLE_MEMBERS(EdgeEnds, start_weight, end_weight, inverse_blend, rival, rival_sine, rival_cosine, alone,
+                 residual_cohesion)
+DELABOLE_MEMBERS(JointLaw, normal_stiffness, shear_stiffness, normal_dashpot, shear_dashpot, friction,
+                 residual_friction, cohesion, tension)
+DELABOLE_MEMBERS(ContactBlocks, block, other, twin, ends, joint)
+DELABOLE_MEMBERS(ContactCorner, corner, edge)
+DELABOLE_MEMBERS(ContactShapeOf<double>, arm_x, arm_y, other_arm_x, other_arm_y, along_x, along_y, gap, from_start,
+                 to_end)
+DELABOLE_MEMBERS(ContactNumbersOf<double>, shear, place, damping, normal_drag, shear_drag, slip, friction)
+DELABOLE_MEMBERS(ContactFlagsOf<bool>, touching, sliding, broken, beneath, yields, insists, tried)
+// Of structs that have others as bases: these.
+template <class Object, class... Bases>
+auto bases_of(Object& object) {
+    return std::tie(static_cast<std::conditional_t<std::is_const_v<Object>, const Bases, Bases>&>(object)...);
+}
+template <IsMaybeConst<RelaxationContact> Object>
+auto members_of(Object& object) {
+    return bases_of<Object, ContactBlocks, ContactCorner, ContactShapeOf<double>>(object);
+}
+template <IsMaybeConst<ContactMemory> Object>
+auto members_of(Object& object) {
+    return std::tuple_cat(bases_of<Object, ContactNumbersOf<double>, ContactFlagsOf<bool>>(object),
+                          std::tie(object.shortened));
+}
+static_assert(sizeof(RelaxationContact) == 9 * sizeof(double) + 8 * sizeof(std::uint32_t) &&
+                  sizeof(ContactMemory) == 9 * sizeof(double),
+              "a member has come: it is to be saved, too");
+
+DELABOLE_MEMBERS(ForceOnCorner, x, y, moment, other_moment)
+DELABOLE_MEMBERS(ContactList, contact, ends, joint, memory, force, open_until)
+DELABOLE_MEMBERS(PairPose, x, y, first_angle, second_angle)
+DELABOLE_MEMBERS(WatchedPair, first, second, begin, pose, distance, holds)
+DELABOLE_MEMBERS(BlockOverlap, block, other, depth, share, area)
+DELABOLE_MEMBERS(WatchState, pair, way, due, neighbours_until, step_until, stable_step, step, searches, looks)
+DELABOLE_MEMBERS(NoticedMotion, moved, x, y, angle)
+DELABOLE_MEMBERS(BondMemory, state, time, damping, normal_drag, shear_drag, bending_drag)
+DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, bonds, dashpots, local_damping,
+                 kinetic_damping, elastic_at_start)
+DELABOLE_MEMBERS(FirstCrack, time, tilt, block, other)
+DELABOLE_MEMBERS(StartBalance, unbalanced_ratio, cut_short)
+DELABOLE_MEMBERS(SlipOverFace, upward, slip)
+DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluated, motion, origin, start_balance,
+                 noticed, calm, removed, base_slip, dropped_slip, contacts, watch, bond, ledger, unbalanced,
+                 unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, overlap,
+                 outcome)
+
+DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,
+                 tensile_strength, bond, residual_cohesion)
+DELABOLE_MEMBERS(BondMaterial, young_modulus, shear_modulus, tensile_strength, cohesion, friction_angle, spacing)
+DELABOLE_MEMBERS(FaceBond, block, edge, other, other_edge, material)
+DELABOLE_MEMBERS(RelaxationBlock, outline, density, fixed, held_at_first, joint)
+DELABOLE_MEMBERS(Gravity, acceleration, tilt, final_tilt, rate, interval, start)
+DELABOLE_MEMBERS(PointForce, block, at, force)
+DELABOLE_MEMBERS(EdgePart, begin, end)
+DELABOLE_MEMBERS(FacePressure, block, edge, at_first, at_second, part)
+DELABOLE_MEMBERS(TimedVector, time, value)
+DELABOLE_MEMBERS(PrescribedMotion, block, velocity, angular_velocity, pivot, start, duration)
+DELABOLE_MEMBERS(Removal, block, time)
+DELABOLE_MEMBERS(Belt, speed, friction_angle)
+DELABOLE_MEMBERS(RelaxationScene, block, material, gravity, force, pressure, shaking, motion, removal, bond_material,
+                 bond, belt)
+DELABOLE_MEMBERS(RelaxationSettings, step_fraction, time_step, viscous_damping, local_damping, kinetic_damping, creep,
+                 mass_scaling, start, ramp_time, consolidation_time, equilibrium_ratio, onset_rotation, onset_slide,
+                 collapse_rotation, collapse_displacement, stop_at_onset, stop_at_equilibrium, duration, most_steps,
+                 crack_opening, overlap_limit, threads)
+
+DELABOLE_MEMBERS(BlockMonitor, block)
+DELABOLE_MEMBERS(ContactMonitor, block, other)
+DELABOLE_MEMBERS(HistoryRequest, interval, block, contact)
+DELABOLE_MEMBERS(CriticalPlan, parameter, lower, upper, tolerance, path, material)
+DELABOLE_MEMBERS(MonitoredBlock, x, y, rotation, velocity_x, velocity_y, angular_velocity)
+DELABOLE_MEMBERS(MonitoredContact, horizontal, vertical, normal, overlap)
+DELABOLE_MEMBERS(HistoryLine, time, tilt, energy, block, contact, base_slip, rotation)
+DELABOLE_MEMBERS(BlockOutcome, movement, rotation, displacement, base_slip)
+DELABOLE_MEMBERS(CornerForce, block, other, at, force, normal, shear, overlap, sliding)
+DELABOLE_MEMBERS(MotionFrame, time, tilt, motion, outcome, force)
+DELABOLE_MEMBERS(MotionRecord, frame, interval, next)
+DELABOLE_MEMBERS(CriticalProbe, outcome, steps, contacts_evaluated)
+DELABOLE_MEMBERS(SearchProgress, probe, probe_state, consolidated, failed)
+DELABOLE_MEMBERS(StudyProgress, state, next_line, history, record, slope, search)
+
+#undef DELABOLE_MEMBERS
+
+template <class T>
+concept HasMembers = requires(T& object) {
+    members_of(object);
+};
+
+}  // namespace delabole

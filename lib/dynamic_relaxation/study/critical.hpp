@@ -1,0 +1,59 @@
+// The value of a parameter between standing and failing, by bisection over runs.
+//
+// The answer is a bracket: one end stands, the other fails. Its width is the resolution, not the accuracy: stiffness
+// shifts the answer (simulation.hpp), and where runs are chaotic several changes may lie within the bounds, of which
+// one is found.
+#pragma once
+
+#include "dynamic_relaxation/step/outcome.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
+namespace delabole {
+
+enum class CriticalStatus {
+    found,
+    stands_everywhere,  // it stands at the bound at which it was to fail
+    fails_everywhere,   // it fails at the bound at which it was to stand
+    undecided,          // a run neither rested nor failed; the bracket is as far as the search came
+    run_failed,         // overlaps too large or motion not finite; likewise
+    interrupted,        // likewise
+    not_valid,          // the scene is not valid at one of the values
+};
+
+constexpr std::array<std::string_view, 7> enum_names(CriticalStatus) {
+    return {"found", "stands_everywhere", "fails_everywhere", "undecided", "run_failed", "interrupted", "not_valid"};
+}
+
+struct CriticalValue {
+    CriticalStatus status = CriticalStatus::found;
+    double stands = 0;  // nearest value known to stand
+    double fails = 0;   // nearest value known to fail
+    double last = 0;    // value of the last run: the one that ended the search where it was not found
+    std::uint64_t runs = 0;
+    std::uint64_t steps = 0;
+    std::uint64_t contacts_evaluated = 0;
+
+    double value() const { return (stands + fails) / 2; }
+};
+
+struct CriticalProbe {
+    RelaxationOutcome outcome;  // equilibrium stands; onset and collapse fail
+    std::uint64_t steps;
+    std::uint64_t contacts_evaluated = 0;
+};
+
+// Where a bracket is divided. Of ratios over decades the geometric mean takes no more runs for small ones than for
+// great ones.
+enum class BracketMean { arithmetic, geometric };
+
+// Bisects between a bound at which the blocks should stand and one at which they should fail, either of which may be
+// the greater, until they are no more than `tolerance` (more than 0) apart. Both bounds are tried first; for the
+// geometric mean they are more than 0.
+CriticalValue find_critical(const std::function<CriticalProbe(double value)>& probe, double should_stand,
+                            double should_fail, double tolerance, BracketMean mean = BracketMean::arithmetic);
+
+}  // namespace delabole

@@ -1,0 +1,187 @@
+// What a relaxation case may ask to be searched between standing and failing, and the path on which its blocks come to
+// each value that is tried.
+//
+// Joints with friction remember: the forces between blocks before failure depend on how the loads came, and so does the
+// value at which the blocks fail. No path is wrong; the spread of the values on several of them is error of the model.
+#pragma once
+
+#include "dynamic_relaxation/scene/settings.hpp"
+#include "parameters/fields.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+namespace delabole {
+
+enum class LoadingPath {
+    // The blocks come to rest as the case has them, stages of excavation included: at its own strengths or weight, or
+    // at
+    // the bound at which they should stand. Each value tried is a sudden change from that one state: springs, slip and
+    // what has broken stay. Static equilibrium is sought first, without inertia; then comes the run.
+    consolidated,
+    preloaded,  // each value from the initial geometry: springs free, all loads at once, without inertia; then the run
+    gravity,    // likewise, but weight, water and forces grow in ten equal steps, or in time where settings.start =
+                // "ramped"
+    sudden,     // each value from the initial geometry: springs free, all loads at once, with inertia
+    stages,     // each value from before the first stage of excavation, with settings.start; then stage after stage
+};
+
+constexpr std::array<std::string_view, 5> enum_names(LoadingPath) {
+    return {"consolidated", "preloaded", "gravity", "sudden", "stages"};
+}
+
+enum class PathChoice { one, all };
+
+constexpr std::array<std::string_view, 2> enum_names(PathChoice) {
+    return {"one", "all"};
+}
+
+inline constexpr std::string_view path_meaning =
+    "how the blocks come to each value; stages only where the scene has some: blocks that they take away are not there "
+    "on the paths preloaded, gravity and sudden; absent: ";
+
+inline constexpr std::string_view paths_meaning = "all: the value on each path and their spread, too; absent: one";
+
+// Constant tilt at which the blocks begin to fail.
+struct TiltSearch {
+    double lower;
+    double upper;
+    std::optional<double> tolerance;
+    std::optional<LoadingPath> path;
+    std::optional<PathChoice> paths;
+
+    static constexpr std::string_view kind_key = "parameter";
+    static constexpr std::string_view kind = "tilt";
+    static constexpr auto fields() {
+        using T = TiltSearch;
+        return std::tuple{
+            number("lower", &T::lower, Dimension::angle, between(degrees(-90), degrees(90)),
+                   "least tilt tried, which is constant whatever [tilting] does"),
+            number("upper", &T::upper, Dimension::angle, between(degrees(-90), degrees(90)), "greatest tilt tried"),
+            number("tolerance", &T::tolerance, Dimension::angle, within(degrees(1e-9), degrees(10)),
+                   "width of the bracket in the end; absent: 0.005 deg"),
+            section(
+                "path", &T::path,
+                "how the blocks come to each tilt; absent: stages where the scene has some, else by settings.start"),
+            section("paths", &T::paths, paths_meaning)};
+    }
+};
+
+// Friction angle of all joints, peak and residual, below which the blocks fail.
+struct FrictionSearch {
+    double lower;
+    double upper;
+    std::optional<double> tolerance;
+    std::optional<LoadingPath> path;
+    std::optional<PathChoice> paths;
+
+    static constexpr std::string_view kind_key = "parameter";
+    static constexpr std::string_view kind = "friction";
+    static constexpr auto fields() {
+        using F = FrictionSearch;
+        return std::tuple{
+            number("lower", &F::lower, Dimension::angle, right_open(0, degrees(90)),
+                   "least friction angle tried, of every joint, peak and residual"),
+            number("upper", &F::upper, Dimension::angle, right_open(0, degrees(90)), "greatest friction angle tried"),
+            number("tolerance", &F::tolerance, Dimension::angle, within(degrees(1e-9), degrees(10)),
+                   "width of the bracket in the end; absent: 0.005 deg"),
+            section("path", &F::path,
+                    "how the blocks come to each angle; absent: stages where the scene has some, else by "
+                    "settings.start"),
+            section("paths", &F::paths, paths_meaning)};
+    }
+};
+
+// Factor of safety F: that by which strength has to be divided for the blocks to fail (strength_reduction.hpp).
+struct ReductionSearch {
+    std::optional<double> lower;
+    std::optional<double> upper;
+    std::optional<double> tolerance;
+    std::vector<std::string> joints;
+    std::optional<LoadingPath> path;
+    std::optional<PathChoice> paths;
+
+    static constexpr std::string_view kind_key = "parameter";
+    static constexpr std::string_view kind = "strength_reduction";
+    static constexpr auto fields() {
+        using R = ReductionSearch;
+        return std::tuple{
+            number("lower", &R::lower, Dimension::ratio, more_than(0), "least factor tried; absent: 0.1"),
+            number("upper", &R::upper, Dimension::ratio, more_than(0), "greatest factor tried; absent: 10"),
+            number("tolerance", &R::tolerance, Dimension::ratio, within(1e-9, 1),
+                   "width of the bracket in the end; absent: 0.005"),
+            section(
+                "joints", &R::joints,
+                "names of the joints whose strength and bonds are divided: of a jointed slope; interface or base of "
+                "a row or columns; numbers of blocks' joints, as texts; absent: all"),
+            section("path", &R::path, "how the blocks come to each factor; absent: consolidated"),
+            section("paths", &R::paths, paths_meaning)};
+    }
+};
+
+// Factor on gravity at which the blocks begin to fail at the strengths that they have; water and forces do not grow
+// with it. Without cohesion, tensile strength, water and forces no factor makes a difference.
+struct WeightSearch {
+    std::optional<double> lower;
+    std::optional<double> upper;
+    std::optional<double> tolerance;
+    std::optional<LoadingPath> path;
+    std::optional<PathChoice> paths;
+
+    static constexpr std::string_view kind_key = "parameter";
+    static constexpr std::string_view kind = "weight";
+    static constexpr auto fields() {
+        using W = WeightSearch;
+        return std::tuple{
+            number("lower", &W::lower, Dimension::ratio, more_than(0), "least factor tried; absent: 0.1"),
+            number("upper", &W::upper, Dimension::ratio, more_than(0), "greatest factor tried; absent: 100"),
+            number("tolerance", &W::tolerance, Dimension::ratio, within(1e-9, 1),
+                   "width of the bracket in the end; absent: 0.005"),
+            section("path", &W::path, "how the blocks come to each factor; absent: consolidated"),
+            section("paths", &W::paths, paths_meaning)};
+    }
+};
+
+using CriticalRequest = std::variant<TiltSearch, FrictionSearch, ReductionSearch, WeightSearch>;
+
+enum class CriticalParameter { tilt, friction, strength_reduction, weight };
+
+constexpr std::array<std::string_view, 4> enum_names(CriticalParameter) {
+    return {TiltSearch::kind, FrictionSearch::kind, ReductionSearch::kind, WeightSearch::kind};
+}
+
+CriticalParameter parameter_of(const CriticalRequest& request);
+
+// Name of the value as an output: "critical_tilt", "limiting_friction_angle", "factor_of_safety",
+// "critical_weight_factor".
+std::string_view name_of_critical(CriticalParameter parameter);
+
+constexpr Dimension dimension_of(CriticalParameter parameter) {
+    return parameter == CriticalParameter::tilt || parameter == CriticalParameter::friction ? Dimension::angle
+                                                                                            : Dimension::ratio;
+}
+
+// A request with what it leaves open filled in.
+struct CriticalPlan {
+    CriticalParameter parameter;
+    double lower;
+    double upper;
+    double tolerance;
+    std::vector<LoadingPath> path;      // that of the answer first
+    std::vector<std::size_t> material;  // whose strength is divided; empty unless it is
+
+    // Whether the blocks stand at low values and fail at high ones.
+    bool stands_low() const { return parameter != CriticalParameter::friction; }
+    double should_stand() const { return stands_low() ? lower : upper; }
+    double should_fail() const { return stands_low() ? upper : lower; }
+    // Ratios are divided at their geometric mean.
+    bool is_ratio() const { return dimension_of(parameter) == Dimension::ratio; }
+};
+
+}  // namespace delabole

@@ -1,0 +1,144 @@
+// What of a slope has failed and what is left standing, from where its blocks were at the start and where they are now.
+//
+// A block's movement is m = sqrt(displacement^2 + (rotation times radius)^2) since the start. It counts as failed by
+// the share m^4 / (m^4 + limit^4): half at the limit, a ten-thousandth at a tenth of it. Areas and levels add such
+// shares, so that they change smoothly with the motion and a fit can use them. What is taken away in a stage counts as
+// gone, not as failed.
+//
+// The level left standing at x is that of the ground at the start, less the share-weighted height of the blocks on the
+// upright line there. Of an overhang the sum alone is right. The failure's foot and top are where more than a hundredth
+// of the slope's height is gone; its knee is the point of the ground left standing that is farthest below the straight
+// line between them, as the level of 425 ft at Delabole, where the stepped lower surface meets the upper one. A slope
+// that has not failed has its own foot and top for that.
+//
+// Section axes in the drawing: x into the slope, y up, metres and radians; a tilt of gravity is not taken out.
+#pragma once
+
+#include "dynamic_relaxation/blocks/bodies.hpp"
+#include "geometry/polyline.hpp"
+#include "parameters/fields.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace delabole {
+
+struct PostFailureRequest {
+    std::optional<double> moved_share;
+    std::optional<double> crack_share;
+    static constexpr auto fields() {
+        using P = PostFailureRequest;
+        return std::tuple{
+            number("moved_share", &P::moved_share, Dimension::ratio, more_than(0),
+                   "movement at which half of a block counts as failed, in sizes of the middling block; absent: 0.25"),
+            number("crack_share", &P::crack_share, Dimension::ratio, more_than(0),
+                   "opening at which a joint at the crest counts as an open crack, likewise; absent: 0.01")};
+    }
+};
+
+// Open joints that come out at the ground behind the crest, of one kind of joint.
+struct CrestJoint {
+    std::string joint;
+    double open;
+    double opening;
+    double farthest;
+    static constexpr auto fields() {
+        using C = CrestJoint;
+        return std::tuple{section("joint", &C::joint, "name of the properties along it"),
+                          number("open", &C::open, Dimension::ratio, any_number(),
+                                 "cracks, each by the share of its opening as a block by that of its movement"),
+                          number("opening", &C::opening, Dimension::length, any_number(),
+                                 "of all together, none more than the middling block's size"),
+                          number("farthest", &C::farthest, Dimension::length, any_number(),
+                                 "of an open crack behind the crest; 0: none is open")};
+    }
+};
+
+// Mean over blocks at the ground behind the crest, by their width there; zero where there are none.
+struct CrestMovement {
+    double horizontal;
+    double vertical;
+    double rotation;
+    static constexpr auto fields() {
+        using C = CrestMovement;
+        return std::tuple{
+            number("horizontal", &C::horizontal, Dimension::length, any_number(), "displacement, into the slope"),
+            number("vertical", &C::vertical, Dimension::length, any_number(), "displacement, upwards"),
+            number("rotation", &C::rotation, Dimension::angle, any_number(), "out of the slope")};
+    }
+};
+
+struct PostFailureAnswer {
+    double failed_area;
+    double failed_width;
+    double foot_level;
+    double knee_level;
+    double top_level;
+    double lower_angle;
+    double upper_angle;
+    CrestMovement near_face;
+    CrestMovement between_cracks;
+    double backward_rotation;
+    std::vector<CrestJoint> joint;
+    static constexpr auto fields() {
+        using P = PostFailureAnswer;
+        constexpr Interval any = any_number();
+        return std::tuple{
+            number("failed_area", &P::failed_area, Dimension::area, any, "of the section that has failed"),
+            number("failed_width", &P::failed_width, Dimension::length, any, "of the ground behind the crest, failed"),
+            number("foot_level", &P::foot_level, Dimension::length, any, "of the failure, above the toe"),
+            number("knee_level", &P::knee_level, Dimension::length, any,
+                   "at which lower and upper surface meet, above the toe"),
+            number("top_level", &P::top_level, Dimension::length, any, "of the failure, above the toe"),
+            number("lower_angle", &P::lower_angle, Dimension::angle, any,
+                   "mean inclination of the surface left standing, foot to knee"),
+            number("upper_angle", &P::upper_angle, Dimension::angle, any, "likewise, knee to top"),
+            section("near_face", &P::near_face, "blocks between the crest and the first open crack behind it"),
+            section("between_cracks", &P::between_cracks, "blocks between the first and the last open crack"),
+            number("backward_rotation", &P::backward_rotation, Dimension::angle, any,
+                   "into the slope, the greatest of a block at the ground behind the crest"),
+            section("joint", &P::joint, "cracks at the crest by their joint, as the scene lists joints")};
+    }
+};
+
+struct CrestCrack {
+    double position;    // m behind the crest
+    double opening;     // m, normal to the joint, at the ground
+    double dip;         // rad, positive out of the slope
+    std::size_t joint;  // index among the scene's joints
+};
+
+// A block that has a part of the ground behind the crest.
+struct CrestBlock {
+    std::size_t block;
+    double position;  // m behind the crest, of the middle of its part
+    double width;     // m
+    CrestMovement movement;
+};
+
+struct PostFailure {
+    PostFailureAnswer answer = {};
+    Polyline ground = {};                // at the start, without what stages have taken away
+    Polyline left_standing = {};         // from the front end of the section into the slope
+    Point crest = {0, 0};                // of the slope at the start
+    std::vector<Point> surface = {};     // foot, knee and top of the failure
+    std::vector<double> share = {};      // of each block in the failure, 0 to 1
+    std::vector<CrestCrack> crack = {};  // open ones, from the crest into the slope
+    std::vector<CrestBlock> block = {};  // from the crest into the slope
+};
+
+struct MovedSlope {
+    const Bodies& bodies;
+    const std::vector<Motion>& start;
+    const std::vector<Motion>& now;
+    const std::vector<char>& removed;        // by stages
+    const std::vector<std::string>& joints;  // names, one for each material
+};
+
+// At least one block must be free. Where stages have taken all away, everything is empty and zero.
+PostFailure post_failure(const MovedSlope& slope, const PostFailureRequest& request);
+
+}  // namespace delabole

@@ -1,0 +1,438 @@
+// Case parameters to scene and settings.
+#include "dynamic_relaxation/blocks/joint_water.hpp"
+#include "dynamic_relaxation/contact/bonds.hpp"
+#include "dynamic_relaxation/scene/scenes.hpp"
+#include "dynamic_relaxation/scene/slope_scene.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+constexpr double standard_stiffness_ratio = 1e6;
+
+struct Quality {
+    double step_fraction;
+    double stiffness_ratio;
+    double equilibrium_ratio;
+};
+
+Quality quality_of(const RelaxationStudy& study) {
+    const RelaxationSettings standard;
+    const RelaxationNumerics numerics = study.settings.value_or(RelaxationNumerics{});
+    switch (numerics.quality.value_or(RelaxationQuality::standard)) {
+    case RelaxationQuality::draft:
+        return {0.8, 3e5, 1e-5};
+    case RelaxationQuality::reference:
+        return {0.4, 1e8, 1e-7};
+    case RelaxationQuality::standard:
+        break;
+    }
+    return {standard.step_fraction, standard_stiffness_ratio, standard.equilibrium_ratio};
+}
+
+// Stiffness 0 where the joint leaves it to the ratio.
+JointMaterial material_of(const RelaxationJoint& joint) {
+    const double normal = joint.normal_stiffness.value_or(0);
+    return {normal,
+            joint.shear_stiffness.value_or(normal),
+            joint.friction_angle,
+            joint.residual_friction_angle,
+            joint.cohesion.value_or(0),
+            joint.tensile_strength.value_or(0),
+            {},
+            joint.residual_cohesion.value_or(0)};
+}
+
+// Materials of joints in their order in the case.
+void add_bonds(RelaxationScene& scene, const std::vector<RelaxationJoint>& joints) {
+    for (std::size_t index = 0; index < joints.size(); ++index) {
+        if (const std::optional<RelaxationBond>& bond = joints[index].bond) {
+            scene.material[index].bond = scene.bond_material.size();
+            scene.bond_material.push_back({bond->young_modulus, bond->shear_modulus, bond->tensile_strength,
+                                           bond->cohesion, bond->friction_angle, bond->spacing});
+        }
+    }
+}
+
+// A normal deviate within twice the deviation, the same on every machine: the polar method of Marsaglia over the bits
+// of the generator.
+double deviate(std::mt19937_64& random) {
+    constexpr double most = 2;
+    const auto uniform = [&] { return 2 * (static_cast<double>(random() >> 11U) * 0x1p-53) - 1; };
+    for (;;) {
+        const double one = uniform();
+        const double other = uniform();
+        const double square = one * one + other * other;
+        if (square > 0 && square < 1) {
+            const double value = one * std::sqrt(-2 * std::log(square) / square);
+            if (std::abs(value) <= most) {
+                return value;
+            }
+        }
+    }
+}
+
+double scattered(double friction_angle, double deviation) {
+    return std::clamp(friction_angle + deviation, 0.0, degrees(89.9));
+}
+
+// Heights before the blocks are drawn; friction afterwards, joint by joint from the toe up.
+void scatter_heights(StandingBlocks& blocks, const RelaxationScatter& scatter, std::mt19937_64& random) {
+    for (StandingBlock& block : blocks.block) {
+        block.height *= 1 + scatter.height_deviation * deviate(random);
+    }
+}
+
+void scatter_friction(RelaxationScene& scene, std::size_t standing, const RelaxationScatter& scatter,
+                      std::mt19937_64& random) {
+    constexpr std::size_t bottom = 0;
+    constexpr std::size_t right = 1;
+    constexpr std::size_t top = 2;
+    constexpr std::size_t left = 3;
+    const auto drawn = [&](std::size_t material) {
+        JointMaterial joint = scene.material[material];
+        const double way = scatter.friction_deviation * deviate(random);
+        joint.friction_angle = scattered(joint.friction_angle, way);
+        if (joint.residual_friction_angle) {
+            joint.residual_friction_angle =
+                std::min(scattered(*joint.residual_friction_angle, way), joint.friction_angle);
+        }
+        scene.material.push_back(joint);
+        return scene.material.size() - 1;
+    };
+    for (std::size_t block = 0; block < standing; ++block) {
+        scene.block[block].joint[bottom] = drawn(scene.block[block].joint[bottom]);
+        if (block + 1 < standing) {
+            scene.block[block].joint[right] = scene.block[block + 1].joint[left] =
+                drawn(scene.block[block].joint[right]);
+        }
+    }
+    // Of two faces that touch, the one with less friction counts: below a block it is to be that of the block.
+    JointMaterial below = scene.material[scene.block[standing].joint[top]];
+    below.friction_angle = degrees(89.9);
+    below.residual_friction_angle.reset();
+    scene.material.push_back(below);
+    for (std::size_t base = standing; base < scene.block.size(); ++base) {
+        scene.block[base].joint[top] = scene.material.size() - 1;
+    }
+}
+
+// Counted from 1 in a case. Anything that is no number of a block becomes one that the scene's check refuses.
+std::size_t index_of(double number) {
+    constexpr double most = 1e9;
+    return number >= 1 && number <= most && number == std::floor(number) ? static_cast<std::size_t>(number) - 1
+                                                                         : static_cast<std::size_t>(-1);
+}
+
+void apply_hold(RelaxationBlock& block, const std::optional<BlockHold>& hold) {
+    block.fixed = hold == BlockHold::fixed;
+    block.held_at_first = hold == BlockHold::held_at_first;
+}
+
+template <class Standing>
+StandingBlocks standing_blocks(const Standing& standing) {
+    StandingBlocks blocks{
+        {}, standing.density, material_of(standing.interface), material_of(standing.base), standing.tilt};
+    for (const auto& block : standing.block) {
+        double step = 0;
+        if constexpr (requires { block.step_above; }) {
+            step = block.step_above;
+        }
+        blocks.block.push_back({block.width, block.height, step});
+    }
+    return blocks;
+}
+
+template <class Standing>
+RelaxationScene standing_scene(const Standing& standing, RelaxationScene (*draw)(const StandingBlocks&)) {
+    StandingBlocks blocks = standing_blocks(standing);
+    std::mt19937_64 random(standing.scatter ? static_cast<std::uint64_t>(standing.scatter->seed) : 0);
+    if (standing.scatter) {
+        scatter_heights(blocks, *standing.scatter, random);
+    }
+    RelaxationScene scene = draw(blocks);
+    add_bonds(scene, {standing.interface, standing.base});
+    if (standing.scatter) {
+        scatter_friction(scene, blocks.block.size(), *standing.scatter, random);
+    }
+    for (std::size_t index = 0; index < standing.block.size(); ++index) {
+        apply_hold(scene.block[index], standing.block[index].hold);
+    }
+    return scene;
+}
+
+RelaxationScene blocks_of(const RelaxationRow& row) {
+    return standing_scene(row, &row_scene);
+}
+
+RelaxationScene blocks_of(const RelaxationColumns& columns) {
+    return standing_scene(columns, &column_scene);
+}
+
+RelaxationScene blocks_of(const RelaxationPolygons& polygons) {
+    RelaxationScene scene;
+    for (const RelaxationJoint& joint : polygons.joint) {
+        scene.material.push_back(material_of(joint));
+    }
+    add_bonds(scene, polygons.joint);
+    scene.gravity.tilt = scene.gravity.final_tilt = polygons.tilt;
+    for (const RelaxationPolygon& polygon : polygons.block) {
+        RelaxationBlock block{{}, polygon.density};
+        apply_hold(block, polygon.hold);
+        for (const RelaxationVertex& vertex : polygon.vertex) {
+            block.outline.emplace_back(vertex.x, vertex.y);
+            block.joint.push_back(index_of(vertex.joint.value_or(polygon.joint.value_or(1))));
+        }
+        scene.block.push_back(std::move(block));
+    }
+    return scene;
+}
+
+// Without blocks where the slope cannot be cut.
+RelaxationScene blocks_of(const RelaxationSlope& slope) {
+    SlopeScene made = slope_scene(slope);
+    RelaxationScene scene;
+    std::vector<RelaxationJoint> joints;
+    for (const SlopeJoint& joint : slope.joint) {
+        joints.push_back(joint.strength);
+        scene.material.push_back(material_of(joint.strength));
+    }
+    add_bonds(scene, joints);
+    scene.gravity.tilt = scene.gravity.final_tilt = slope.tilt.value_or(0);
+    scene.block = std::move(made.block);
+    scene.pressure = std::move(made.pressure);
+    scene.removal = std::move(made.removal);
+    return scene;
+}
+
+// Blocks and joints without what loads them.
+RelaxationScene drawn_scene(const RelaxationStudy& study) {
+    return std::visit([](const auto& blocks) { return blocks_of(blocks); }, study.model.scene);
+}
+
+// Extent of the outline along a direction.
+double extent_along(const PlanePoint<>& direction, const Polygon<>& outline) {
+    const auto [least, greatest] = std::minmax_element(
+        outline.begin(), outline.end(),
+        [&](const PlanePoint<>& one, const PlanePoint<>& other) { return direction.dot(one) < direction.dot(other); });
+    return direction.dot(*greatest - *least);
+}
+
+// The direction of the edge that is nearest to level. It turns with the block, as no axis of the drawing does.
+PlanePoint<> most_level_edge(const Polygon<>& outline, const PlanePoint<>& up) {
+    PlanePoint<> most_level(1, 0);
+    double least_rise = std::numeric_limits<double>::infinity();
+    for (std::size_t corner = 0; corner < outline.size(); ++corner) {
+        const PlanePoint<> edge = outline[(corner + 1) % outline.size()] - outline[corner];
+        const double rise = std::abs(up.dot(edge)) / edge.norm();
+        constexpr double alike = 1e-9;  // opposite edges
+        if (rise < least_rise - alike) {
+            least_rise = rise;
+            most_level = edge.normalized();
+        }
+    }
+    return most_level;
+}
+
+// N/m2; of the free block for which it is greatest. Blocks are measured along their base; those that joints cut out of
+// a slope may have none and are measured across gravity. Neither changes when a scene is drawn turned with its gravity.
+double greatest_weight_over_width(const RelaxationScene& scene, bool is_slope) {
+    const PlanePoint<> up(std::sin(scene.gravity.tilt), std::cos(scene.gravity.tilt));
+    const PlanePoint<> level(up.y(), -up.x());
+    double greatest = 0;
+    for (const RelaxationBlock& block : scene.block) {
+        if (block.fixed || block.outline.empty()) {
+            continue;
+        }
+        const double width = extent_along(is_slope ? level : most_level_edge(block.outline, up), block.outline);
+        const double weight = block.density * area_properties(block.outline).area * scene.gravity.acceleration;
+        greatest = std::max(greatest, width > 0 ? weight / width : 0);
+    }
+    return greatest;
+}
+
+void stiffen(RelaxationScene& scene, bool is_slope, double ratio) {
+    const double stiffness = ratio * greatest_weight_over_width(scene, is_slope);
+    for (JointMaterial& material : scene.material) {
+        material.normal_stiffness = material.normal_stiffness > 0 ? material.normal_stiffness : stiffness;
+        material.shear_stiffness = material.shear_stiffness > 0 ? material.shear_stiffness : material.normal_stiffness;
+    }
+}
+
+void apply_tilting(RelaxationScene& scene, const Tilting& tilting) {
+    Gravity& gravity = scene.gravity;
+    const double start = tilting.start.value_or(0);
+    if (tilting.turned == TiltingFrame::gravity) {
+        gravity.final_tilt = tilting.final_tilt;
+        gravity.rate = tilting.rate;
+        gravity.interval = tilting.interval.value_or(0);
+        gravity.start = start;
+        return;
+    }
+    const double way = tilting.final_tilt - gravity.tilt;
+    for (std::size_t block = 0; block < scene.block.size(); ++block) {
+        if (scene.block[block].fixed) {
+            PrescribedMotion motion{block, {}};
+            // A base that dips more towards -x has turned anticlockwise.
+            motion.angular_velocity = std::copysign(tilting.rate, way);
+            motion.pivot = {tilting.pivot_x.value_or(0), tilting.pivot_y.value_or(0)};
+            motion.start = start;
+            motion.duration = std::abs(way) / tilting.rate;
+            scene.motion.push_back(std::move(motion));
+        }
+    }
+}
+
+// Otherwise the scene's check refuses it before anything is asked of its joints.
+bool all_joints_known(const RelaxationScene& scene) {
+    return std::ranges::all_of(scene.block, [&](const RelaxationBlock& block) {
+        return block.outline.size() >= 3 &&
+               std::ranges::all_of(block.joint, [&](std::size_t material) { return material < scene.material.size(); });
+    });
+}
+
+// Blocks that share no face get a pressure on one that the scene's check refuses.
+void add_joint_water(RelaxationScene& scene, const std::vector<WaterInJoint>& joint_water) {
+    constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+    if (joint_water.empty() || !all_joints_known(scene)) {
+        return;
+    }
+    const Bodies bodies = make_bodies(scene);
+    for (const WaterInJoint& given : joint_water) {
+        const JointWater water{index_of(given.block), index_of(given.other), given.at_first, given.at_second};
+        std::vector<FacePressure> pressures;
+        if (water.block < bodies.size() && water.other < bodies.size()) {
+            pressures = pressures_of(water, bodies);
+        }
+        if (pressures.empty()) {
+            pressures.push_back({water.block, nowhere, water.at_first, water.at_second});
+        }
+        scene.pressure.insert(scene.pressure.end(), pressures.begin(), pressures.end());
+    }
+}
+
+void apply_crack_opening(const RelaxationStudy& study, const RelaxationScene& scene, RelaxationSettings& settings) {
+    constexpr double of_columns = 0.01;
+    std::optional<double> share = study.settings.value_or(RelaxationNumerics{}).crack_opening;
+    if (!share && !std::holds_alternative<RelaxationPolygons>(study.model.scene)) {
+        share = of_columns;
+    }
+    if (share) {
+        double shortest = std::numeric_limits<double>::infinity();
+        for (const RelaxationBlock& block : scene.block) {
+            for (std::size_t vertex = 0; vertex < block.outline.size(); ++vertex) {
+                const PlanePoint<> edge = block.outline[(vertex + 1) % block.outline.size()] - block.outline[vertex];
+                shortest = block.fixed ? shortest : std::min(shortest, edge.norm());
+            }
+        }
+        settings.crack_opening = *share * shortest;
+    }
+}
+
+}  // namespace
+
+double stiffness_ratio_of(const RelaxationStudy& study) {
+    return study.settings.value_or(RelaxationNumerics{}).stiffness_ratio.value_or(quality_of(study).stiffness_ratio);
+}
+
+std::size_t number_of_blocks(const RelaxationStudy& study) {
+    struct Count {
+        std::size_t operator()(const RelaxationRow& row) const { return row.block.size() + 1; }
+        std::size_t operator()(const RelaxationColumns& columns) const { return 2 * columns.block.size(); }
+        std::size_t operator()(const RelaxationPolygons& polygons) const { return polygons.block.size(); }
+        std::size_t operator()(const RelaxationSlope& slope) const { return slope_scene(slope).block.size(); }
+    };
+    return std::visit(Count{}, study.model.scene);
+}
+
+RelaxationScene relaxation_scene(const RelaxationStudy& study) {
+    const Relaxation& model = study.model;
+    RelaxationScene scene = drawn_scene(study);
+    scene.gravity.acceleration = model.gravity.value_or(scene.gravity.acceleration);
+    stiffen(scene, std::holds_alternative<RelaxationSlope>(model.scene), stiffness_ratio_of(study));
+    if (all_joints_known(scene)) {
+        scene.bond = find_bonds(scene);
+    }
+    if (model.base_friction) {
+        scene.belt = Belt{model.base_friction->belt_speed, model.base_friction->friction_angle};
+    }
+    if (model.tilting) {
+        apply_tilting(scene, *model.tilting);
+    }
+    for (const ForceOnBlock& force : model.force) {
+        scene.force.push_back({index_of(force.block), {force.x, force.y}, {force.horizontal, force.vertical}});
+    }
+    for (const WaterPressure& pressure : model.pressure) {
+        scene.pressure.push_back(
+            {index_of(pressure.block), index_of(pressure.edge), pressure.at_first, pressure.at_second});
+    }
+    add_joint_water(scene, model.joint_water);
+    for (const ShakingPoint& point : model.shaking) {
+        scene.shaking.push_back({point.time, {point.horizontal, point.vertical}});
+    }
+    for (const FixedBlockMotion& moved : model.motion) {
+        PrescribedMotion motion{index_of(moved.block), {}};
+        for (const VelocityPoint& point : moved.velocity) {
+            motion.velocity.push_back({point.time, {point.horizontal, point.vertical}});
+        }
+        if (moved.turning) {
+            motion.angular_velocity = moved.turning->rate;
+            motion.pivot = {moved.turning->pivot_x, moved.turning->pivot_y};
+            motion.start = moved.turning->start;
+            motion.duration = moved.turning->duration;
+        }
+        scene.motion.push_back(std::move(motion));
+    }
+    for (const BlockRemoval& removal : model.removal) {
+        scene.removal.push_back({index_of(removal.block), removal.time});
+    }
+    return scene;
+}
+
+RelaxationSettings relaxation_settings(const RelaxationStudy& study) {
+    return relaxation_settings(study, drawn_scene(study));
+}
+
+RelaxationSettings relaxation_settings(const RelaxationStudy& study, const RelaxationScene& scene) {
+    const RelaxationNumerics numerics = study.settings.value_or(RelaxationNumerics{});
+    const Quality quality = quality_of(study);
+    RelaxationSettings settings;
+    const auto take = [](auto& setting, const auto& given) {
+        if (given) {
+            setting = static_cast<std::remove_reference_t<decltype(setting)>>(*given);
+        }
+    };
+    settings.step_fraction = numerics.step_fraction.value_or(quality.step_fraction);
+    settings.equilibrium_ratio = numerics.equilibrium_ratio.value_or(quality.equilibrium_ratio);
+    settings.time_step = numerics.time_step;
+    take(settings.viscous_damping, numerics.viscous_damping);
+    // What shaking leaves behind are displacements; damping would take its share of them.
+    settings.local_damping = study.model.shaking.size() > 1 ? 0 : settings.local_damping;
+    take(settings.local_damping, numerics.local_damping);
+    settings.kinetic_damping = numerics.kinetic_damping == OffOn::on;
+    settings.mass_scaling = numerics.mass_scaling == OffOn::on;
+    take(settings.start, numerics.start);
+    take(settings.ramp_time, numerics.ramp_time);
+    take(settings.consolidation_time, numerics.consolidation_time);
+    take(settings.onset_rotation, numerics.onset_rotation);
+    take(settings.onset_slide, numerics.onset_slide);
+    take(settings.collapse_rotation, numerics.collapse_rotation);
+    take(settings.collapse_displacement, numerics.collapse_displacement);
+    const RelaxationStop stop = numerics.stop.value_or(RelaxationStop::equilibrium);
+    settings.stop_at_onset = stop == RelaxationStop::onset;
+    settings.stop_at_equilibrium = stop != RelaxationStop::collapse;
+    take(settings.duration, numerics.duration);
+    take(settings.most_steps, numerics.most_steps);
+    take(settings.overlap_limit, numerics.overlap_limit);
+    apply_crack_opening(study, scene, settings);
+    return settings;
+}
+
+}  // namespace delabole

@@ -1,0 +1,394 @@
+// Searches for a critical value: what the blocks are at a value, and how they come to it.
+#include "dynamic_relaxation/study/strength_reduction.hpp"
+#include "dynamic_relaxation/study/study_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+constexpr double standard_angle_tolerance = degrees(0.005);
+constexpr double standard_ratio_tolerance = 0.005;
+constexpr double own_ratio = 1;  // of strength or weight, as the case has it
+
+std::vector<std::size_t> materials_of(const RelaxationStudy& study, const std::vector<std::string>& joints) {
+    const RelaxationScene scene = relaxation_scene(study);
+    const std::vector<std::string> names = joint_names(study.model.scene);
+    const std::vector<std::size_t> joint_of = joints_of_materials(study.model.scene, scene);
+    std::vector<std::size_t> materials;
+    for (std::size_t material = 0; material < joint_of.size(); ++material) {
+        if (joints.empty() || std::ranges::find(joints, names[joint_of[material]]) != joints.end()) {
+            materials.push_back(material);
+        }
+    }
+    return materials;
+}
+
+LoadingPath path_of(RelaxationStart start) {
+    switch (start) {
+    case RelaxationStart::preloaded:
+        break;
+    case RelaxationStart::dropped:
+        return LoadingPath::sudden;
+    case RelaxationStart::ramped:
+    case RelaxationStart::stepped:
+        return LoadingPath::gravity;
+    }
+    return LoadingPath::preloaded;
+}
+
+// On which path a case is searched that does not say.
+LoadingPath usual_path(const RelaxationStudy& study, CriticalParameter parameter) {
+    if (dimension_of(parameter) == Dimension::ratio) {
+        return LoadingPath::consolidated;
+    }
+    return has_stages(study) ? LoadingPath::stages : path_of(relaxation_settings(study).start);
+}
+
+std::vector<LoadingPath> paths_of(const RelaxationStudy& study, LoadingPath first, PathChoice choice) {
+    std::vector<LoadingPath> paths{first};
+    if (choice == PathChoice::all) {
+        for (std::size_t index = 0; index < enum_names(LoadingPath{}).size(); ++index) {
+            const auto path = static_cast<LoadingPath>(index);
+            if (path != first && (path != LoadingPath::stages || has_stages(study))) {
+                paths.push_back(path);
+            }
+        }
+    }
+    return paths;
+}
+
+class PathSearch {
+  public:
+    PathSearch(const RelaxationStudy& study, const CriticalPlan& plan, LoadingPath path, const StudyWork& work,
+               StudyProgress& whole, SearchProgress& progress)
+        : study_(study),
+          plan_(plan),
+          path_(path),
+          work_(work),
+          whole_(whole),
+          progress_(progress),
+          scene_(relaxation_scene(study)),
+          settings_(settings_for(study, work, scene_)) {
+        // What happens after onset does not matter to a search, nor how long it takes until then.
+        settings_.stop_at_onset = true;
+        settings_.creep = true;
+        settings_.stop_at_equilibrium = true;
+        if (path_ == LoadingPath::preloaded || path_ == LoadingPath::gravity || path_ == LoadingPath::sudden) {
+            for (Removal& removal : scene_.removal) {
+                removal.time = -1;
+            }
+            settings_.start = start_of_path();
+        }
+        // These paths are decided by statics, which does not depend on inertia: light blocks need not make steps short.
+        settings_.mass_scaling =
+            settings_.mass_scaling || path_ == LoadingPath::consolidated || path_ == LoadingPath::preloaded;
+    }
+
+    PathValue find() {
+        PathValue value;
+        value.path = path_;
+        double should_stand = plan_.should_stand();
+        std::optional<CriticalProbe> rested;
+        if (path_ == LoadingPath::consolidated) {
+            rested = consolidate(value);
+            if (!rested) {
+                take_up_failed(value);
+                return value;
+            }
+            const double at = *value.consolidated_at;
+            should_stand = at >= plan_.lower && at <= plan_.upper ? at : should_stand;
+        }
+        const auto probe = [&](double at) {
+            return rested && at == *value.consolidated_at ? *rested : probe_at(at, Begin::from_consolidated);
+        };
+        static_cast<CriticalValue&>(value) =
+            find_critical(probe, should_stand, plan_.should_fail(), plan_.tolerance,
+                          plan_.is_ratio() ? BracketMean::geometric : BracketMean::arithmetic);
+        if (rested) {
+            count_costs(value);
+        }
+        take_up_failed(value);
+        return value;
+    }
+
+    // Up to this share of the path's work is done in a run that has come to a share of its own.
+    void tell(const std::function<bool(double)>& watch) { watch_ = watch; }
+
+  private:
+    enum class Begin { at_start, from_consolidated };
+
+    RelaxationStart start_of_path() const {
+        switch (path_) {
+        case LoadingPath::sudden:
+            return RelaxationStart::dropped;
+        case LoadingPath::gravity:
+            return settings_.start == RelaxationStart::ramped ? RelaxationStart::ramped : RelaxationStart::stepped;
+        default:
+            return RelaxationStart::preloaded;
+        }
+    }
+
+    RelaxationScene scene_at(double value) const {
+        RelaxationScene scene = scene_;
+        switch (plan_.parameter) {
+        case CriticalParameter::tilt:
+            scene.gravity.tilt = scene.gravity.final_tilt = value;
+            scene.gravity.rate = 0;
+            break;
+        case CriticalParameter::friction:
+            for (JointMaterial& material : scene.material) {
+                material.friction_angle = value;
+                material.residual_friction_angle.reset();
+            }
+            break;
+        case CriticalParameter::strength_reduction:
+            return with_reduced_strength(std::move(scene), plan_.material, value);
+        case CriticalParameter::weight:
+            scene.gravity.acceleration *= value;
+            break;
+        }
+        return scene;
+    }
+
+    // Nothing, with the status set, where the blocks come to rest neither as the case has them nor at the bound at
+    // which they should.
+    std::optional<CriticalProbe> consolidate(PathValue& value) {
+        std::vector<double> candidates{plan_.should_stand()};
+        if (plan_.is_ratio() && plan_.upper >= own_ratio) {
+            candidates =
+                plan_.lower < own_ratio ? std::vector<double>{own_ratio, plan_.lower} : std::vector<double>{own_ratio};
+        }
+        for (const double at : candidates) {
+            const CriticalProbe probe = probe_at(at, Begin::at_start);
+            if (probe.outcome == RelaxationOutcome::equilibrium) {
+                value.consolidated_at = at;
+                return probe;
+            }
+            const CriticalValue tried = find_critical([&](double) { return probe; }, at, at, plan_.tolerance);
+            value.status = tried.status;
+            value.stands = value.fails = value.last = at;
+            count_costs(value);
+            if (value.status != CriticalStatus::fails_everywhere) {
+                break;
+            }
+        }
+        return std::nullopt;
+    }
+
+    CriticalProbe probe_at(double value, Begin begin) {
+        const std::size_t number = runs_++;
+        if (number < progress_.probe.size()) {
+            return progress_.probe[number];
+        }
+        const RelaxationScene scene = scene_at(value);
+        if (check(scene, settings_).check != SceneCheck::valid) {
+            return {RelaxationOutcome::scene_not_valid, 0};
+        }
+        Simulation simulation = begun(scene, begin);
+        const double expected = 3 + std::ceil(std::log2(std::max(2.0, (plan_.upper - plan_.lower) / plan_.tolerance)));
+        const bool ended = go_on(
+            simulation, work_,
+            [&](double share) {
+                return !watch_ || watch_(std::min(1.0, (static_cast<double>(number) + share) / expected));
+            },
+            [&] {
+                progress_.probe_state = simulation.state();
+                work_.keep(whole_);
+                progress_.probe_state.reset();
+            },
+            [] {});
+        const RelaxationCost cost = simulation.result().cost;
+        if (!ended) {
+            return {RelaxationOutcome::interrupted, cost.steps, cost.contacts_evaluated};
+        }
+        progress_.probe.push_back({simulation.outcome(), cost.steps, cost.contacts_evaluated});
+        if (simulation.outcome() == RelaxationOutcome::onset || simulation.outcome() == RelaxationOutcome::collapse) {
+            progress_.failed = simulation.state();
+        } else if (simulation.outcome() == RelaxationOutcome::equilibrium && path_ == LoadingPath::consolidated &&
+                   begin == Begin::at_start) {
+            progress_.consolidated = simulation.state();
+        }
+        return progress_.probe.back();
+    }
+
+    // What goes on from a state at its time may take as long as what begins at the start.
+    RelaxationSettings settings_of_run() const {
+        RelaxationSettings settings = settings_;
+        if (progress_.consolidated) {
+            settings.duration += progress_.consolidated->time;
+        }
+        return settings;
+    }
+
+    Simulation begun(const RelaxationScene& scene, Begin begin) {
+        if (std::optional<RelaxationState> state = std::exchange(progress_.probe_state, {})) {
+            return Simulation(scene, settings_of_run(), std::move(*state));
+        }
+        if (begin == Begin::from_consolidated && progress_.consolidated) {
+            return Simulation(scene, settings_of_run(), ConsolidatedState{*progress_.consolidated});
+        }
+        return Simulation(scene, settings_);
+    }
+
+    void count_costs(CriticalValue& value) const {
+        value.runs = progress_.probe.size();
+        value.steps = value.contacts_evaluated = 0;
+        for (const CriticalProbe& probe : progress_.probe) {
+            value.steps += probe.steps;
+            value.contacts_evaluated += probe.contacts_evaluated;
+        }
+    }
+
+    void take_up_failed(PathValue& value) const {
+        const bool any = value.status == CriticalStatus::found || value.status == CriticalStatus::fails_everywhere;
+        if (!any || !progress_.failed) {
+            return;
+        }
+        const double at = value.status == CriticalStatus::found ? value.fails : value.last;
+        RelaxationRun run{scene_at(at), settings_of_run(), {}, {}};
+        const Simulation simulation(run.scene, run.settings, *progress_.failed);
+        run.result = simulation.result();
+        run.end = *progress_.failed;
+        run.post_failure = post_failure_of(study_, run, run.end->motion, run.end->removed);
+        value.failed = std::move(run);
+    }
+
+    const RelaxationStudy& study_;
+    const CriticalPlan& plan_;
+    LoadingPath path_;
+    const StudyWork& work_;
+    StudyProgress& whole_;
+    SearchProgress& progress_;
+    RelaxationScene scene_;
+    RelaxationSettings settings_;
+    std::function<bool(double)> watch_ = {};
+    std::size_t runs_ = 0;
+};
+
+}  // namespace
+
+CriticalParameter parameter_of(const CriticalRequest& request) {
+    return static_cast<CriticalParameter>(request.index());
+}
+
+std::string_view name_of_critical(CriticalParameter parameter) {
+    switch (parameter) {
+    case CriticalParameter::tilt:
+        return "critical_tilt";
+    case CriticalParameter::friction:
+        return "limiting_friction_angle";
+    case CriticalParameter::strength_reduction:
+        return "factor_of_safety";
+    case CriticalParameter::weight:
+        break;
+    }
+    return "critical_weight_factor";
+}
+
+bool has_stages(const RelaxationStudy& study) {
+    const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene);
+    return !study.model.removal.empty() || (slope != nullptr && !slope->stage.empty());
+}
+
+CriticalPlan critical_plan(const RelaxationStudy& study) {
+    const CriticalRequest& request = *study.critical;
+    CriticalPlan plan{};
+    plan.parameter = parameter_of(request);
+    plan.tolerance = plan.is_ratio() ? standard_ratio_tolerance : standard_angle_tolerance;
+    constexpr double least_ratio = 0.1;
+    constexpr double greatest_reduction = 10;
+    constexpr double greatest_weight = 100;
+    std::visit(
+        [&](const auto& asked) {
+            using Asked = std::remove_cvref_t<decltype(asked)>;
+            if constexpr (is_optional<decltype(asked.lower)>) {
+                plan.lower = asked.lower.value_or(least_ratio);
+                plan.upper =
+                    asked.upper.value_or(std::is_same_v<Asked, WeightSearch> ? greatest_weight : greatest_reduction);
+            } else {
+                plan.lower = asked.lower;
+                plan.upper = asked.upper;
+            }
+            if constexpr (std::is_same_v<Asked, ReductionSearch>) {
+                plan.material = materials_of(study, asked.joints);
+            }
+            plan.tolerance = asked.tolerance.value_or(plan.tolerance);
+            plan.path = paths_of(study, asked.path.value_or(usual_path(study, plan.parameter)),
+                                 asked.paths.value_or(PathChoice::one));
+        },
+        request);
+    return plan;
+}
+
+std::vector<Quantity> outputs_of_search(const CriticalPlan& plan) {
+    const std::string name(name_of_critical(plan.parameter));
+    const Dimension dimension = dimension_of(plan.parameter);
+    std::vector<Quantity> outputs{{name, dimension, "between standing and failing"}};
+    for (std::size_t index = 1; index < plan.path.size(); ++index) {
+        const std::string path(word_of(plan.path[index]));
+        outputs.push_back({std::string(name + '_').append(path), dimension, "likewise, on the path " + path});
+    }
+    if (plan.path.size() > 1) {
+        outputs.push_back(
+            {name + "_spread", dimension, "greatest less least value over the paths: error of the model"});
+    }
+    return outputs;
+}
+
+double CriticalAnswer::spread() const {
+    double least = value();
+    double greatest = least;
+    for (const PathValue& one : other) {
+        least = std::min(least, one.value());
+        greatest = std::max(greatest, one.value());
+    }
+    return greatest - least;
+}
+
+CriticalStatus CriticalAnswer::worst_status() const {
+    if (status != CriticalStatus::found) {
+        return status;
+    }
+    const auto bad =
+        std::ranges::find_if(other, [](const PathValue& one) { return one.status != CriticalStatus::found; });
+    return bad == other.end() ? CriticalStatus::found : bad->status;
+}
+
+CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress) {
+    const CriticalPlan plan = critical_plan(study);
+    const auto paths = static_cast<double>(plan.path.size());
+    CriticalAnswer answer;
+    for (std::size_t index = 0; index < plan.path.size(); ++index) {
+        if (progress.search.size() == index) {
+            progress.search.emplace_back();
+        }
+        PathSearch search(study, plan, plan.path[index], work, progress, progress.search[index]);
+        if (work.watch) {
+            search.tell([&](double share) { return work.watch((static_cast<double>(index) + share) / paths); });
+        }
+        PathValue value = search.find();
+        const bool interrupted = value.status == CriticalStatus::interrupted;
+        if (index == 0) {
+            static_cast<PathValue&>(answer) = std::move(value);
+        } else {
+            answer.other.push_back(std::move(value));
+        }
+        if (interrupted) {
+            break;
+        }
+    }
+    return answer;
+}
+
+CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work) {
+    StudyProgress progress;
+    return find_critical(study, work, progress);
+}
+
+}  // namespace delabole

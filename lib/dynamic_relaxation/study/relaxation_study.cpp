@@ -1,0 +1,310 @@
+#include "dynamic_relaxation/study/relaxation_study.hpp"
+
+#include "dynamic_relaxation/scene/slope_scene.hpp"
+#include "dynamic_relaxation/step/scene_check.hpp"
+#include "dynamic_relaxation/study/study_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace delabole {
+
+SceneFault check(const RelaxationScene& scene, const RelaxationSettings& settings) {
+    SceneFault fault = check_settings(settings);
+    if (fault.check == SceneCheck::valid) {
+        fault = check_scene(scene);
+    }
+    return fault.check == SceneCheck::valid ? check_start(scene) : fault;
+}
+
+RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work, const RelaxationScene& scene) {
+    RelaxationSettings settings = relaxation_settings(study, scene);
+    // Fewer blocks are done before another thread has woken up.
+    constexpr std::size_t blocks_worth_a_thread = 500;
+    settings.threads =
+        std::clamp<std::size_t>(scene.block.size() / blocks_worth_a_thread, 1, std::max(work.threads, 1U));
+    return settings;
+}
+
+bool go_on(Simulation& simulation, const StudyWork& work, const std::function<bool(double)>& watch,
+           const std::function<void()>& keep, const std::function<void()>& seen) {
+    constexpr std::uint64_t block_steps_between_looks = 200000;
+    const std::uint64_t between = std::clamp<std::uint64_t>(
+        block_steps_between_looks / std::max<std::uint64_t>(1, simulation.scene().block.size()), 1, 500);
+    const double duration = simulation.settings().duration;
+    while (simulation.running()) {
+        if (simulation.state().steps % between == 0) {
+            const bool stop = !watch(simulation.state().time / duration);
+            if (work.keep_due && work.keep_due()) {
+                keep();
+            }
+            if (stop) {
+                return false;
+            }
+        }
+        seen();
+        simulation.step();
+    }
+    return true;
+}
+
+namespace {
+
+Simulation begun_or_resumed(const RelaxationScene& scene, const RelaxationSettings& settings,
+                            std::optional<RelaxationState> state) {
+    return state ? Simulation(scene, settings, std::move(*state)) : Simulation(scene, settings);
+}
+
+bool ends_with_duration(const RelaxationStudy& study) {
+    const RelaxationStop stop =
+        study.settings.value_or(RelaxationNumerics{}).stop.value_or(RelaxationStop::equilibrium);
+    return stop == RelaxationStop::collapse || stop == RelaxationStop::duration;
+}
+
+// Why a run has no answer; empty where it has one.
+std::string_view failure_of(const RelaxationRun& made) {
+    switch (made.result.outcome) {
+    case RelaxationOutcome::equilibrium:
+    case RelaxationOutcome::onset:
+    case RelaxationOutcome::collapse:
+        return {};
+    case RelaxationOutcome::undecided:
+        return made.unfinished() ? word_of(made.result.outcome) : std::string_view();
+    case RelaxationOutcome::scene_not_valid:
+        return word_of(made.result.fault.check);
+    default:
+        return word_of(made.result.outcome);
+    }
+}
+
+// The blocks of a slope have no lasting numbers: another spacing makes others.
+RelaxationAnswer without_blocks_of_slope(RelaxationAnswer answer, const RelaxationStudy& study) {
+    if (std::holds_alternative<RelaxationSlope>(study.model.scene)) {
+        answer.block.clear();
+    }
+    return answer;
+}
+
+Prediction predict(RelaxationStudy study, std::span<const Assignment> assignments) {
+    assign(study.model, assignments);
+    if (!in_range(study.model)) {
+        return {"input_out_of_range", {}, {}};
+    }
+    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
+        const SlopeScene made = slope_scene(*slope);
+        if (made.check != SlopeCheck::valid) {
+            return {word_of(made.check), {}, {}};
+        }
+    }
+    const RelaxationRun made = run(study);
+    if (const std::string_view failure = failure_of(made); !failure.empty()) {
+        return {failure, {}, {}};
+    }
+    std::vector<double> outputs = output_values(without_blocks_of_slope(answer_of(made), study));
+    if (study.critical) {
+        const CriticalAnswer critical = find_critical(study);
+        if (critical.worst_status() != CriticalStatus::found) {
+            return {word_of(critical.worst_status()), {}, {}};
+        }
+        outputs.push_back(critical.value());
+        for (const PathValue& other : critical.other) {
+            outputs.push_back(other.value());
+        }
+        if (!critical.other.empty()) {
+            outputs.push_back(critical.spread());
+        }
+    }
+    return {{}, std::move(outputs), made.post_failure ? made.post_failure->left_standing : Polyline{}};
+}
+
+RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
+    RelaxationAnswer shape{};
+    shape.block.resize(number_of_blocks(study));
+    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
+        shape.post_failure.emplace();
+        shape.post_failure->joint.resize(slope->joint.size());
+        shape.early_failure = shape.post_failure;
+    }
+    return shape;
+}
+
+// What a search tells that ended at one of its bounds. At the critical value itself the blocks stand. Of several paths
+// it is not known which ended there.
+std::vector<OutputBound> bounds_of(const CriticalPlan& plan, std::size_t output) {
+    if (plan.path.size() > 1) {
+        return {};
+    }
+    const std::string_view stands = word_of(CriticalStatus::stands_everywhere);
+    const std::string_view fails = word_of(CriticalStatus::fails_everywhere);
+    if (plan.stands_low()) {
+        return {{stands, output, at_least(plan.upper)}, {fails, output, less_than(plan.lower)}};
+    }
+    return {{stands, output, at_most(plan.lower)}, {fails, output, more_than(plan.upper)}};
+}
+
+std::vector<char> removed_in(const MotionFrame& frame) {
+    std::vector<char> removed(frame.outcome.size());
+    std::ranges::transform(frame.outcome, removed.begin(), [](const BlockOutcome& outcome) {
+        return outcome.movement == BlockMovement::removed ? 1 : 0;
+    });
+    return removed;
+}
+
+void find_early_failure(const RelaxationStudy& study, const std::vector<MotionFrame>& frames, RelaxationRun& made) {
+    if (!made.post_failure || frames.empty()) {
+        return;
+    }
+    const auto at = [&](const MotionFrame& frame) {
+        return post_failure_of(study, made, frame.motion, removed_in(frame));
+    };
+    const double half = made.post_failure->answer.failed_area / 2;
+    const auto after = std::partition_point(
+        frames.begin(), frames.end(), [&](const MotionFrame& frame) { return at(frame)->answer.failed_area <= half; });
+    const MotionFrame& early = after == frames.begin() ? *after : *(after - 1);
+    made.early_failure = at(early);
+    made.early_time = early.time;
+}
+
+}  // namespace
+
+SceneFault check(const RelaxationStudy& study) {
+    const RelaxationScene scene = relaxation_scene(study);
+    return check(scene, relaxation_settings(study, scene));
+}
+
+RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress) {
+    RelaxationRun made{relaxation_scene(study), {}, {}, {}};
+    made.settings = settings_for(study, work, made.scene);
+    made.ends_with_duration = ends_with_duration(study);
+    made.result.fault = check(made.scene, made.settings);
+    if (made.result.fault.check != SceneCheck::valid) {
+        return made;
+    }
+    const bool is_slope = std::holds_alternative<RelaxationSlope>(study.model.scene);
+    Simulation simulation = begun_or_resumed(made.scene, made.settings, std::exchange(progress.state, {}));
+    const bool ended = go_on(
+        simulation, work, [&](double share) { return !work.watch || work.watch(share); },
+        [&] {
+            progress.state = simulation.state();
+            work.keep(progress);
+        },
+        [&] {
+            if (study.history && simulation.reached() >= progress.next_line) {
+                const double interval = study.history->interval;
+                progress.history.push_back(history_line(*study.history, simulation));
+                progress.next_line = (std::floor(simulation.reached() / interval) + 1) * interval;
+            }
+            if (work.frames == KeepFrames::yes) {
+                progress.record.look(simulation);
+            }
+            if (is_slope) {
+                progress.slope.look(simulation, FrameParts::motion);
+            }
+        });
+    progress.state = simulation.state();
+    made.end = simulation.state();
+    if (study.history) {
+        made.history = progress.history;
+        made.history.push_back(history_line(*study.history, simulation));
+    }
+    if (work.frames == KeepFrames::yes) {
+        MotionRecord record = progress.record;
+        record.add_last(simulation);
+        made.frames = std::move(record.frame);
+    }
+    made.result = simulation.result();
+    made.post_failure = post_failure_of(study, made, made.end->motion, made.end->removed);
+    find_early_failure(study, progress.slope.frame, made);
+    if (!ended) {
+        made.result.outcome = RelaxationOutcome::interrupted;
+    }
+    return made;
+}
+
+RelaxationRun run(const RelaxationStudy& study, const StudyWork& work) {
+    StudyProgress progress;
+    return run(study, work, progress);
+}
+
+RelaxationAnswer answer_of(const RelaxationResult& result) {
+    const EnergyLedger& ledger = result.ledger;
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const std::optional<FirstCrack>& crack = result.first_crack;
+    RelaxationAnswer answer{
+        result.outcome,
+        result.onset_time.value_or(infinite),
+        result.time,
+        result.tilt_of_base,
+        crack ? crack->time : infinite,
+        crack ? crack->tilt : infinite,
+        crack ? static_cast<double>(std::min(crack->block, crack->other) + 1) : 0,
+        crack ? static_cast<double>(std::max(crack->block, crack->other) + 1) : 0,
+        static_cast<double>(result.broken_bonds),
+        result.start_balance ? result.start_balance->unbalanced_ratio : infinite,
+        result.unbalanced_ratio,
+        result.deepest ? result.deepest->overlap : 0,
+        result.overlap ? result.overlap->area : 0,
+        {ledger.applied, ledger.prescribed, ledger.kinetic, ledger.elastic, ledger.friction, ledger.bonds,
+         ledger.dashpots, ledger.local_damping, ledger.kinetic_damping, ledger.residual(), ledger.residual_share()},
+        static_cast<double>(result.cost.steps),
+        result.cost.step,
+        static_cast<double>(result.cost.contacts_evaluated),
+        {},
+        {},
+        {}};
+    for (const BlockOutcome& block : result.block) {
+        answer.block.push_back({block.movement, block.rotation, block.displacement, block.base_slip});
+    }
+    return answer;
+}
+
+RelaxationAnswer answer_of(const RelaxationRun& run) {
+    RelaxationAnswer answer = answer_of(run.result);
+    if (run.post_failure) {
+        answer.post_failure = run.post_failure->answer;
+        answer.early_failure = run.early_failure.value_or(*run.post_failure).answer;
+    }
+    return answer;
+}
+
+std::optional<PostFailure> post_failure_of(const RelaxationStudy& study, const RelaxationRun& run,
+                                           const std::vector<Motion>& motion, const std::vector<char>& removed) {
+    const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene);
+    if (slope == nullptr || !run.end) {
+        return {};
+    }
+    std::vector<std::string> joints;
+    for (const SlopeJoint& joint : slope->joint) {
+        joints.push_back(joint.name);
+    }
+    const Bodies bodies = make_bodies(run.scene);
+    return post_failure({bodies, run.end->origin, motion, removed, joints},
+                        study.post_failure.value_or(PostFailureRequest{}));
+}
+
+std::vector<Quantity> outputs_of_run(const RelaxationStudy& study) {
+    std::vector<Quantity> outputs = outputs_of(shape_of_answer(study));
+    if (study.critical) {
+        std::ranges::move(outputs_of_search(critical_plan(study)), std::back_inserter(outputs));
+    }
+    return outputs;
+}
+
+ModelInterface model_interface(const RelaxationStudy& study) {
+    ModelInterface model;
+    model.inputs = inputs_of(study.model);
+    model.outputs = outputs_of(without_blocks_of_slope(shape_of_answer(study), study));
+    if (study.critical) {
+        const CriticalPlan plan = critical_plan(study);
+        model.bounds = bounds_of(plan, model.outputs.size());
+        std::ranges::move(outputs_of_search(plan), std::back_inserter(model.outputs));
+    }
+    model.predict = [study](std::span<const Assignment> assignments) { return predict(study, assignments); };
+    model.costly = true;
+    return model;
+}
+
+}  // namespace delabole

@@ -1,0 +1,357 @@
+// What a relaxation case asks for beyond its scene: numerical settings, a critical value, a history; and how a run
+// answers.
+#pragma once
+
+#include "dynamic_relaxation/scene/relaxation_parameters.hpp"
+#include "dynamic_relaxation/step/history.hpp"
+#include "dynamic_relaxation/step/simulation.hpp"
+#include "dynamic_relaxation/study/critical.hpp"
+#include "dynamic_relaxation/study/critical_request.hpp"
+#include "dynamic_relaxation/study/post_failure.hpp"
+#include "parameters/model_interface.hpp"
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+// Step fraction, stiffness ratio and equilibrium ratio together: 0.8, 3e5, 1e-5; 0.6, 1e6, 1e-6; 0.4, 1e8, 1e-7. Chosen
+// by `delabole trade`: of a preloaded start the stiffness alone decides the critical value, and steps of 0.1 to 0.6 of
+// the stable one give the same bracket.
+enum class RelaxationQuality { draft, standard, reference };
+
+constexpr std::array<std::string_view, 3> enum_names(RelaxationQuality) {
+    return {"draft", "standard", "reference"};
+}
+
+enum class RelaxationStop { equilibrium, onset, collapse, duration };
+
+constexpr std::array<std::string_view, 4> enum_names(RelaxationStop) {
+    return {"equilibrium", "onset", "collapse", "duration"};
+}
+
+enum class OffOn { off, on };
+
+constexpr std::array<std::string_view, 2> enum_names(OffOn) {
+    return {"off", "on"};
+}
+
+// RelaxationSettings says what each does; absent: its value there, or that of the quality.
+struct RelaxationNumerics {
+    std::optional<RelaxationQuality> quality;
+    std::optional<double> stiffness_ratio;
+    std::optional<double> step_fraction;
+    std::optional<double> time_step;
+    std::optional<double> viscous_damping;
+    std::optional<double> local_damping;
+    std::optional<OffOn> kinetic_damping;
+    std::optional<OffOn> mass_scaling;
+    std::optional<RelaxationStart> start;
+    std::optional<double> ramp_time;
+    std::optional<double> consolidation_time;
+    std::optional<double> equilibrium_ratio;
+    std::optional<double> onset_rotation;
+    std::optional<double> onset_slide;
+    std::optional<double> collapse_rotation;
+    std::optional<double> collapse_displacement;
+    std::optional<RelaxationStop> stop;
+    std::optional<double> duration;
+    std::optional<double> most_steps;
+    std::optional<double> crack_opening;
+    std::optional<double> overlap_limit;
+    static constexpr auto fields() {
+        using N = RelaxationNumerics;
+        return std::tuple{
+            section("quality", &N::quality,
+                    "sets step_fraction, stiffness_ratio and equilibrium_ratio where they are absent"),
+            number("stiffness_ratio", &N::stiffness_ratio, Dimension::ratio, within(1e3, 1e10),
+                   "normal stiffness times width over weight of the heaviest block; absent: 1e6"),
+            number("step_fraction", &N::step_fraction, Dimension::ratio, within(0.01, 0.8),
+                   "share of the greatest stable step; absent: 0.6"),
+            number("time_step", &N::time_step, Dimension::time, more_than(0),
+                   "divided where it is more than the share of the stable step; absent: the share"),
+            number("viscous_damping", &N::viscous_damping, Dimension::ratio, within(0, 2),
+                   "dashpots of contacts, share of critical; absent: 0.2"),
+            number("local_damping", &N::local_damping, Dimension::ratio, right_open(0, 1),
+                   "share of the unbalanced force that opposes the velocity: what fails is slower by as much; absent: "
+                   "0.2, but 0 with a record of shaking"),
+            section("kinetic_damping", &N::kinetic_damping, "all velocities to zero at energy peaks; absent: off"),
+            section("mass_scaling", &N::mass_scaling,
+                    "light blocks have the inertia of heavy ones: quicker to equilibrium, motion wrong; absent: off"),
+            section("start", &N::start, "springs at the start; absent: preloaded"),
+            number("ramp_time", &N::ramp_time, Dimension::time, at_least(0), "of a ramped start; absent: 0"),
+            number("consolidation_time", &N::consolidation_time, Dimension::time, at_least(0),
+                   "in which blocks held at first do not move; absent: 0"),
+            number("equilibrium_ratio", &N::equilibrium_ratio, Dimension::ratio, between(0, 1),
+                   "greatest unbalanced force over weight at rest; absent: 1e-6"),
+            number("onset_rotation", &N::onset_rotation, Dimension::angle, more_than(0),
+                   "more is onset of failure; absent: 0.01 rad"),
+            number("onset_slide", &N::onset_slide, Dimension::ratio, more_than(0),
+                   "displacement in block radii, likewise; absent: 0.01"),
+            number("collapse_rotation", &N::collapse_rotation, Dimension::angle, more_than(0),
+                   "more is collapse; absent: 0.5 rad"),
+            number("collapse_displacement", &N::collapse_displacement, Dimension::ratio, more_than(0),
+                   "in block radii, likewise; absent: 1"),
+            section("stop", &N::stop,
+                    "end at equilibrium or collapse, at onset too, at nothing before collapse, or at the latest at the "
+                    "duration, which is then no lack of an answer; absent: equilibrium"),
+            number("duration", &N::duration, Dimension::time, more_than(0), "longest model time; absent: 60 s"),
+            number("most_steps", &N::most_steps, Dimension::ratio, within(1, 1e12),
+                   "longest run, a whole number; absent: 1e8"),
+            number("crack_opening", &N::crack_opening, Dimension::ratio, more_than(0),
+                   "in shortest edges; neighbours that part by more show the first tension crack; absent: 0.01 for "
+                   "rows and stepped bases, none looked for else"),
+            number("overlap_limit", &N::overlap_limit, Dimension::ratio, within(0.02, 1),
+                   "of the shortest edge; a run with more is stopped; absent: 0.05")};
+    }
+};
+
+struct RelaxationStudy {
+    Relaxation model;
+    std::optional<RelaxationNumerics> settings;
+    std::optional<CriticalRequest> critical;
+    std::optional<HistoryRequest> history;
+    std::optional<PostFailureRequest> post_failure;
+
+    static constexpr std::string_view kind = "relaxation";
+    static constexpr auto fields() {
+        using S = RelaxationStudy;
+        return std::tuple{inlined(&S::model, "blocks, joints and loads"),
+                          section("settings", &S::settings, "numerical settings, none of them a property of the rock"),
+                          section("critical", &S::critical, "value between standing and failing"),
+                          section("history", &S::history, "tables over time"),
+                          section("post_failure", &S::post_failure,
+                                  "when a block of a jointed slope counts as failed, and a joint as open")};
+    }
+};
+
+RelaxationScene relaxation_scene(const RelaxationStudy& study);
+// Of the scene, fixed ones among them. Values may be out of their ranges; a slope that cannot be cut has none.
+std::size_t number_of_blocks(const RelaxationStudy& study);
+RelaxationSettings relaxation_settings(const RelaxationStudy& study);
+// Likewise, with the scene of the study, so that a slope is not cut again.
+RelaxationSettings relaxation_settings(const RelaxationStudy& study, const RelaxationScene& scene);
+// That of the settings, or of their quality. Joints that give their own stiffness do not follow it.
+double stiffness_ratio_of(const RelaxationStudy& study);
+
+struct EnergyAnswer {
+    double applied;
+    double prescribed;
+    double kinetic;
+    double elastic;
+    double friction;
+    double bonds;
+    double dashpots;
+    double local_damping;
+    double kinetic_damping;
+    double residual;
+    double residual_share;
+    static constexpr auto fields() {
+        using E = EnergyAnswer;
+        constexpr Dimension energy = Dimension::energy_per_length;
+        return std::tuple{
+            number("applied", &E::applied, energy, any_number(), "work of gravity and other loads"),
+            number("prescribed", &E::prescribed, energy, any_number(), "work of moved fixed blocks"),
+            number("kinetic", &E::kinetic, energy, any_number(), "kinetic energy at the end"),
+            number("elastic", &E::elastic, energy, any_number(), "stored in springs at the end, above the start"),
+            number("friction", &E::friction, energy, any_number(), "dissipated by slip"),
+            number("bonds", &E::bonds, energy, any_number(), "set free by bonds that broke"),
+            number("dashpots", &E::dashpots, energy, any_number(), "dissipated by contact dashpots"),
+            number("local_damping", &E::local_damping, energy, any_number(), "dissipated by local damping"),
+            number("kinetic_damping", &E::kinetic_damping, energy, any_number(),
+                   "taken out at energy peaks, and with removed blocks"),
+            number("residual", &E::residual, energy, any_number(), "what the books lack"),
+            number("residual_share", &E::residual_share, Dimension::ratio, any_number(),
+                   "residual over all energy turned over; 0 where it is rounding of what springs hold")};
+    }
+};
+
+struct BlockAnswer {
+    BlockMovement movement;
+    double rotation;
+    double displacement;
+    double base_slip;
+    static constexpr auto fields() {
+        using B = BlockAnswer;
+        return std::tuple{
+            section("movement", &B::movement, "how it has moved"),
+            number("rotation", &B::rotation, Dimension::angle, any_number(), "anticlockwise, out of the slope"),
+            number("displacement", &B::displacement, Dimension::length, any_number(), "of the centroid"),
+            number("base_slip", &B::base_slip, Dimension::length, any_number(), "over its base, forward negative")};
+    }
+};
+
+struct RelaxationAnswer {
+    RelaxationOutcome outcome;
+    double onset_time;
+    double time;
+    double tilt;
+    double crack_time;
+    double crack_tilt;
+    double crack_block;
+    double crack_neighbour;
+    double broken_bonds;
+    double unbalanced_at_start;
+    double unbalanced_ratio;
+    double greatest_overlap;
+    double overlap_area;
+    EnergyAnswer energy;
+    double steps;
+    double time_step;
+    double contacts_evaluated;
+    std::optional<PostFailureAnswer> post_failure;   // of a jointed slope
+    std::optional<PostFailureAnswer> early_failure;  // likewise
+    std::vector<BlockAnswer> block;
+    static constexpr auto fields() {
+        using R = RelaxationAnswer;
+        return std::tuple{
+            section("outcome", &R::outcome, "how the run ended"),
+            number("onset_time", &R::onset_time, Dimension::time, any_number(), "of failure; infinite: no onset"),
+            number("time", &R::time, Dimension::time, any_number(), "model time at the end"),
+            number("tilt", &R::tilt, Dimension::angle, any_number(),
+                   "of gravity and a turned base together, at the end"),
+            number("crack_time", &R::crack_time, Dimension::time, any_number(),
+                   "of the first tension crack; infinite: none seen"),
+            number("crack_tilt", &R::crack_tilt, Dimension::angle, any_number(),
+                   "of gravity and a turned base together at that time; infinite: none seen"),
+            number("crack_block", &R::crack_block, Dimension::ratio, any_number(),
+                   "number of the lower block beside it; 0: none seen"),
+            number("crack_neighbour", &R::crack_neighbour, Dimension::ratio, any_number(),
+                   "number of the other; 0: none seen"),
+            number("broken_bonds", &R::broken_bonds, Dimension::ratio, any_number(), "bonds that broke"),
+            number("unbalanced_at_start", &R::unbalanced_at_start, Dimension::ratio, any_number(),
+                   "greatest unbalanced force on a block, with moment over radius, over its load in a preloaded start; "
+                   "infinite: not preloaded"),
+            number("unbalanced_ratio", &R::unbalanced_ratio, Dimension::ratio, any_number(),
+                   "greatest unbalanced force on a block over its weight at the end"),
+            number("greatest_overlap", &R::greatest_overlap, Dimension::length, any_number(),
+                   "of a corner and an edge at the end"),
+            number("overlap_area", &R::overlap_area, Dimension::area, any_number(),
+                   "that two blocks have in common, of the two that lay deepest in each other"),
+            section("energy", &R::energy, "the books of energy"),
+            number("steps", &R::steps, Dimension::ratio, any_number(), "time steps made"),
+            number("time_step", &R::time_step, Dimension::time, any_number(), "the last one"),
+            number("contacts_evaluated", &R::contacts_evaluated, Dimension::ratio, any_number(),
+                   "contact forces computed in all"),
+            section("post_failure", &R::post_failure, "what of the slope has failed and what is left standing"),
+            section("early_failure", &R::early_failure,
+                    "the same while no more than half of that area had failed: crest cracks and movements before the "
+                    "crest itself goes"),
+            section("block", &R::block, "each block at the end")};
+    }
+};
+
+// Called now and then with the share of the work done, 0 to 1; returning false ends the work as interrupted.
+using RelaxationWatch = std::function<bool(double share)>;
+
+// What the search on one path has found so far.
+struct SearchProgress {
+    std::vector<CriticalProbe> probe = {};             // finished runs, in their order
+    std::optional<RelaxationState> probe_state = {};   // of the run after them, where one has begun
+    std::optional<RelaxationState> consolidated = {};  // that runs begin from; absent on other paths, or until found
+    std::optional<RelaxationState> failed = {};        // at the end of the last run that failed
+};
+
+// All that a study has found so far; what it goes on from to the last bit.
+struct StudyProgress {
+    std::optional<RelaxationState> state = {};  // of the run at the case's own values; absent before its first step
+    double next_line = 0;                       // s of model time, of the history
+    RelaxationHistory history = {};
+    MotionRecord record = {};
+    MotionRecord slope = {};                  // motion of a jointed slope
+    std::vector<SearchProgress> search = {};  // on the paths of the plan, as far as they were begun
+};
+
+// Frames take room and time: for pictures of moving blocks only.
+enum class KeepFrames { no, yes };
+
+// How a study is run. The answer depends on none of it, except on a watch that ends the work.
+struct StudyWork {
+    RelaxationWatch watch = {};
+    KeepFrames frames = KeepFrames::no;
+    unsigned threads = 1;
+    std::function<bool()> keep_due = {};  // asked as often as the watch, after it
+    std::function<void(const StudyProgress&)> keep = {};
+};
+
+struct RelaxationRun {
+    RelaxationScene scene;
+    RelaxationSettings settings;
+    RelaxationResult result;
+    RelaxationHistory history;                  // empty where none is asked for
+    std::vector<MotionFrame> frames = {};       // empty where none are kept
+    std::optional<RelaxationState> end{};       // absent where the scene is not valid
+    std::optional<PostFailure> post_failure{};  // of a jointed slope, at the end
+    // The last of some dozens of moments spread evenly over the run at which no more than half of the area that has
+    // failed in the end had.
+    std::optional<PostFailure> early_failure{};
+    double early_time = 0;            // s
+    bool ends_with_duration = false;  // what has not been decided by then was not to be
+
+    // Out of time or steps before the end that was asked for.
+    bool unfinished() const {
+        return result.outcome == RelaxationOutcome::undecided &&
+               (!ends_with_duration || result.cost.steps >= settings.most_steps);
+    }
+};
+
+// As relax() checks them.
+SceneFault check(const RelaxationStudy& study);
+
+// The run at the case's own values, from where it has come to; afterwards `progress` holds it whole.
+RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);
+RelaxationRun run(const RelaxationStudy& study, const StudyWork& work = {});
+
+// Of a run without its slope.
+RelaxationAnswer answer_of(const RelaxationResult& result);
+RelaxationAnswer answer_of(const RelaxationRun& run);
+
+// Of a slope at any time of a run. Nothing for other scenes.
+std::optional<PostFailure> post_failure_of(const RelaxationStudy& study, const RelaxationRun& run,
+                                           const std::vector<Motion>& motion, const std::vector<char>& removed);
+
+// The search of `critical`, which must be there, with what it leaves open filled in.
+CriticalPlan critical_plan(const RelaxationStudy& study);
+
+// Whether blocks are taken away during the run.
+bool has_stages(const RelaxationStudy& study);
+
+// What a search found on one path.
+struct PathValue : CriticalValue {
+    LoadingPath path = LoadingPath::consolidated;
+    std::optional<double> consolidated_at = {};  // value at which the blocks came to rest; absent on other paths
+    std::optional<RelaxationRun> failed = {};    // the run at `fails`, to onset; absent where none failed
+};
+
+// On the first path of the plan, with those on the others.
+struct CriticalAnswer : PathValue {
+    std::vector<PathValue> other = {};
+
+    // Greatest less least value; all paths have found one.
+    double spread() const;
+    // The first status that is not `found`.
+    CriticalStatus worst_status() const;
+};
+
+// The search of `critical` on the paths of its plan, from where it has come to. Each run begins from the initial
+// geometry or from the consolidated state, never from another run: their order makes no difference.
+CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);
+CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work = {});
+
+// All that a run answers, as named numbers.
+std::vector<Quantity> outputs_of_run(const RelaxationStudy& study);
+
+// Names of what a search adds to the outputs: the critical value and, where there are several paths, that on each of
+// the others ("factor_of_safety_gravity") and the spread ("factor_of_safety_spread").
+std::vector<Quantity> outputs_of_search(const CriticalPlan& plan);
+
+// Inputs: every number of the study's model. Outputs: every number of RelaxationAnswer and, where it is asked for, what
+// the search adds; of a jointed slope the ground left standing is the predicted profile. A run that was stopped, or
+// stayed undecided though it was to find equilibrium, is a failed prediction under the name of its outcome; so is a
+// critical value that was not found, under that of its status.
+ModelInterface model_interface(const RelaxationStudy& study);
+
+}  // namespace delabole

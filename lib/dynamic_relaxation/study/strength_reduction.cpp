@@ -1,0 +1,92 @@
+#include "dynamic_relaxation/study/strength_reduction.hpp"
+
+#include "dynamic_relaxation/study/relaxation_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace delabole {
+
+namespace {
+
+double divided(double friction_angle, double factor) {
+    constexpr double greatest = degrees(89.9);
+    return std::min(std::atan(std::tan(friction_angle) / factor), std::max(friction_angle, greatest));
+}
+
+template <class Scene>
+inline constexpr bool is_standing = std::is_same_v<Scene, RelaxationRow> || std::is_same_v<Scene, RelaxationColumns>;
+
+}  // namespace
+
+RelaxationScene with_reduced_strength(RelaxationScene scene, std::span<const std::size_t> materials, double factor) {
+    std::vector<char> reduced(scene.bond_material.size(), 0);
+    for (const std::size_t index : materials) {
+        JointMaterial& joint = scene.material[index];
+        joint.friction_angle = divided(joint.friction_angle, factor);
+        if (joint.residual_friction_angle) {
+            joint.residual_friction_angle = divided(*joint.residual_friction_angle, factor);
+        }
+        joint.cohesion /= factor;
+        joint.residual_cohesion /= factor;
+        joint.tensile_strength /= factor;
+        if (joint.bond && reduced[*joint.bond] == 0) {
+            BondMaterial& bond = scene.bond_material[*joint.bond];
+            bond.friction_angle = divided(bond.friction_angle, factor);
+            bond.cohesion /= factor;
+            bond.tensile_strength /= factor;
+            reduced[*joint.bond] = 1;
+        }
+    }
+    return scene;
+}
+
+std::vector<std::string> joint_names(const BlockScene& scene) {
+    return std::visit(
+        [](const auto& blocks) {
+            std::vector<std::string> names;
+            if constexpr (is_standing<std::remove_cvref_t<decltype(blocks)>>) {
+                names = {"interface", "base"};
+            } else if constexpr (requires { blocks.joint.front().name; }) {
+                for (const SlopeJoint& joint : blocks.joint) {
+                    names.push_back(joint.name);
+                }
+            } else {
+                for (std::size_t number = 1; number <= blocks.joint.size(); ++number) {
+                    names.push_back(std::to_string(number));
+                }
+            }
+            return names;
+        },
+        scene);
+}
+
+std::vector<std::size_t> joints_of_materials(const BlockScene& made_of, const RelaxationScene& scene) {
+    std::vector<std::size_t> joints(scene.material.size());
+    for (std::size_t material = 0; material < joints.size(); ++material) {
+        joints[material] = material;
+    }
+    std::visit(
+        [&](const auto& blocks) {
+            if constexpr (is_standing<std::remove_cvref_t<decltype(blocks)>>) {
+                if (!blocks.scatter) {
+                    return;
+                }
+                auto alike = blocks;
+                alike.scatter.reset();
+                RelaxationStudy study{};
+                study.model.scene = alike;
+                const RelaxationScene unscattered = relaxation_scene(study);
+                for (std::size_t block = 0; block < scene.block.size(); ++block) {
+                    for (std::size_t edge = 0; edge < scene.block[block].joint.size(); ++edge) {
+                        joints[scene.block[block].joint[edge]] = unscattered.block[block].joint[edge];
+                    }
+                }
+            }
+        },
+        made_of);
+    return joints;
+}
+
+}  // namespace delabole

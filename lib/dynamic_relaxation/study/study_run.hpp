@@ -1,0 +1,22 @@
+// How the runs of a study and of its searches are begun, checked and carried on.
+#pragma once
+
+#include "dynamic_relaxation/study/relaxation_study.hpp"
+
+#include <functional>
+#include <optional>
+
+namespace delabole {
+
+// As relax() checks them.
+SceneFault check(const RelaxationScene& scene, const RelaxationSettings& settings);
+
+// With as many threads as are worth their while.
+RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work, const RelaxationScene& scene);
+
+// Runs to the end, or until the watch says false, and returns whether it was the end. What is `seen` does not depend on
+// where a run was stopped: a state is seen once, before the step that leaves it.
+bool go_on(Simulation& simulation, const StudyWork& work, const std::function<bool(double)>& watch,
+           const std::function<void()>& keep, const std::function<void()>& seen);
+
+}  // namespace delabole

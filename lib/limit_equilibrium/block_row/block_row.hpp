@@ -1,0 +1,176 @@
+// A row of blocks on an inclined plane: every mode of sliding and toppling, which can happen and at what tilt, and what
+// governs. Equations and checks: block_row_mode.hpp; choice of the mode: block_row_search.hpp; the thesis's formulas
+// for equal blocks: closed_forms.hpp.
+//
+// Some rows of unequal blocks begin to move in ways that are not among the modes (block_row_search.hpp). Where no mode
+// is admissible the bound by linear programming (lp_bound.hpp) stands in for the tilts: beyond it no forces keep the
+// row in equilibrium. It is what the limit in contact is where there is one; a row that is not pressed together may
+// fail at less, though not before a block that stands alone would.
+//
+// Limits: rectangular blocks, dry, no cohesion, statics only; the answer is the tilt at which a motion can begin.
+#pragma once
+
+#include "limit_equilibrium/block_row/block_row_mode.hpp"
+#include "limit_equilibrium/block_row/block_row_parameters.hpp"
+#include "parameters/model_interface.hpp"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+enum class BlockRowCheck {
+    valid,
+    no_blocks,
+    too_many_blocks,     // more than 100 000
+    no_admissible_mode,  // every mode examined violates statics or kinematics, and there is no bound either: more
+                         // than most_bounded_row blocks, or the linear programme has no answer
+    input_out_of_range,  // a number outside the range of its field, or not finite
+};
+
+constexpr std::array<std::string_view, 5> enum_names(BlockRowCheck) {
+    return {"valid", "no_blocks", "too_many_blocks", "no_admissible_mode", "input_out_of_range"};
+}
+
+enum class RowState {
+    stands,
+    stands_if_pressed,  // between both critical tilts: only if the blocks were pressed together. Where the tilts are
+                        // bounds: from the tilt at which a block that stands alone would fail, up to the bound
+    slides,
+    topples,
+    slides_and_topples,
+};
+
+constexpr std::array<std::string_view, 5> enum_names(RowState) {
+    return {"stands", "stands_if_pressed", "slides", "topples", "slides_and_topples"};
+}
+
+enum class RowSearchKind { exact, bounded, upper_bound };
+
+constexpr std::array<std::string_view, 3> enum_names(RowSearchKind) {
+    return {"exact", "bounded", "upper_bound"};
+}
+
+struct RowAnswer {
+    RowState state{};
+    RowSearchKind search{};
+    std::string mode{};
+    double critical_tilt{};
+    std::string mode_in_contact{};
+    double critical_tilt_in_contact{};
+    static constexpr auto fields() {
+        using A = RowAnswer;
+        return std::tuple{
+            section("state", &A::state, "at the given inclination"),
+            section("search", &A::search,
+                    "exact: every mode was examined; bounded: a long row's likely ones; upper_bound: none of those is "
+                    "admissible, and both tilts are the one beyond which linear programming finds no equilibrium"),
+            section("mode", &A::mode,
+                    "least stable mode, one letter per block from the lowest up: S slides; F, P, B turns with its toe "
+                    "sliding forward, not at all, backward; = adheres to the block below; 0 stands; R is pushed back; "
+                    "empty: none is admissible"),
+            number("critical_tilt", &A::critical_tilt, Dimension::angle, any_number(),
+                   "inclination at which that mode begins"),
+            section("mode_in_contact", &A::mode_in_contact,
+                    "limiting mode of blocks pressed together; empty: none is admissible"),
+            number("critical_tilt_in_contact", &A::critical_tilt_in_contact, Dimension::angle, any_number(),
+                   "inclination at which that mode begins: limit of blocks pressed together; 90 deg: none")};
+    }
+};
+
+struct RowModeSummary {
+    std::string roles;
+    RowModeCheck admissibility;
+    double critical_tilt;
+    double second_critical_tilt;
+    static constexpr auto fields() {
+        using M = RowModeSummary;
+        return std::tuple{section("roles", &M::roles, "one letter per block, see mode"),
+                          section("admissibility", &M::admissibility, "admissible, or why not"),
+                          number("critical_tilt", &M::critical_tilt, Dimension::angle, any_number(),
+                                 "inclination at which moments balance; 90 deg: none"),
+                          number("second_critical_tilt", &M::second_critical_tilt, Dimension::angle, any_number(),
+                                 "over-determined modes: inclination at which thrusts from both sides agree; else 90 "
+                                 "deg")};
+    }
+};
+
+// In the governing mode at its critical tilt. What passes between standing blocks is not determined: their forces are
+// those of blocks that stand alone.
+struct RowBlockForces {
+    double thrust;         // on the block from the one above, along the plane; 0 for the uppermost
+    double thrust_height;  // above the base; 0 without thrust
+    double shear;          // in the same interface, positive down on this block
+    double normal_force;   // of the plane
+    double base_shear;     // of the plane, positive up-dip
+    double base_position;  // distance of the normal force from the toe
+    static constexpr auto fields() {
+        using F = RowBlockForces;
+        using D = Dimension;
+        constexpr Interval any = any_number();
+        return std::tuple{
+            number("thrust", &F::thrust, D::force_per_length, any, "force from the block above"),
+            number("thrust_height", &F::thrust_height, D::length, any, "where it acts, above the base"),
+            number("shear", &F::shear, D::force_per_length, any,
+                   "shear in that interface, positive down on this block"),
+            number("normal_force", &F::normal_force, D::force_per_length, any, "base reaction"),
+            number("base_shear", &F::base_shear, D::force_per_length, any,
+                   "shear on the base, positive up-dip on the block"),
+            number("base_position", &F::base_position, D::length, any, "where the base reaction acts, from the toe")};
+    }
+};
+
+struct BlockRowResult {
+    BlockRowCheck check = BlockRowCheck::input_out_of_range;
+    RowAnswer answer{};                   // meaningful only where valid
+    std::vector<RowModeSummary> mode{};   // also where no mode is admissible
+    std::vector<RowBlockForces> block{};  // in the governing mode; empty without one
+    static constexpr auto fields() {
+        using R = BlockRowResult;
+        return std::tuple{inlined(&R::answer, "what governs"), section("mode", &R::mode, "the modes examined"),
+                          section("block", &R::block, "forces in the governing mode")};
+    }
+};
+
+// The linear programme of so many blocks takes a second.
+inline constexpr std::size_t most_bounded_row = 500;
+
+// Exact up to 16 blocks, a bounded search of linear time beyond (block_row_search.hpp).
+BlockRowResult analyse(const BlockRow<>& row);
+
+// Inputs: every number of the row. Outputs: the numbers of RowAnswer.
+ModelInterface model_interface(const BlockRow<>& row);
+
+// The blocks as the solver takes them: tangents, contacts, weights.
+template <class T>
+std::vector<RowMember<T>> row_members(const BlockRow<T>& row) {
+    using std::tan;
+    std::vector<RowMember<T>> members;
+    members.reserve(row.block.size());
+    const T base = tan(row.base.friction_angle);
+    const T interface = tan(row.interface.friction_angle);
+    for (std::size_t index = 0; index < row.block.size(); ++index) {
+        const RowBlock<T>& block = row.block[index];
+        RowMember<T> member{};
+        member.height = block.height;
+        member.width = block.width;
+        const auto* weight = std::get_if<WeightOfBlock<T>>(&block.mass);
+        member.weight = weight != nullptr
+                            ? weight->weight
+                            : T(std::get<UnitWeightOfBlock<T>>(block.mass).unit_weight * block.height * block.width);
+        member.base_friction = block.base_friction_angle ? T(tan(*block.base_friction_angle)) : base;
+        member.interface_friction =
+            block.interface_friction_angle ? T(tan(*block.interface_friction_angle)) : interface;
+        if (index + 1 < row.block.size()) {
+            member.contact = std::min(block.height, row.block[index + 1].height);
+        } else {
+            member.interface_friction = 0;
+        }
+        members.push_back(member);
+    }
+    return members;
+}
+
+}  // namespace delabole

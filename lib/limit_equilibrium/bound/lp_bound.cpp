@@ -1,0 +1,466 @@
+#include "limit_equilibrium/bound/lp_bound.hpp"
+
+#include "limit_equilibrium/bound/lp_residuals.hpp"
+
+#include <glpk.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace delabole {
+
+namespace {
+
+using detail::cross;
+using detail::friction_of;
+using detail::infinity;
+using detail::Scales;
+using detail::Sense;
+using detail::Sought;
+
+// GLPK keeps one environment for each thread, with its own switch for printing; leave both as they were.
+class SolverEnvironment {
+  public:
+    SolverEnvironment() : created_(glp_init_env() == 0), terminal_(glp_term_out(GLP_OFF)) {}
+    ~SolverEnvironment() {
+        if (created_) {
+            glp_free_env();
+        } else {
+            glp_term_out(terminal_);
+        }
+    }
+    SolverEnvironment(const SolverEnvironment&) = delete;
+    SolverEnvironment& operator=(const SolverEnvironment&) = delete;
+
+  private:
+    bool created_;
+    int terminal_;
+};
+
+struct DeleteProblem {
+    void operator()(glp_prob* problem) const { glp_delete_prob(problem); }
+};
+using Problem = std::unique_ptr<glp_prob, DeleteProblem>;
+
+Scales scales_of(const Assembly& assembly) {
+    Scales scales;
+    for (const Body& body : assembly.bodies) {
+        scales.force += body.weight / static_cast<double>(assembly.bodies.size());
+    }
+    scales.arm.resize(assembly.bodies.size());
+    const auto reach = [&](std::size_t body, const Point& point) {
+        scales.arm[body] = std::max(scales.arm[body], (point - assembly.bodies[body].centroid).norm());
+    };
+    for (const Contact& contact : assembly.contacts) {
+        for (const Point& point : {contact.start, contact.end}) {
+            reach(contact.body, point);
+            if (contact.other) {
+                reach(*contact.other, point);
+            }
+        }
+    }
+    for (double& arm : scales.arm) {
+        arm = arm > 0 ? arm : 1;  // a body that touches nothing
+    }
+    return scales;
+}
+
+// Columns: the sought factor, then for every contact the edges of the cone at its start, of that at its end, where
+// there is cohesion the shear by it, and where there is tensile strength the pull at either end. Rows: forces along x
+// and y and moment of each body.
+class Programme {
+  public:
+    Programme(const Assembly& assembly, const Scales& scales, const Sought& sought, double strength)
+        : assembly_(assembly), scales_(scales), sought_(sought), strength_(strength), problem_(glp_create_prob()) {
+        set_rows();
+        set_columns();
+        glp_load_matrix(problem_.get(), static_cast<int>(values_.size()) - 1, rows_.data(), columns_.data(),
+                        values_.data());
+    }
+
+    // A failure is nearly always a basis that lost its accuracy; it is met by another start, then by another method. No
+    // solution is what a lost basis may wrongly report, too: two starts have to agree on it.
+    LpStatus solve() {
+        LpStatus last = LpStatus::not_converged;
+        for (const int method : {GLP_PRIMAL, GLP_DUALP}) {
+            for (const bool advanced : {true, false}) {
+                if (advanced) {
+                    glp_adv_basis(problem_.get(), 0);
+                } else {
+                    glp_std_basis(problem_.get());
+                }
+                const LpStatus status = solve_from_basis(method);
+                if (status == LpStatus::optimal || (status != LpStatus::not_converged && status == last)) {
+                    return status;
+                }
+                last = status;
+            }
+        }
+        return LpStatus::not_converged;
+    }
+
+    int iterations() const { return glp_get_it_cnt(problem_.get()); }
+    double factor() const { return glp_get_col_prim(problem_.get(), 1); }
+
+    std::vector<BoundContactForce> forces() const {
+        std::vector<BoundContactForce> forces;
+        int column = 2;
+        const auto next = [&] { return scales_.force * glp_get_col_prim(problem_.get(), column++); };
+        for (const Contact& contact : assembly_.contacts) {
+            const double friction = friction_of(contact, strength_);
+            BoundContactForce force{};
+            for (EndForce* end : {&force.at_start, &force.at_end}) {
+                const double forward = next();
+                const double backward = next();
+                end->normal = (forward + backward) * std::cos(friction);
+                end->shear = (forward - backward) * std::sin(friction);
+            }
+            if (contact.cohesion > 0) {
+                const double half = next() / 2;
+                force.at_start.shear += half;
+                force.at_end.shear += half;
+            }
+            if (contact.tensile_strength > 0) {
+                force.at_start.normal -= next();
+                force.at_end.normal -= next();
+            }
+            const double normal = force.normal();
+            force.position = contact.length() * (normal > 0 ? force.at_end.normal / normal : 0.5);
+            forces.push_back(force);
+        }
+        return forces;
+    }
+
+    // The shadow prices of the rows: by how much a unit of load on a body lowers the factor. The sign is that of the
+    // motion in which the sought load does positive work when its factor is made as large as possible.
+    std::vector<VirtualMotion> mechanism() const {
+        std::vector<VirtualMotion> motions;
+        double largest = 0;
+        const double sign = sought_.sense == Sense::largest ? 1 : -1;
+        for (std::size_t body = 0; body < assembly_.bodies.size(); ++body) {
+            const int row = first_row(body);
+            const auto price = [&](int index) { return sign * glp_get_row_dual(problem_.get(), row + index); };
+            motions.push_back({{price(0), price(1)}, price(2) / scales_.arm[body]});
+            largest = std::max({largest, motions.back().displacement.norm(), std::abs(price(2))});
+        }
+        if (!(largest > 0)) {
+            return {};  // the factor rests on its own limit, no load on a body changes it
+        }
+        for (VirtualMotion& motion : motions) {
+            motion.displacement /= largest;
+            motion.rotation /= largest;
+        }
+        return motions;
+    }
+
+  private:
+    LpStatus solve_from_basis(int method) {
+        glp_bfcp factors;
+        glp_get_bfcp(problem_.get(), &factors);
+        // With GLPK's own 0.1 and 100 rows of a few hundred blocks lose all digits, and the phase-one test its truth.
+        factors.piv_tol = 0.9;
+        factors.nfs_max = 20;
+        glp_set_bfcp(problem_.get(), &factors);
+        glp_smcp control;
+        glp_init_smcp(&control);
+        control.msg_lev = GLP_MSG_OFF;
+        control.meth = method;
+        control.tol_bnd = 1e-10;
+        control.tol_dj = 1e-10;
+        control.it_lim = 1000 + 100 * glp_get_num_rows(problem_.get());
+        if (glp_simplex(problem_.get(), &control) != 0) {
+            return LpStatus::not_converged;
+        }
+        if (glp_get_status(problem_.get()) == GLP_OPT) {
+            // Rounding gathers in the updates of the factors: the answer is taken from fresh ones.
+            if (glp_factorize(problem_.get()) != 0 || glp_warm_up(problem_.get()) != 0) {
+                return LpStatus::not_converged;
+            }
+        }
+        switch (glp_get_status(problem_.get())) {
+        case GLP_OPT:
+            return LpStatus::optimal;
+        case GLP_UNBND:
+            return LpStatus::unbounded;
+        case GLP_NOFEAS:
+            return LpStatus::infeasible;
+        default:
+            return LpStatus::not_converged;
+        }
+    }
+
+    static int first_row(std::size_t body) { return static_cast<int>(3 * body) + 1; }
+
+    void set_rows() {
+        glp_set_obj_dir(problem_.get(), sought_.sense == Sense::largest ? GLP_MAX : GLP_MIN);
+        glp_add_rows(problem_.get(), static_cast<int>(3 * assembly_.bodies.size()));
+        for (std::size_t index = 0; index < assembly_.bodies.size(); ++index) {
+            const Body& body = assembly_.bodies[index];
+            const int row = first_row(index);
+            const auto fix = [&](int offset, double value) {
+                glp_set_row_bnds(problem_.get(), row + offset, GLP_FX, value, value);
+            };
+            fix(0, -body.load.force.x() / scales_.force);
+            fix(1, (body.weight - body.load.force.y()) / scales_.force);
+            fix(2, -body.load.moment / (scales_.force * scales_.arm[index]));
+        }
+    }
+
+    void set_columns() {
+        const int factor = glp_add_cols(problem_.get(), 1);
+        const bool fixed = sought_.lower == sought_.upper;
+        const int least = fixed ? GLP_FX : GLP_LO;
+        glp_set_col_bnds(problem_.get(), factor, std::isfinite(sought_.lower) ? least : GLP_FR, sought_.lower,
+                         sought_.upper);
+        glp_set_obj_coef(problem_.get(), factor, 1);
+        for (std::size_t index = 0; index < assembly_.bodies.size(); ++index) {
+            const BodyLoad& load = sought_.load[index];
+            add(index, factor, load.force / scales_.force, load.moment / scales_.force);
+        }
+        for (const Contact& contact : assembly_.contacts) {
+            const double friction = friction_of(contact, strength_);
+            const Point along = contact.along();
+            const Point normal = contact.normal();
+            for (const Point& point : {contact.start, contact.end}) {
+                for (const double sign : {1.0, -1.0}) {
+                    const int column = glp_add_cols(problem_.get(), 1);
+                    glp_set_col_bnds(problem_.get(), column, GLP_LO, 0, 0);
+                    add_contact(contact, column, point,
+                                Point(std::cos(friction) * normal + sign * std::sin(friction) * along));
+                }
+            }
+            if (contact.cohesion > 0) {
+                const int column = glp_add_cols(problem_.get(), 1);
+                const double most = strength_ * contact.cohesion * contact.length() / scales_.force;
+                glp_set_col_bnds(problem_.get(), column, most > 0 ? GLP_DB : GLP_FX, -most, most);
+                add_contact(contact, column, contact.start, along);
+            }
+            if (contact.tensile_strength > 0) {
+                const double most = strength_ * contact.tensile_strength * contact.length() / 2 / scales_.force;
+                for (const Point& point : {contact.start, contact.end}) {
+                    const int column = glp_add_cols(problem_.get(), 1);
+                    glp_set_col_bnds(problem_.get(), column, most > 0 ? GLP_DB : GLP_FX, 0, most);
+                    add_contact(contact, column, point, -normal);
+                }
+            }
+        }
+    }
+
+    void add_contact(const Contact& contact, int column, const Point& point, const Point& force) {
+        add(contact.body, column, force, cross(point - assembly_.bodies[contact.body].centroid, force));
+        if (contact.other) {
+            add(*contact.other, column, -force, -cross(point - assembly_.bodies[*contact.other].centroid, force));
+        }
+    }
+
+    void add(std::size_t body, int column, const Point& force, double moment) {
+        const std::array<double, 3> entries = {force.x(), force.y(), moment / scales_.arm[body]};
+        for (int offset = 0; offset < 3; ++offset) {
+            const double entry = entries[static_cast<std::size_t>(offset)];
+            if (entry != 0) {
+                rows_.push_back(first_row(body) + offset);
+                columns_.push_back(column);
+                values_.push_back(entry);
+            }
+        }
+    }
+
+    const Assembly& assembly_;
+    const Scales& scales_;
+    const Sought& sought_;
+    double strength_;
+    Problem problem_;
+    // Counted from 1, as GLPK does.
+    std::vector<int> rows_{0};
+    std::vector<int> columns_{0};
+    std::vector<double> values_{0};
+};
+
+LpBound solve(const Assembly& assembly, const Scales& scales, const Sought& sought, double strength) {
+    LpBound bound;
+    Programme programme(assembly, scales, sought, strength);
+    bound.status = programme.solve();
+    bound.iterations = programme.iterations();
+    if (bound.status != LpStatus::optimal) {
+        return bound;
+    }
+    bound.value = programme.factor();
+    bound.forces = programme.forces();
+    bound.mechanism = programme.mechanism();
+    detail::set_static_residuals(assembly, scales, sought, strength, bound);
+    detail::set_mechanism_residuals(assembly, sought, strength, bound);
+    double largest_normal = 0;
+    for (const BoundContactForce& force : bound.forces) {
+        largest_normal = std::max(largest_normal, force.normal() / scales.force);
+    }
+    // A face that the mechanism closes by mistake does work with the force on it, by which the values differ.
+    if (!(bound.residuals.imbalance <= 1e-7 && bound.residuals.cone_violation <= 1e-7 &&
+          bound.residuals.mechanism_overlap * largest_normal <= 1e-6)) {
+        LpBound failed;
+        failed.iterations = bound.iterations;
+        return failed;
+    }
+    return bound;
+}
+
+LpBound refused(AssemblyCheck check) {
+    LpBound bound;
+    bound.status = LpStatus::invalid_assembly;
+    bound.check = check;
+    return bound;
+}
+
+std::vector<BodyLoad> horizontal_weights(const Assembly& assembly) {
+    std::vector<BodyLoad> loads;
+    for (const Body& body : assembly.bodies) {
+        loads.push_back({{-body.weight, 0}, 0});
+    }
+    return loads;
+}
+
+}  // namespace
+
+LpBound largest_tilt(const Assembly& assembly) {
+    return largest_load_factor(assembly, horizontal_weights(assembly));
+}
+
+LpBound largest_load_factor(const Assembly& assembly, const std::vector<BodyLoad>& loads) {
+    if (const AssemblyCheck check = check_assembly(assembly); check != AssemblyCheck::valid) {
+        return refused(check);
+    }
+    if (loads.size() != assembly.bodies.size() || !std::all_of(loads.begin(), loads.end(), [](const BodyLoad& load) {
+            return load.force.allFinite() && std::isfinite(load.moment);
+        })) {
+        return refused(AssemblyCheck::input_out_of_range);
+    }
+    const SolverEnvironment environment;
+    return solve(assembly, scales_of(assembly), {loads}, 1);
+}
+
+LpBound least_support_force(const Assembly& assembly, std::size_t body, const Point& point, const Point& direction) {
+    if (const AssemblyCheck check = check_assembly(assembly); check != AssemblyCheck::valid) {
+        return refused(check);
+    }
+    if (body >= assembly.bodies.size()) {
+        return refused(AssemblyCheck::contact_of_unknown_body);
+    }
+    if (!point.allFinite() || !direction.allFinite() || !(direction.norm() > 0)) {
+        return refused(AssemblyCheck::input_out_of_range);
+    }
+    const SolverEnvironment environment;
+    const Scales scales = scales_of(assembly);
+    const Point unit = direction.normalized();
+    Sought sought{std::vector<BodyLoad>(assembly.bodies.size()), Sense::least, 0};
+    // A factor on the mean weight, to be of the order of 1 in any units.
+    sought.load[body] = {scales.force * unit, scales.force * cross(point - assembly.bodies[body].centroid, unit)};
+    LpBound bound = solve(assembly, scales, sought, 1);
+    bound.value *= scales.force;
+    bound.residuals.mechanism_value *= scales.force;
+    return bound;
+}
+
+// 4^5. Cones much nearer to half planes leave the simplex method no digits.
+constexpr double largest_strength = 1024;
+
+// The assembly stands where a horizontal force k times the weights may be 0: where the largest k is not below 0 and the
+// least not above. Both move away from each other as strength grows, so that the smaller of the largest k and minus
+// the least crosses 0 once. It is a piecewise smooth function, whose root is found between a strength with which
+// the assembly stands and one with which it does not.
+LpBound least_strength_factor(const Assembly& assembly, const std::atomic<bool>* stop) {
+    if (const AssemblyCheck check = check_assembly(assembly); check != AssemblyCheck::valid) {
+        return refused(check);
+    }
+    const SolverEnvironment environment;
+    const Scales scales = scales_of(assembly);
+    const std::vector<BodyLoad> push = horizontal_weights(assembly);
+    int iterations = 0;
+    bool failed = false;
+    bool stopped = false;
+    struct Trial {
+        double strength = 0;
+        double margin = -infinity;
+        LpBound state{};
+    };
+    const auto attempt = [&](double strength) {
+        Trial trial;
+        trial.strength = strength;
+        trial.margin = infinity;
+        for (const Sense sense : {Sense::largest, Sense::least}) {
+            stopped = stopped || (stop != nullptr && *stop);
+            if (stopped) {
+                failed = true;
+                break;
+            }
+            LpBound bound = solve(assembly, scales, {push, sense}, strength);
+            iterations += bound.iterations;
+            LpStatus status = bound.status;
+            if (status == LpStatus::not_converged && sense == Sense::least) {
+                // The largest is known not to be below 0: whether the assembly stands without the force is enough.
+                const LpBound without = solve(assembly, scales, {push, sense, 0, 0}, strength);
+                iterations += without.iterations;
+                status = without.status == LpStatus::optimal ? LpStatus::unbounded : without.status;
+            }
+            failed = failed || status == LpStatus::not_converged;
+            double margin = status == LpStatus::unbounded ? infinity : -infinity;
+            if (status == LpStatus::optimal) {
+                margin = sense == Sense::largest ? bound.value : -bound.value;
+            }
+            if (margin < trial.margin) {
+                trial.margin = margin;
+                trial.state = std::move(bound);
+            }
+            if (trial.margin < 0) {
+                break;  // the largest k and minus the least are not both below 0
+            }
+        }
+        return trial;
+    };
+    const auto finish = [&](Trial trial) {
+        LpBound bound = std::move(trial.state);
+        if (trial.margin > 1e-9 && !stopped) {
+            // Not the margin decides but that friction is 0, or that below it no horizontal force would help: the
+            // forces are those without any.
+            bound = solve(assembly, scales, {push, Sense::largest, 0, 0}, trial.strength);
+            failed = failed || bound.status != LpStatus::optimal;
+        }
+        if (stopped) {
+            bound = {};
+            bound.status = LpStatus::interrupted;
+            return bound;
+        }
+        bound.status = failed ? LpStatus::not_converged : LpStatus::optimal;
+        bound.value = trial.strength;
+        bound.iterations = iterations;
+        return bound;
+    };
+    Trial low = attempt(0);
+    if (low.margin >= 0) {
+        return finish(std::move(low));
+    }
+    Trial high = attempt(1);
+    while (high.margin < 0 && high.strength < largest_strength && !failed) {
+        low = std::move(high);
+        high = attempt(low.strength * 4);
+    }
+    if (high.margin < 0) {
+        LpBound bound;
+        bound.status = stopped ? LpStatus::interrupted : failed ? LpStatus::not_converged : LpStatus::infeasible;
+        bound.iterations = iterations;
+        return bound;
+    }
+    int stale = 0;  // steps since the bracket halved
+    while (high.strength - low.strength > 1e-13 * high.strength && high.margin > 0 && !failed) {
+        const double width = high.strength - low.strength;
+        const bool both = std::isfinite(low.margin) && std::isfinite(high.margin) && stale < 2;
+        const double share = both ? -low.margin / (high.margin - low.margin) : 0.5;
+        // Kept off the ends, or one of them would never move.
+        const double middle = low.strength + width * std::clamp(share, 1e-3, 1 - 1e-3);
+        Trial trial = attempt(middle);
+        (trial.margin < 0 ? low : high) = std::move(trial);
+        stale = high.strength - low.strength > 0.5 * width ? stale + 1 : 0;
+    }
+    return finish(std::move(high));
+}
+
+}  // namespace delabole

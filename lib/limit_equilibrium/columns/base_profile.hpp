@@ -1,0 +1,23 @@
+// What a toppling failure leaves standing, and the outlines of the columns for drawing.
+#pragma once
+
+#include "geometry/polyline.hpp"
+#include "limit_equilibrium/columns/make_columns.hpp"
+
+#include <vector>
+
+namespace delabole {
+
+enum class BaseOutline { steps, envelope };
+
+// Ground left when the lowest `moving_columns` columns are gone, from the toe into the slope: their bases, drawn with
+// their steps or as the line through their toe corners; then the joint behind the last of them up to the ground, or,
+// where all columns move and a wedge pushes them, the wedge's joint; then the ground. Empty where there are no columns
+// or none moves.
+Polyline ground_after_toppling(const ColumnScene<>& scene, std::size_t moving_columns, BaseOutline outline);
+
+// Closed polygons, one per column from the toe up, in section axes; the wedge above them last, if there is one. Empty
+// where there are no columns.
+std::vector<Polyline> column_outlines(const ColumnScene<>& scene);
+
+}  // namespace delabole

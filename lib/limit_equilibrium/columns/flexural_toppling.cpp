@@ -1,0 +1,140 @@
+#include "limit_equilibrium/columns/flexural_toppling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+struct Angles {
+    double sine;
+    double cosine;
+    double friction;  // tangents
+    double foot_friction;
+};
+
+struct Descent {
+    double toe_push = 0;
+    std::vector<FlexuralColumnState> column = {};
+};
+
+// Height of the force between a column and the next one; of the uppermost and the toe column, at their free faces.
+double contact_above(const FlexuralSlope& slope, std::size_t index) {
+    const double height = slope.column[index].height;
+    const double next = index + 1 < slope.column.size() ? slope.column[index + 1].height : height;
+    return slope.contact_height * std::min(height, next);
+}
+
+FlexuralColumnState column_state(const FlexuralSlope& slope, const Angles& angles, double strength, std::size_t index,
+                                 double push_above) {
+    const FlexuralColumn& column = slope.column[index];
+    const double t = column.width;
+    const double weight = slope.unit_weight * t * column.height;
+    const double above = contact_above(slope, index);
+    const double below = index > 0 ? contact_above(slope, index - 1) : slope.contact_height * column.height;
+    const double m = angles.friction;
+    const double bending = (weight * (column.height * angles.sine / 2 - t * angles.cosine / 6) +
+                            push_above * (above - 2 * m * t / 3) - strength * t * t / 6) /
+                           (below + m * t / 3);
+    const double toppling =
+        (weight * (column.height * angles.sine - t * angles.cosine) / 2 + push_above * (above - m * t)) / below;
+    const double relief = 1 - m * angles.foot_friction;
+    const double unresisted =
+        push_above * relief + weight * (angles.sine - angles.foot_friction * angles.cosine) - slope.cohesion * t;
+    const double shearing = unresisted <= 0 ? 0 : relief > 0 ? unresisted / relief : infinite;
+    FlexuralColumnState state;
+    state.push = std::max({0.0, shearing, std::min(bending, toppling)});
+    if (state.push > 0) {
+        state.mode = state.push == shearing  ? FlexuralMode::shears
+                     : state.push == bending ? FlexuralMode::bends
+                                             : FlexuralMode::topples;
+    }
+    if (state.push < infinite) {
+        state.moment = weight * column.height * angles.sine / 2 + push_above * (above - m * t / 2) -
+                       state.push * (below + m * t / 2);
+        state.normal = weight * angles.cosine + m * push_above - m * state.push;
+    }
+    return state;
+}
+
+Descent descend(const FlexuralSlope& slope, const Angles& angles, double strength) {
+    Descent descent;
+    descent.column.resize(slope.column.size());
+    for (std::size_t index = slope.column.size(); index-- > 0 && descent.toe_push < infinite;) {
+        descent.column[index] = column_state(slope, angles, strength, index, descent.toe_push);
+        descent.toe_push = descent.column[index].push;
+    }
+    return descent;
+}
+
+// The push falls, and never rises, with the strength: the least strength that needs none lies in one bracket.
+double required_strength(const FlexuralSlope& slope, const Angles& angles) {
+    const auto stands = [&](double strength) { return descend(slope, angles, strength).toe_push <= 0; };
+    if (stands(0)) {
+        return 0;
+    }
+    double upper = 0;
+    for (const FlexuralColumn& column : slope.column) {
+        // Enough for every column by itself.
+        upper = std::max(upper, 3 * slope.unit_weight * column.height * column.height * angles.sine / column.width);
+    }
+    if (!stands(upper)) {
+        return infinite;
+    }
+    double lower = 0;
+    for (;;) {
+        const double middle = lower + (upper - lower) / 2;
+        if (middle <= lower || middle >= upper) {
+            return upper;
+        }
+        (stands(middle) ? upper : lower) = middle;
+    }
+}
+
+}  // namespace
+
+FlexuralStability analyse(const FlexuralSlope& slope) {
+    FlexuralStability answer;
+    if (slope.column.empty()) {
+        return answer;
+    }
+    if (!in_range(slope)) {
+        answer.check = FlexuralCheck::input_out_of_range;
+        return answer;
+    }
+    answer.check = FlexuralCheck::valid;
+    const Angles angles{std::sin(slope.base_dip), std::cos(slope.base_dip), std::tan(slope.joint_friction_angle),
+                        std::tan(slope.friction_angle)};
+    Descent descent = descend(slope, angles, slope.tensile_strength);
+    answer.toe_push = descent.toe_push;
+    answer.column = std::move(descent.column);
+    answer.required_tensile_strength = required_strength(slope, angles);
+    answer.factor_of_safety =
+        answer.required_tensile_strength > 0 ? slope.tensile_strength / answer.required_tensile_strength : infinite;
+    return answer;
+}
+
+ModelInterface model_interface(const FlexuralSlope& slope) {
+    ModelInterface model;
+    model.inputs = inputs_of(slope);
+    FlexuralStability shape;
+    shape.column.resize(slope.column.size());
+    model.outputs = outputs_of(shape);
+    model.predict = [slope](std::span<const Assignment> assignments) -> Prediction {
+        FlexuralSlope varied = slope;
+        assign(varied, assignments);
+        const FlexuralStability result = analyse(varied);
+        if (result.check != FlexuralCheck::valid) {
+            return {word_of(result.check), {}, {}};
+        }
+        return {{}, output_values(result), {}};
+    };
+    return model;
+}
+
+}  // namespace delabole

@@ -1,0 +1,197 @@
+// Columns, ready for the recursion, from a described slope.
+//
+// Loads on the ground behind the crest count where they stand on a column (or on the wedge above the columns); on the
+// flat tops of classical columns they are taken over the horizontal extent of each top.
+#pragma once
+
+#include "limit_equilibrium/columns/slide_head.hpp"
+
+#include <cmath>
+
+namespace delabole {
+
+template <class T = double>
+struct ColumnScene {
+    std::optional<SlopeSection<T>> slope;
+    ColumnLayout<T> columns;
+    Rock<T> rock;
+    ColumnWater<T> water;
+    std::optional<SeismicLoad<T>> seismic;
+    std::vector<Surcharge<T>> surcharge;
+    std::vector<LineLoad<T>> line_load;
+    std::vector<PointLoad<T>> point_load;
+    std::vector<ColumnBolt<T>> bolt;
+    std::optional<SlideHead<T>> slide_head;
+
+    static constexpr auto fields() {
+        return std::tuple{
+            section("slope", &ColumnScene::slope, "the ground surface; absent where blocks are given one by one"),
+            section("columns", &ColumnScene::columns, "joints and stepped base"),
+            section("rock", &ColumnScene::rock, "the rock mass"),
+            section("water", &ColumnScene::water, "water in the joints and under the bases"),
+            section("seismic", &ColumnScene::seismic, "pseudo-static earthquake load; absent: none"),
+            section("surcharge", &ColumnScene::surcharge, "strip loads behind the crest"),
+            section("line_load", &ColumnScene::line_load, "line loads behind the crest"),
+            section("point_load", &ColumnScene::point_load, "loads on single columns"),
+            section("bolt", &ColumnScene::bolt, "bolts and cables in single columns"),
+            section("slide_head", &ColumnScene::slide_head, "wedge sliding against the last column; absent: none")};
+    }
+};
+
+namespace detail {
+
+template <class T>
+void set_loaded(Column<T>& column, const TurnedResultant<T>& resultant) {
+    column.down_dip_force = -resultant.u;
+    column.normal_force = -resultant.v;
+    column.overturning_moment = resultant.moment;
+}
+
+// Point loads and bolts; they may name a column that does not exist.
+template <class T, class Load>
+ColumnCheck add_to_column(const std::vector<Load>& loads, const SineCosine<T>& base, bool on_toe_side,
+                          const std::vector<ColumnShape<T>>& shapes, std::vector<TurnedResultant<T>>& resultants) {
+    for (const Load& load : loads) {
+        const auto number = static_cast<double>(load.block);
+        if (number > static_cast<double>(shapes.size()) || number != std::floor(number)) {
+            return ColumnCheck::load_outside_columns;
+        }
+        const std::size_t index = static_cast<std::size_t>(number) - 1;
+        const ColumnShape<T>& shape = shapes[index];
+        T highest = shape.base_v;
+        for (const PlanePoint<T>& point : shape.top) {
+            highest = point.y() > highest ? point.y() : highest;
+        }
+        // A load on top of a column may be given with the rounding of its height.
+        if (load.height > (highest - shape.base_v) * (1 + 1e-9)) {
+            return ColumnCheck::load_outside_columns;
+        }
+        const SineCosine<T> plunge = sine_cosine(load.plunge);
+        resultants[index].add_turned(base, on_toe_side ? T(0) : T(shape.width / 2), load.height,
+                                     T(load.force * plunge.cosine), T(-load.force * plunge.sine));
+    }
+    return ColumnCheck::valid;
+}
+
+template <class T>
+T height_at(const ColumnShape<T>& shape, const T& u) {
+    for (std::size_t index = 1; index < shape.top.size(); ++index) {
+        const PlanePoint<T>& a = shape.top[index - 1];
+        const PlanePoint<T>& b = shape.top[index];
+        if (u <= b.x() && b.x() > a.x()) {
+            return T(a.y() + (b.y() - a.y()) * ((u - a.x()) / (b.x() - a.x())) - shape.base_v);
+        }
+    }
+    return T(0);
+}
+
+// Upper end of the base in section axes.
+template <class T>
+PlanePoint<T> end_of_base(const ColumnShapes<T>& shapes) {
+    const ColumnShape<T>& last = shapes.columns.back();
+    return turned_back(shapes.base,
+                       shapes.base_end ? *shapes.base_end : PlanePoint<T>(T(last.base_u + last.width), last.base_v));
+}
+
+template <class T>
+T crest_x(const std::optional<SlopeSection<T>>& slope) {
+    if (!slope) {
+        return T(0);
+    }
+    const SineCosine<T> face = sine_cosine(slope->face_dip);
+    return T(slope->height * face.cosine / face.sine);
+}
+
+template <class T>
+ColumnCheck set_slide_head(const ColumnScene<T>& scene, const ColumnShapes<T>& shapes, const WaterSurface<T>& water,
+                           const T& crest, ColumnSlope<T>& slope) {
+    if (!scene.slope || !shapes.base_end || !shapes.columns.back().has_upper_joint) {
+        return ColumnCheck::slide_head_needs_base_end;
+    }
+    const ColumnShape<T>& last = shapes.columns.back();
+    const PlanePoint<T>& end = *shapes.base_end;
+    const T face_base = end.y() - last.base_v;
+    const T wetted = water.height_in_joint(end.x(), last.base_v, last.upper_edge) - face_base;
+    const HeadLoads<T> loads{scene.rock.unit_weight,     scene.seismic,   crest, scene.surcharge, scene.line_load,
+                             wetted > 0 ? wetted : T(0), water.gradient()};
+    SlideHeadWedge<T>& wedge = slope.slide_head.emplace();
+    wedge.face_base = face_base;
+    return make_wedge(*scene.slide_head, turned_ground(*scene.slope, shapes.base), shapes.base, end, loads, wedge);
+}
+
+}  // namespace detail
+
+// `check` tells whether there are columns; where it is not `valid` the rest is unspecified. Linear in their number.
+template <class T>
+ColumnSlope<T> make_columns(const ColumnScene<T>& scene) {
+    using std::atan2;
+    ColumnSlope<T> slope;
+    if (!in_range(scene)) {
+        slope.check = ColumnCheck::input_out_of_range;
+        return slope;
+    }
+    if (!scene.slope && !(scene.surcharge.empty() && scene.line_load.empty())) {
+        slope.check = ColumnCheck::load_needs_slope;
+        return slope;
+    }
+    const ColumnShapes<T> shapes = make_shapes(scene.slope, scene.columns);
+    slope.check = shapes.check;
+    if (slope.check != ColumnCheck::valid) {
+        return slope;
+    }
+    detail::WaterSurface<T> water;
+    slope.check = water.set(scene.water, scene.slope, shapes.base, detail::end_of_base(shapes));
+    if (slope.check != ColumnCheck::valid) {
+        return slope;
+    }
+    if (shapes.base_end) {
+        slope.end_v = shapes.base_end->y();
+    }
+    slope.base_dip = atan2(shapes.base.sine, shapes.base.cosine);
+    const T crest = detail::crest_x(scene.slope);
+    const std::size_t count = shapes.columns.size();
+    std::vector<detail::TurnedResultant<T>> resultants(count);
+    slope.columns.resize(count);
+    T water_top(0);  // v of the water in the joint below the column
+    for (std::size_t index = 0; index < count; ++index) {
+        const ColumnShape<T>& shape = shapes.columns[index];
+        Column<T>& column = slope.columns[index];
+        detail::TurnedResultant<T>& resultant = resultants[index];
+        const PlanePoint<T> origin(shape.base_u, shape.base_v);
+        column.width = shape.width;
+        column.base_u = shape.base_u;
+        column.base_v = shape.base_v;
+        column.height = detail::height_at(shape, T(shape.base_u + shape.width / 2));
+        column.lower_contact = shape.lower_contact;
+        column.upper_contact = shape.upper_contact;
+        column.joint_length = index + 1 < count ? shapes.columns[index + 1].lower_contact : T(0);
+        column.weight = detail::add_weight(resultant, shape.outline(), origin, shapes.base,
+                                           shape.unit_weight.value_or(scene.rock.unit_weight), scene.seismic);
+        detail::add_ground_loads(resultant, shape.top, origin, shapes.base, crest, scene.surcharge, scene.line_load);
+        if (!water.dry()) {
+            const T joint_height = index + 1 < count ? shape.upper_contact : shape.upper_edge;
+            const T upper = water.height_in_joint(T(shape.base_u + shape.width), shape.base_v,
+                                                  shape.has_upper_joint ? joint_height : T(0));
+            const T lower = index > 0 && water_top > shape.base_v ? T(water_top - shape.base_v) : T(0);
+            detail::add_column_water(resultant, water.gradient(), shape.width, lower, upper);
+            water_top = shape.base_v + upper;
+        }
+    }
+    for (const ColumnCheck check :
+         {detail::add_to_column(scene.point_load, shapes.base, false, shapes.columns, resultants),
+          detail::add_to_column(scene.bolt, shapes.base, true, shapes.columns, resultants)}) {
+        if (check != ColumnCheck::valid) {
+            slope.check = check;
+            return slope;
+        }
+    }
+    for (std::size_t index = 0; index < count; ++index) {
+        detail::set_loaded(slope.columns[index], resultants[index]);
+    }
+    if (scene.slide_head) {
+        slope.check = detail::set_slide_head(scene, shapes, water, crest, slope);
+    }
+    return slope;
+}
+
+}  // namespace delabole

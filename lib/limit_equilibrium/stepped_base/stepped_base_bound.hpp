@@ -1,0 +1,75 @@
+// The factor of safety of columns on a stepped base by linear programming, beside that of the recursion: how much of
+// the answer rests on where the forces between columns act. What the bound means: lp_bound.hpp.
+#pragma once
+
+#include "limit_equilibrium/bound/block_assembly.hpp"
+#include "limit_equilibrium/bound/lp_bound.hpp"
+#include "limit_equilibrium/stepped_base/stepped_base.hpp"
+
+#include <atomic>
+#include <optional>
+#include <tuple>
+
+namespace delabole {
+
+struct LinearProgrammingBound {
+    double upper_part;
+    std::optional<CrossJoints> cross_joints;
+    static constexpr auto fields() {
+        return std::tuple{number("upper_part", &LinearProgrammingBound::upper_part, Dimension::ratio, within(1e-6, 1),
+                                 "share of each joint, from its top, over which columns touch; 1: the bound proper, "
+                                 "towards 0: the recursion, which puts forces on the tops"),
+                          section("cross_joints", &LinearProgrammingBound::cross_joints,
+                                  "joints across the columns, which cut them into blocks; columns under their own "
+                                  "weight alone; blocks touch over all of each joint")};
+    }
+};
+
+// Numbers are 0 unless the status is optimal; factors of safety are infinite where no strength is needed, and 0 where
+// the programme is infeasible.
+struct BoundResult {
+    LpStatus status = LpStatus::not_converged;
+    AssemblyCheck check = AssemblyCheck::valid;
+    double factor_of_safety = 0;
+    double duality_gap = 0;
+    double imbalance = 0;
+    double body_count = 0;
+
+    static constexpr auto fields() {
+        return std::tuple{
+            section("status", &BoundResult::status, "how the linear programme ended"),
+            section("check", &BoundResult::check, "why there is none, where its assembly is invalid"),
+            number("factor_of_safety", &BoundResult::factor_of_safety, Dimension::ratio, any_number(),
+                   "largest factor on all friction and cohesion for which forces exist that keep all in equilibrium: a "
+                   "bound from the unsafe side, since joints that slip without opening may fail before"),
+            number("duality_gap", &BoundResult::duality_gap, Dimension::ratio, any_number(),
+                   "horizontal force, over the weight, by which the mechanism misses the forces"),
+            number("imbalance", &BoundResult::imbalance, Dimension::ratio, any_number(),
+                   "largest force, or moment by arm, left on a body, over the mean weight"),
+            number("body_count", &BoundResult::body_count, Dimension::ratio, any_number(), "bodies in the programme")};
+    }
+};
+
+// Answer, and what it was made from and with, for the figures.
+struct BoundState {
+    BoundResult result{};
+    Assembly assembly{};
+    LpBound programme{};
+};
+
+constexpr double most_bound_columns = 500;
+constexpr double most_bound_blocks = 500;
+
+// Whether the programme can be afforded. Measured: 1 s for 169 columns, 9 s for 460.
+bool can_bound(const ColumnSlope<>& slope);
+bool can_bound(const ColumnSlope<>& slope, const CrossJoints& cross_joints);
+
+// Cohesion of the bases is counted over their whole width, where the recursion counts it for columns that slide only.
+BoundState bound_of_columns(const ColumnSlope<>& slope, const SteppedBase<>& problem, double upper_part,
+                            const std::atomic<bool>* stop = nullptr);
+
+// Loads other than weight, and columns that are not rectangles: invalid_assembly, loads_beyond_weight.
+BoundState bound_of_blocks(const ColumnSlope<>& slope, const SteppedBase<>& problem, const CrossJoints& cross_joints,
+                           const std::atomic<bool>* stop = nullptr);
+
+}  // namespace delabole

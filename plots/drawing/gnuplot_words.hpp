@@ -1,0 +1,33 @@
+// Single words and lines of a gnuplot script.
+#pragma once
+
+#include "plots/drawing/figure.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+std::string_view rgb(Colour colour);
+std::string_view dash_type(Dash dash);
+int point_type(Marker marker);
+
+// A string that gnuplot takes as it stands.
+std::string quote(std::string_view text);
+
+// The same for the text of a tick, which gnuplot takes for a format.
+std::string quote_tick(std::string_view text);
+
+// "title '...'", or "notitle" for an empty legend.
+std::string legend_of(std::string_view legend);
+
+// 1, 2 or 5 times a power of ten, so that at most `most` steps lie within `size`. size > 0, most > 0.
+double tick_step(double size, int most);
+
+using Rows = std::vector<std::vector<double>>;
+
+// One line for each row, 12 significant digits, "nan" for NaN, whatever the locale.
+std::string data_lines(const Rows& rows);
+
+}  // namespace delabole

@@ -1,0 +1,106 @@
+// The figures of a system of blocks, from plain numbers: the section with its forces, the interblock forces along the
+// slope, and the chart of the modes of failure over two angles.
+//
+// Lengths in metres, forces in newtons per metre run, angles in radians; x into the slope, y up, origin at the toe.
+#pragma once
+
+#include "plots/figures/figures.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+enum class DrawnMode { plain, stays, slides, topples, slides_and_topples, moves, fixed };
+
+// The words of the legend; a plain block has none.
+constexpr std::array<std::string_view, 7> enum_names(DrawnMode) {
+    return {"", "stays", "slides", "topples", "slides and topples", "moves", "fixed"};
+}
+
+struct DrawnBlock {
+    Polyline outline = {};  // corners in order, either way round; the first need not be repeated
+    std::string label = {};
+    DrawnMode mode = DrawnMode::plain;
+    std::optional<std::size_t> rock = {};  // number among the drawing's rocks, whose shade the block has; absent: the
+                                           // mode's
+    Polyline displaced = {};               // the outline after the displacement shown; empty: none
+};
+
+enum class ForceKind { interblock, base_reaction, thrust, applied, weight };
+
+constexpr std::array<std::string_view, 5> enum_names(ForceKind) {
+    return {"interblock force", "base reaction", "thrust", "applied force", "weight"};
+}
+
+struct DrawnForce {
+    Point at;     // the arrow's tail
+    Point force;  // N/m
+    ForceKind kind = ForceKind::interblock;
+};
+
+// A broken face or an open joint, from end to end.
+struct DrawnCrack {
+    Point from;
+    Point to;
+};
+
+// Whatever is empty is left out, and so are forces of zero or not finite.
+struct BlockDrawing {
+    std::string title = {};
+    std::vector<DrawnBlock> blocks = {};
+    std::vector<std::string> rocks = {};  // names for the legend
+    Polyline base = {};                   // surface of the rock on which the blocks stand; drawn as rock below
+    Polyline ground = {};                 // surface of the slope
+    Polyline water = {};                  // water level
+    Polyline tension_crack = {};
+    std::vector<DrawnCrack> broken = {};       // rock that has broken
+    std::vector<DrawnCrack> open_joints = {};  // joints that stand open
+    std::vector<DrawnForce> forces = {};
+    Arrows velocities = {};  // to a scale of their own, of which the legend tells
+    std::string displaced_legend = "mechanism, displacements enlarged";
+    double toe_elevation = 0;  // m; added to heights on the vertical axis
+};
+
+// Forces are drawn to one scale, the greatest about one and a half times as long as the blocks are apart; an arrow of a
+// round force beside the blocks is the key to it. So many that their heads would cover the blocks are drawn as force
+// chains: lines through the points of contact along the forces, as thick as the forces are great. Labels: see
+// block_labels.
+Figure block_figure(const BlockDrawing& drawing);
+
+// Interblock forces against the number of the block, N/m. Every column is empty or as long as `block`.
+struct ForceAlongSlope {
+    std::string title = {};
+    std::vector<double> block = {};     // numbers, increasing
+    std::vector<double> toppling = {};  // least force that prevents toppling; not finite: none
+    std::vector<double> sliding = {};   // least force that prevents sliding; not finite: none
+    std::vector<double> acting = {};
+    std::vector<DrawnMode> modes = {};  // shades the background
+    Polyline printed = {};              // (number of the block, N/m)
+    std::string printed_legend = "printed";
+};
+
+Figure force_along_slope_figure(const ForceAlongSlope& data);
+
+struct ModeRegion {
+    DrawnMode mode = DrawnMode::stays;
+    Polyline outline = {};  // rad
+};
+
+// Which mode a block is in, over two angles.
+struct ModeChart {
+    std::string title = {};
+    std::string x = {};  // names of the angles: "base.dip"
+    std::string y = {};
+    std::vector<ModeRegion> regions = {};
+    std::vector<NamedCurve> boundaries = {};     // rad
+    std::vector<PrintedStatement> printed = {};  // rad
+};
+
+Figure mode_chart_figure(const ModeChart& chart);
+
+}  // namespace delabole

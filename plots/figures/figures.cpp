@@ -1,0 +1,243 @@
+#include "plots/figures/figures.hpp"
+#include "plots/drawing/extent.hpp"
+
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+constexpr std::array curve_colours{Colour::blue,   Colour::vermilion, Colour::green,
+                                   Colour::purple, Colour::orange,    Colour::black};
+constexpr std::array curve_dashes{Dash::solid, Dash::dashed, Dash::dotted};
+
+// Neighbours differ in colour and in dash, so that the figure survives a black and white copy.
+Line curve_line(const NamedCurve& curve, std::size_t index, double x_unit, double y_unit) {
+    Line line{.points = curve.points,
+              .legend = curve.legend,
+              .colour = curve_colours[index % curve_colours.size()],
+              .dash = curve_dashes[index % curve_dashes.size()],
+              .width = 3};
+    for (Point& point : line.points) {
+        point = {point.x() / x_unit, point.y() / y_unit};
+    }
+    return line;
+}
+
+// Keeps a number and its unit on one line.
+std::string unbroken(std::string_view text) {
+    std::string result;
+    for (const char letter : text) {
+        result += letter == ' ' ? "\u00a0" : std::string(1, letter);
+    }
+    return result;
+}
+
+struct Bounds {
+    Extent x;
+    Extent y;
+
+    void include(const Polyline& line) {
+        for (const Point& point : line) {
+            x.include(point.x());
+            y.include(point.y());
+        }
+    }
+};
+
+}  // namespace
+
+Axis axis_of(std::string_view name, Dimension dimension) {
+    return {.title = human_name(name), .unit = human_unit(display_unit(dimension).symbol)};
+}
+
+void mark_statements(const std::vector<PrintedStatement>& statements, double x_unit, double y_unit, Figure& figure) {
+    char letter = 'A';
+    for (const PrintedStatement& statement : statements) {
+        const Point at{statement.at.x() / x_unit, statement.at.y() / y_unit};
+        figure.series.emplace_back(Points{.points = {at},
+                                          .legend = std::string(1, letter) + ": " + statement.text,
+                                          .colour = Colour::black,
+                                          .marker = letter % 2 ? Marker::filled_circle : Marker::filled_diamond,
+                                          .size = 1.6});
+        figure.labels.push_back({.at = at, .text = std::string(1, letter), .raise = 1.0});
+        letter = letter == 'Z' ? 'A' : static_cast<char>(letter + 1);
+    }
+}
+
+Figure factor_of_safety_against_water(const WaterDepthCurves& data) {
+    Figure figure{.title = data.title,
+                  .x = {.title = data.ratio, .range = std::pair{0.0, 1.0}},
+                  .y = {.title = "factor of safety"}};
+    Extent shown;
+    shown.include(1);
+    for (std::size_t index = 0; index < data.curves.size(); ++index) {
+        const Line line = curve_line(data.curves[index], index, 1, 1);
+        for (const Point& point : line.points) {
+            shown.include(point.y());
+        }
+        figure.series.emplace_back(line);
+    }
+    figure.series.emplace_back(Line{.points = {{0, 1}, {1, 1}},
+                                    .legend = "factor of safety 1",
+                                    .colour = Colour::black,
+                                    .dash = Dash::dashed,
+                                    .width = 1.5});
+
+    mark_statements(data.statements, 1, 1, figure);
+    for (const PrintedStatement& statement : data.statements) {
+        shown.include(statement.at.y());
+    }
+    // Room for the marks' letters; zero is part of the picture, because distance to failure is what is judged.
+    figure.y.range = std::pair{std::min(0.0, shown.lowest), shown.highest + 0.08 * shown.size() + 0.05};
+    return figure;
+}
+
+Figure failure_locus_figure(const FailureLoci& data) {
+    const double angle_unit = display_unit(Dimension::angle).si_per_unit;
+    const double stress_unit = display_unit(Dimension::stress).si_per_unit;
+    Figure figure{.title = data.title,
+                  .x = axis_of("friction_angle", Dimension::angle),
+                  .y = axis_of("cohesion", Dimension::stress)};
+
+    std::vector<Line> lines;
+    Bounds bounds;
+    for (std::size_t index = 0; index < data.loci.size(); ++index) {
+        lines.push_back(curve_line(data.loci[index], index, angle_unit, stress_unit));
+        bounds.include(lines.back().points);
+    }
+    for (const LaboratoryRange& range : data.laboratory) {
+        if (range.friction_angle) {
+            bounds.x.include(range.friction_angle->lower / angle_unit);
+            bounds.x.include(range.friction_angle->upper / angle_unit);
+        }
+        if (range.cohesion) {
+            bounds.y.include(range.cohesion->lower / stress_unit);
+            bounds.y.include(range.cohesion->upper / stress_unit);
+        }
+    }
+    if (bounds.x.empty() || bounds.y.empty()) {
+        bounds = {.x = {0, 90}, .y = {0, 1}};
+    }
+    const double top = bounds.y.highest + 0.05 * std::max(bounds.y.size(), 1e-6);
+    figure.x.range = std::pair{bounds.x.lowest, bounds.x.highest + 1e-6};
+    figure.y.range = std::pair{std::min(0.0, bounds.y.lowest), top};
+
+    const auto clipped = [](const std::optional<Interval>& range, double unit, std::pair<double, double> shown) {
+        return range
+                   ? std::pair{std::max(range->lower / unit, shown.first), std::min(range->upper / unit, shown.second)}
+                   : shown;
+    };
+    constexpr std::array colours{Colour::orange, Colour::sky, Colour::grey, Colour::green};
+    for (std::size_t index = 0; index < data.laboratory.size(); ++index) {
+        const LaboratoryRange& range = data.laboratory[index];
+        const auto [left, right] = clipped(range.friction_angle, angle_unit, *figure.x.range);
+        const auto [bottom, upper] = clipped(range.cohesion, stress_unit, *figure.y.range);
+        const Colour colour = colours[index % colours.size()];
+        if (left < right && bottom < upper) {
+            figure.series.emplace_back(
+                Region{.outline = {{left, bottom}, {right, bottom}, {right, upper}, {left, upper}},
+                       .legend = range.legend,
+                       .colour = colour});
+        } else {  // a single value
+            figure.series.emplace_back(
+                Line{.points = {{left, bottom}, {right, upper}}, .legend = range.legend, .colour = colour, .width = 5});
+        }
+    }
+    figure.series.insert(figure.series.end(), lines.begin(), lines.end());
+    return figure;
+}
+
+Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) {
+    std::erase_if(bars, [](const SensitivityBar& bar) { return !std::isfinite(bar.effect); });
+    std::stable_sort(bars.begin(), bars.end(), [](const SensitivityBar& first, const SensitivityBar& second) {
+        return std::abs(first.effect) > std::abs(second.effect);
+    });
+
+    Figure figure{.title = std::string(title), .x = {.title = "change of the factor of safety"}, .y = {.grid = false}};
+    Boxes raising{.legend = "makes it safer", .colour = Colour::blue};
+    Boxes lowering{.legend = "makes it less safe", .colour = Colour::vermilion};
+    Extent range;
+    range.include(0);
+    for (const SensitivityBar& bar : bars) {
+        range.include(bar.effect);
+    }
+    const double gap = 0.02 * range.size();
+    for (std::size_t index = 0; index < bars.size(); ++index) {
+        const SensitivityBar& bar = bars[index];
+        const double position = static_cast<double>(bars.size() - index);
+        const bool lowers = bar.effect < 0;
+        (lowers ? lowering : raising)
+            .boxes.push_back(
+                {{std::min(0.0, bar.effect), position - 0.32}, {std::max(0.0, bar.effect), position + 0.32}});
+        figure.y.ticks.emplace_back(position, wrapped(human_name(bar.name) + ", " + unbroken(bar.change), 22));
+        figure.labels.push_back({.at = {bar.effect + (lowers ? -gap : gap), position},
+                                 .text = (lowers ? "−" : "+") + human_number(std::abs(bar.effect), 2),
+                                 .align = lowers ? Label::Align::right : Label::Align::left,
+                                 .boxed = false});
+    }
+    figure.series.emplace_back(std::move(raising));
+    figure.series.emplace_back(std::move(lowering));
+    const double highest_bar = static_cast<double>(bars.size()) + 0.6;
+    if (!bars.empty()) {
+        figure.series.emplace_back(Line{.points = {{0, 0.4}, {0, highest_bar}}, .width = 1.5});
+        figure.y.range = std::pair{0.4, highest_bar};
+        // Room for the numbers at the bars' ends; the names of the inputs leave the bars about so many pixels.
+        constexpr double plot_width = 380;
+        constexpr double letter_width = 13;
+        std::array<double, 2> room{};  // below and above zero, of the width
+        for (std::size_t index = 0; index < bars.size(); ++index) {
+            const double letters = 1.5 + static_cast<double>(letter_count(figure.labels[index].text));
+            double& side = room[bars[index].effect < 0 ? 0 : 1];
+            side = std::max(side, letters * letter_width / plot_width);
+        }
+        const double per_share = std::max(range.size(), 1e-12) / (1 - room[0] - room[1]);
+        figure.x.range = std::pair{range.lowest - room[0] * per_share, range.highest + room[1] * per_share};
+    }
+    figure.width = 720;
+    figure.height = 130 + 74 * static_cast<int>(std::max<std::size_t>(bars.size(), 2));
+    return figure;
+}
+
+Figure critical_figure(const CriticalSearchDrawing& drawing) {
+    const double unit = display_unit(drawing.dimension).si_per_unit;
+    Figure figure{
+        .title = drawing.title, .x = axis_of(drawing.quantity, drawing.dimension), .y = {.title = "factor of safety"}};
+    Bounds bounds;
+    for (std::size_t index = 0; index < drawing.curves.size(); ++index) {
+        const Line line = curve_line(drawing.curves[index], index, unit, 1);
+        bounds.include(line.points);
+        figure.series.emplace_back(line);
+    }
+    if (!bounds.x.empty() && bounds.y.lowest <= 1 && bounds.y.highest >= 1) {
+        figure.series.emplace_back(Line{.points = {{bounds.x.lowest, 1}, {bounds.x.highest, 1}},
+                                        .legend = "factor of safety 1",
+                                        .dash = Dash::dashed,
+                                        .width = 1.5});
+    }
+    if (drawing.critical.allFinite()) {
+        // Towards the limits of the geometry the factor of safety grows beyond all bounds; near the least one it
+        // matters.
+        const double least = drawing.critical.y();
+        const double top = std::min(bounds.y.highest, std::max(2.0, 4 * least));
+        if (top > least) {
+            const double margin = 0.08 * (top - least);
+            figure.y.range = std::pair{std::min(least, bounds.y.lowest) - margin, top + margin};
+        }
+        const Point at{drawing.critical.x() / unit, drawing.critical.y()};
+        figure.series.emplace_back(Points{.points = {at},
+                                          .legend = "least factor of safety " + human_number(at.y(), 3) + " at " +
+                                                    human_number(at.x(), 3) +
+                                                    (figure.x.unit.empty() ? "" : " " + figure.x.unit),
+                                          .size = 1.8});
+    }
+    return figure;
+}
+
+}  // namespace delabole

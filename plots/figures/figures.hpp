@@ -1,0 +1,107 @@
+// The figures of a plane-failure analysis, from plain numbers.
+//
+// Lengths in metres; everything that has a Dimension is given in SI base units and drawn in its display unit.
+#pragma once
+
+#include "parameters/fields.hpp"
+#include "plots/drawing/figure.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+// "strength.friction_angle" and an angle give the axis "strength: friction angle (deg)".
+Axis axis_of(std::string_view name, Dimension dimension);
+
+struct NamedCurve {
+    std::string legend = {};
+    Polyline points = {};
+};
+
+// Pressure normal to a surface, drawn as a shaded diagram on the right-hand side of the surface walked from its first
+// to its last point: below a failure plane walked upwards from the toe.
+struct PressureDiagram {
+    Polyline surface = {};
+    std::vector<double> pressure = {};  // Pa, >= 0, one per point of the surface
+};
+
+struct LevelMark {
+    double height;  // m above the toe
+    std::string text = {};
+};
+
+// A section, origin at the toe, x into the slope, y up, m. Whatever is empty is left out.
+struct SectionDrawing {
+    std::string title = {};
+    Polyline ground = {};          // before the failure, from in front of the toe to behind the crest
+    Polyline failure_plane = {};   // from where it daylights to the bottom of the crack
+    Polyline tension_crack = {};   // from its bottom to the ground
+    Polyline water_in_crack = {};  // the part of the crack that holds water, from its bottom up
+    std::vector<PressureDiagram> water_pressure = {};
+    Polyline observed_profile = {};   // ground left standing
+    Polyline predicted_profile = {};  // ground left standing
+    std::vector<LevelMark> levels = {};
+    double toe_elevation = 0;  // m; added to heights on the vertical axis
+};
+
+Figure section_figure(const SectionDrawing& drawing);
+
+// A printed statement, marked by a letter in the figure and spelled out in the legend.
+struct PrintedStatement {
+    std::string text = {};
+    Point at;
+};
+
+// `x_unit`, `y_unit`: SI per unit of the figure's axes.
+void mark_statements(const std::vector<PrintedStatement>& statements, double x_unit, double y_unit, Figure& figure);
+
+// Factor of safety against depth of water over depth of crack, one curve for each cohesion.
+struct WaterDepthCurves {
+    std::string title = {};
+    std::string ratio = "filled ratio of the water level";  // what x is
+    std::vector<NamedCurve> curves = {};                    // x: that ratio, from 0 to 1; y: factor of safety
+    std::vector<PrintedStatement> statements = {};          // in the same axes
+};
+
+Figure factor_of_safety_against_water(const WaterDepthCurves& data);
+
+// What a laboratory measured; an absent range leaves that direction open.
+struct LaboratoryRange {
+    std::string legend = {};
+    std::optional<Interval> friction_angle = {};  // rad
+    std::optional<Interval> cohesion = {};        // Pa
+};
+
+// Pairs of friction angle and cohesion with which the slope just fails, one locus for each water level.
+struct FailureLoci {
+    std::string title = {};
+    std::vector<NamedCurve> loci = {};  // x: friction angle, rad; y: cohesion, Pa
+    std::vector<LaboratoryRange> laboratory = {};
+};
+
+Figure failure_locus_figure(const FailureLoci& data);
+
+struct SensitivityBar {
+    std::string name = {};    // of the input
+    std::string change = {};  // what it was changed by: "+1 deg"
+    double effect;            // signed change of the factor of safety
+};
+
+// Bars sorted by their length, the longest on top. Bars without a finite effect are left out.
+Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars);
+
+// Factor of safety against one quantity of the geometry, with the least one marked.
+struct CriticalSearchDrawing {
+    std::string title = {};
+    std::string quantity = {};  // "failure_plane.dip"
+    Dimension dimension;
+    std::vector<NamedCurve> curves = {};  // x: the quantity, SI; y: factor of safety
+    Point critical;                       // in the same axes; not finite: none was found
+};
+
+Figure critical_figure(const CriticalSearchDrawing& drawing);
+
+}  // namespace delabole

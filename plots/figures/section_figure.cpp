@@ -1,0 +1,159 @@
+#include "plots/figures/figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+struct Frame {
+    Point lowest{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    Point highest{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+    void include(const Polyline& line) {
+        for (const Point& point : line) {
+            if (point.allFinite()) {
+                lowest = lowest.cwiseMin(point);
+                highest = highest.cwiseMax(point);
+            }
+        }
+    }
+    bool empty() const { return !(lowest.array() <= highest.array()).all(); }
+    Point size() const { return highest - lowest; }
+};
+
+// Outline between the surface and the ends of the pressure arrows. `metres_per_pascal` scales them.
+Polyline pressure_outline(const PressureDiagram& diagram, double metres_per_pascal) {
+    const Polyline& surface = diagram.surface;
+    const std::size_t count = std::min(surface.size(), diagram.pressure.size());
+    if (count < 2) {
+        return {};
+    }
+    Polyline outline(surface.begin(), surface.begin() + static_cast<std::ptrdiff_t>(count));
+    for (std::size_t index = count; index-- > 0;) {
+        const Point along =
+            index + 1 < count ? Point(surface[index + 1] - surface[index]) : Point(surface[index] - surface[index - 1]);
+        const Point to_the_right = Point(along.y(), -along.x()).normalized();
+        outline.push_back(surface[index] + metres_per_pascal * diagram.pressure[index] * to_the_right);
+    }
+    return outline;
+}
+
+double greatest_pressure(const SectionDrawing& drawing) {
+    double greatest = 0;
+    for (const PressureDiagram& diagram : drawing.water_pressure) {
+        for (const double pressure : diagram.pressure) {
+            greatest = std::isfinite(pressure) ? std::max(greatest, pressure) : greatest;
+        }
+    }
+    return greatest;
+}
+
+Frame frame_of(const SectionDrawing& drawing) {
+    Frame frame;
+    for (const Polyline* line : {&drawing.ground, &drawing.failure_plane, &drawing.tension_crack,
+                                 &drawing.observed_profile, &drawing.predicted_profile}) {
+        frame.include(*line);
+    }
+    if (frame.empty()) {
+        frame.include({{0, 0}, {1, 1}});
+    }
+    for (const LevelMark& level : drawing.levels) {
+        frame.include({{frame.lowest.x(), level.height}});
+    }
+    // Above there is room for the text of the highest level. The ground is cut off at the sides of the frame.
+    const double margin = 0.12 * std::max(frame.size().maxCoeff(), 1e-9);
+    const double side = drawing.ground.empty() ? margin : 0;
+    frame.lowest -= Point(side, margin);
+    frame.highest += Point(side, margin);
+    return frame;
+}
+
+void add_water(const SectionDrawing& drawing, double height, Figure& figure) {
+    const double greatest = greatest_pressure(drawing);
+    std::string legend = "water pressure";
+    for (const PressureDiagram& diagram : drawing.water_pressure) {
+        const Polyline outline = greatest > 0 ? pressure_outline(diagram, 0.12 * height / greatest) : Polyline{};
+        if (!outline.empty()) {
+            Polyline edge = outline;
+            edge.push_back(outline.front());
+            figure.series.emplace_back(Region{
+                .outline = outline, .legend = std::exchange(legend, ""), .colour = Colour::sky, .opacity = 0.55});
+            figure.series.emplace_back(Line{.points = edge, .colour = Colour::blue, .width = 1});
+        }
+    }
+}
+
+}  // namespace
+
+Figure section_figure(const SectionDrawing& drawing) {
+    const Frame frame = frame_of(drawing);
+    const Point size = frame.size();
+    const auto raised = [&](Polyline line) {
+        for (Point& point : line) {
+            point.y() += drawing.toe_elevation;
+        }
+        return line;
+    };
+
+    Figure figure{.title = drawing.title,
+                  .x = {.title = "distance from the toe", .unit = "m"},
+                  .y = {.title = drawing.toe_elevation != 0 ? "elevation" : "height above the toe", .unit = "m"},
+                  .equal_scales = true};
+    figure.x.range = std::pair{frame.lowest.x(), frame.highest.x()};
+    figure.y.range = std::pair{frame.lowest.y() + drawing.toe_elevation, frame.highest.y() + drawing.toe_elevation};
+
+    Polyline rock = drawing.ground;
+    if (rock.size() >= 2) {
+        rock.emplace_back(rock.back().x(), frame.lowest.y());
+        rock.emplace_back(drawing.ground.front().x(), frame.lowest.y());
+        figure.series.emplace_back(Region{.outline = rock, .colour = Colour::rock, .opacity = 0.5});
+    }
+    for (const LevelMark& level : drawing.levels) {
+        figure.series.emplace_back(Line{.points = {{frame.lowest.x(), level.height}, {frame.highest.x(), level.height}},
+                                        .colour = Colour::grey,
+                                        .dash = Dash::dotted,
+                                        .width = 1});
+        figure.labels.push_back({.at = {frame.lowest.x() + 0.015 * size.x(), level.height + drawing.toe_elevation},
+                                 .text = level.text,
+                                 .raise = 0.55,
+                                 .boxed = false});
+    }
+    add_water(drawing, size.y(), figure);
+    const auto add_line = [&](const Polyline& line, std::string legend, Colour colour, Dash dash, double width) {
+        if (!line.empty()) {
+            figure.series.emplace_back(
+                Line{.points = line, .legend = std::move(legend), .colour = colour, .dash = dash, .width = width});
+        }
+    };
+    add_line(drawing.ground, "ground before the failure", Colour::black, Dash::solid, 3);
+    add_line(drawing.predicted_profile, "predicted after the failure", Colour::green, Dash::solid, 6);
+    add_line(drawing.failure_plane, "failure plane", Colour::vermilion, Dash::dashed, 3);
+    add_line(drawing.tension_crack, "tension crack", Colour::purple, Dash::dashed, 3);
+    add_line(drawing.water_in_crack, "water in the crack", Colour::blue, Dash::solid, 5);
+    add_line(drawing.observed_profile, "", Colour::black, Dash::dotted, 2);
+    if (!drawing.observed_profile.empty()) {
+        figure.series.emplace_back(Points{.points = drawing.observed_profile,
+                                          .legend = "observed after the failure",
+                                          .marker = Marker::filled_circle,
+                                          .size = 1.3});
+    }
+
+    for (Series& series : figure.series) {
+        if (auto* region = std::get_if<Region>(&series)) {
+            region->outline = raised(std::move(region->outline));
+        } else if (auto* line = std::get_if<Line>(&series)) {
+            line->points = raised(std::move(line->points));
+        } else if (auto* points = std::get_if<Points>(&series)) {
+            points->points = raised(std::move(points->points));
+        }
+    }
+    // The plot is about 540 px wide; title and axis take about 120 px of the height.
+    figure.height = static_cast<int>(std::clamp(540 * size.y() / size.x(), 200.0, 680.0)) + 120;
+    return figure;
+}
+
+}  // namespace delabole

@@ -1,0 +1,286 @@
+#include "plots/figures/stereonet.hpp"
+
+#include "plots/drawing/contour.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+constexpr double right_angle = std::numbers::pi / 2;
+
+// Sets differ in colour, in marker and in dash, so that a net survives a black and white copy.
+constexpr std::array set_colours{Colour::blue, Colour::vermilion, Colour::green, Colour::purple, Colour::orange};
+constexpr std::array set_markers{Marker::filled_circle, Marker::filled_triangle, Marker::filled_square,
+                                 Marker::filled_diamond, Marker::cross};
+constexpr std::array set_dashes{Dash::solid, Dash::dashed, Dash::dotted};
+
+template <class Values>
+auto of_set(const Values& values, std::size_t set) {
+    return values[set % values.size()];
+}
+
+std::string degrees_text(double angle) {
+    return human_number(angle / degrees(1), 3);
+}
+
+// "85/282.5": dip and dip direction, or plunge and trend.
+std::string attitude(double inclination, double azimuth) {
+    return degrees_text(inclination) + "/" + human_number(azimuth / degrees(1), 4);
+}
+
+Point on_primitive(double azimuth, double radius) {
+    return {radius * std::sin(azimuth), radius * std::cos(azimuth)};
+}
+
+Figure empty_net(const StereonetDrawing& drawing, std::string_view shown) {
+    constexpr double margin = 1.17;  // room for the azimuths around the primitive
+    Figure figure{.title = drawing.title.empty() ? std::string(shown) : drawing.title + ": " + std::string(shown),
+                  .x = {.range = std::pair{-margin, margin}, .grid = false},
+                  .y = {.range = std::pair{-margin, margin}, .grid = false},
+                  .equal_scales = true,
+                  .frame = false,
+                  .width = 720,
+                  .height = 720};
+    return figure;
+}
+
+// Primitive circle, ticks and azimuths: last, over everything that ends at the circle.
+void add_primitive(Figure& figure, NetProjection projection) {
+    figure.series.emplace_back(Line{.points = plunge_circle(0, projection, 361), .colour = Colour::black, .width = 2});
+    std::vector<Polyline> ticks{{Point(-0.025, 0), Point(0.025, 0)}, {Point(0, -0.025), Point(0, 0.025)}};
+    for (int azimuth = 0; azimuth < 360; azimuth += 10) {
+        const double length = azimuth == 0 ? 0.055 : azimuth % 30 == 0 ? 0.035 : 0.02;
+        ticks.push_back({on_primitive(degrees(azimuth), 1), on_primitive(degrees(azimuth), 1 + length)});
+    }
+    figure.series.emplace_back(Line{.points = broken_line(ticks), .colour = Colour::black, .width = 1.5});
+    for (int azimuth = 0; azimuth < 360; azimuth += 30) {
+        figure.labels.push_back({.at = on_primitive(degrees(azimuth), azimuth == 0 ? 1.1 : 1.105),
+                                 .text = azimuth == 0 ? "N" : std::to_string(azimuth),
+                                 .align = Label::Align::centre,
+                                 .boxed = false});
+    }
+    figure.labels.push_back({.at = {1.16, -1.14},
+                             .text = projection == NetProjection::equal_area ? "equal area, lower hemisphere"
+                                                                             : "equal angle, lower hemisphere",
+                             .align = Label::Align::right,
+                             .colour = Colour::grey,
+                             .boxed = false});
+}
+
+void add_face(Figure& figure, const StereonetDrawing& drawing) {
+    const SlopeOrientation& slope = drawing.slope;
+    figure.series.emplace_back(
+        Line{.points = great_circle({slope.face_dip, slope.face_dip_direction}, drawing.projection),
+             .legend = "face " + attitude(slope.face_dip, slope.face_dip_direction),
+             .colour = Colour::black,
+             .width = 4});
+}
+
+void add_zone(Figure& figure, Polyline outline, std::string legend, Colour colour) {
+    if (!outline.empty()) {
+        figure.series.emplace_back(
+            Region{.outline = std::move(outline), .legend = std::move(legend), .colour = colour, .opacity = 0.45});
+    }
+}
+
+std::vector<Direction> counted_poles(const StereonetDrawing& drawing) {
+    constexpr std::size_t most_counted = 1000;
+    std::vector<Direction> poles;
+    for (const DrawnJointSet& set : drawing.joint_set) {
+        for (std::size_t index = 0; index < std::min(most_counted, set.planes.size()); ++index) {
+            poles.push_back(upward_normal(set.planes[index]));
+        }
+    }
+    return poles;
+}
+
+void add_contours(Figure& figure, const StereonetDrawing& drawing) {
+    const std::vector<Direction> poles = counted_poles(drawing);
+    if (poles.empty() || drawing.grid_side < 4) {
+        return;
+    }
+    const DensityGrid grid =
+        pole_density_grid(poles, drawing.kernel_concentration, drawing.projection, drawing.grid_side);
+    double highest = 0;
+    for (const double value : grid.values.reshaped()) {
+        highest = std::isfinite(value) ? std::max(highest, value) : highest;
+    }
+    std::vector<Polyline> parts;
+    std::string levels;
+    for (double level = 2; level < highest && level <= 64; level *= 2) {
+        for (const Polyline& chain : contour_lines(grid.coordinates, grid.coordinates, grid.values, level)) {
+            for (Polyline& part : inside_primitive(chain)) {
+                parts.push_back(std::move(part));
+            }
+        }
+        levels += (levels.empty() ? "" : ", ") + human_number(level, 3);
+    }
+    if (!parts.empty()) {
+        figure.series.emplace_back(
+            Line{.points = broken_line(parts),
+                 .legend = "density of the " + drawing.planes_are + " poles, " + levels + " times uniform",
+                 .colour = Colour::grey,
+                 .width = 1.5});
+    }
+}
+
+void add_poles(Figure& figure, const StereonetDrawing& drawing) {
+    constexpr std::size_t most_drawn = 150;
+    bool named = false;
+    for (std::size_t index = 0; index < drawing.joint_set.size(); ++index) {
+        const DrawnJointSet& set = drawing.joint_set[index];
+        Points poles{.colour = of_set(set_colours, index), .marker = of_set(set_markers, index), .size = 0.4};
+        for (std::size_t plane = 0; plane < std::min(most_drawn, set.planes.size()); ++plane) {
+            poles.points.push_back(projected_pole(set.planes[plane], drawing.projection));
+        }
+        if (poles.points.empty()) {
+            continue;
+        }
+        if (!named) {
+            poles.legend =
+                "small marks: " + drawing.planes_are + " poles, at most " + std::to_string(most_drawn) + " of each set";
+            named = true;
+        }
+        figure.series.emplace_back(std::move(poles));
+    }
+}
+
+void add_mean_poles(Figure& figure, const StereonetDrawing& drawing) {
+    for (std::size_t index = 0; index < drawing.joint_set.size(); ++index) {
+        const DrawnJointSet& set = drawing.joint_set[index];
+        const Point pole = projected_pole(set.mean, drawing.projection);
+        // A white ground parts the mark from the poles around it.
+        figure.series.emplace_back(
+            Points{.points = {pole}, .colour = Colour::white, .marker = of_set(set_markers, index), .size = 3});
+        figure.series.emplace_back(
+            Points{.points = {pole},
+                   .legend = human_name(set.name) + ", mean " + attitude(set.mean.dip, set.mean.dip_direction),
+                   .colour = of_set(set_colours, index),
+                   .marker = of_set(set_markers, index),
+                   .size = 2});
+    }
+}
+
+// "1–3, 5" for the first three and the fifth.
+std::string gathered_labels(const std::vector<DrawnIntersection>& intersections,
+                            const std::vector<std::size_t>& indices) {
+    std::string text;
+    for (std::size_t begin = 0, end = 0; begin < indices.size(); begin = end) {
+        for (end = begin + 1; end < indices.size() && indices[end] == indices[end - 1] + 1;) {
+            ++end;
+        }
+        text += (text.empty() ? "" : ", ") + intersections[indices[begin]].label;
+        if (end - begin > 1) {
+            text += (end - begin == 2 ? ", " : "–") + intersections[indices[end - 1]].label;
+        }
+    }
+    return text;
+}
+
+// One label for lines that lie close together, above the highest of them.
+void add_intersection_labels(Figure& figure, const std::vector<DrawnIntersection>& intersections,
+                             const Polyline& points) {
+    constexpr double close = 0.15;  // of the net's radius, about the width of a label
+    std::vector<std::vector<std::size_t>> groups;
+    for (std::size_t index = 0; index < points.size(); ++index) {
+        const auto near = std::ranges::find_if(groups, [&](const std::vector<std::size_t>& group) {
+            return (points[group.front()] - points[index]).norm() < close;
+        });
+        if (near == groups.end()) {
+            groups.push_back({index});
+        } else {
+            near->push_back(index);
+        }
+    }
+    for (const std::vector<std::size_t>& group : groups) {
+        const std::size_t highest =
+            *std::ranges::max_element(group, {}, [&](std::size_t index) { return points[index].y(); });
+        figure.labels.push_back({.at = points[highest],
+                                 .text = gathered_labels(intersections, group),
+                                 .align = Label::Align::centre,
+                                 .raise = 1.1});
+    }
+}
+
+}  // namespace
+
+Figure pole_figure(const StereonetDrawing& drawing) {
+    const NetProjection projection = drawing.projection;
+    const std::string friction = degrees_text(drawing.friction_angle);
+    Figure figure = empty_net(drawing, "poles");
+    add_zone(
+        figure,
+        planar_sliding_zone(drawing.slope, drawing.friction_angle, drawing.lateral_limit.planar_sliding, projection),
+        "poles that slide, within " + degrees_text(drawing.lateral_limit.planar_sliding) + "° of the face",
+        Colour::rock);
+    add_zone(figure,
+             flexural_toppling_zone(drawing.slope, drawing.friction_angle, drawing.lateral_limit.flexural_toppling,
+                                    projection),
+             "poles that topple (flexural), within " + degrees_text(drawing.lateral_limit.flexural_toppling) +
+                 "° of the face",
+             Colour::sky);
+    add_poles(figure, drawing);
+    add_contours(figure, drawing);
+    add_face(figure, drawing);
+    figure.series.emplace_back(Line{.points = daylight_envelope(drawing.slope, projection),
+                                    .legend = "daylight envelope of the face",
+                                    .colour = Colour::black,
+                                    .dash = Dash::dashed,
+                                    .width = 2});
+    figure.series.emplace_back(Line{.points = plunge_circle(right_angle - drawing.friction_angle, projection),
+                                    .legend = "friction circle, planes dipping " + friction + "°",
+                                    .colour = Colour::black,
+                                    .dash = Dash::dotted,
+                                    .width = 2});
+    add_mean_poles(figure, drawing);
+    add_primitive(figure, projection);
+    return figure;
+}
+
+Figure plane_figure(const StereonetDrawing& drawing) {
+    const NetProjection projection = drawing.projection;
+    const std::string friction = degrees_text(drawing.friction_angle);
+    Figure figure = empty_net(drawing, "mean planes and intersections");
+    add_zone(figure, wedge_sliding_zone(drawing.slope, drawing.friction_angle, projection),
+             "intersections along which wedges slide", Colour::rock);
+    add_zone(
+        figure, toppling_axis_zone(drawing.slope, drawing.lateral_limit.direct_toppling, projection),
+        "axes of toppling columns, within " + degrees_text(drawing.lateral_limit.direct_toppling) + "° of the face",
+        Colour::sky);
+    add_zone(figure, oblique_toppling_axis_zone(drawing.slope, drawing.friction_angle, projection),
+             "oblique axes, within " + friction + "° of vertical", Colour::light_grey);
+    add_face(figure, drawing);
+    for (std::size_t index = 0; index < drawing.joint_set.size(); ++index) {
+        const DrawnJointSet& set = drawing.joint_set[index];
+        figure.series.emplace_back(
+            Line{.points = great_circle(set.mean, projection),
+                 .legend = human_name(set.name) + " " + attitude(set.mean.dip, set.mean.dip_direction),
+                 .colour = of_set(set_colours, index),
+                 .dash = of_set(set_dashes, index),
+                 .width = 3});
+    }
+    figure.series.emplace_back(Line{.points = plunge_circle(drawing.friction_angle, projection),
+                                    .legend = "friction circle, lines plunging " + friction + "°",
+                                    .colour = Colour::black,
+                                    .dash = Dash::dotted,
+                                    .width = 2});
+    Points lines{.legend = "lines of intersection", .colour = Colour::black, .size = 1.2};
+    for (const DrawnIntersection& intersection : drawing.intersection) {
+        lines.points.push_back(projected_line(intersection.line, projection));
+    }
+    add_intersection_labels(figure, drawing.intersection, lines.points);
+    if (!lines.points.empty()) {
+        figure.series.emplace_back(std::move(lines));
+    }
+    add_primitive(figure, projection);
+    return figure;
+}
+
+}  // namespace delabole
