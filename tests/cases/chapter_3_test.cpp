@@ -1,4 +1,5 @@
 // What `delabole reproduce chapter3` says, and `chapter2` of its models.
+#include "cases/program/commands/commands.hpp"
 #include "reproduction_fixture.hpp"
 
 #include <cmath>

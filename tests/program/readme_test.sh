@@ -1,26 +1,46 @@
 #!/usr/bin/env bash
-# What the README tells a reader to type works: every fenced block of language sh is run by bash -eu, one after the
-# other, in a copy of the sources with a home folder of its own and the built program on PATH. The block with cases/run
-# and tests/run is left to .ci/run, which runs both; mpirun is left out where the program was built without MPI.
+# Usage: readme_test.sh README, from the root of the sources
+# What a README tells a reader to type works, and prints what it says: every fenced block of language sh is run by
+# bash -eu, one after the other, in a copy of the sources with a home folder of its own and the built program on PATH;
+# a block of language text that follows at once is what it prints. Pictures that its commands draw are those of the
+# sources, and its links lead somewhere. The block with cases/run and tests/run is left to .ci/run, which runs both;
+# mpirun is left out where the program was built without MPI.
 set -euo pipefail
+readme=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 mkdir "$work/home" "$work/delabole"
 tar -C "$DELABOLE_SOURCE" --exclude=./build --exclude=./results --exclude=./.git -cf - . | tar -C "$work/delabole" -xf -
-# The README speaks of build/release, whatever preset this test belongs to.
+# The READMEs speak of build/release, whatever preset this test belongs to.
 mkdir "$work/delabole/build"
 ln -s "$DELABOLE_BUILD" "$work/delabole/build/release"
 
 awk -v folder="$work" '
-    !inside && /^```sh$/ { inside = 1; file = sprintf("%s/block_%02d.sh", folder, ++count); next }
+    !inside && /^```sh$/ { inside = 1; file = sprintf("%s/block_%02d.sh", folder, ++count); blank = 0; next }
+    !inside && /^```text$/ && file != "" { inside = 1; file = sprintf("%s/block_%02d.out", folder, count); next }
     inside && /^```$/ { inside = 0; close(file); next }
     inside { print > file }
-' "$work/delabole/README.md"
+    !inside && NF { file = "" }
+' "$work/delabole/$readme"
 
 # Commands under mpirun, with more ranks than processors and perhaps as root.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
+
+# Cases written out in full are right.
+awk -v folder="$work" '
+    !inside && /^```toml$/ { inside = 1; file = sprintf("%s/case_%02d.toml", folder, ++count); next }
+    inside && /^```$/ { inside = 0; close(file); next }
+    inside { print > file }
+' "$work/delabole/$readme"
+failed=0
+for written in "$work"/case_*.toml; do
+    if [[ -f $written ]] && grep -q '^schema = 1' "$written" && ! "$DELABOLE_BUILD/bin/delabole" verify "$written"; then
+        echo "$readme shows a case that is not right"
+        failed=1
+    fi
+done
 
 run=0
 for block in "$work"/block_*.sh; do
@@ -30,13 +50,32 @@ for block in "$work"/block_*.sh; do
     if grep -q '^mpirun ' "$block" && [[ $DELABOLE_WITH_MPI != ON && $DELABOLE_WITH_MPI != TRUE ]]; then
         continue
     fi
-    echo "--- README:"
+    echo "--- $readme:"
     cat "$block"
     echo "---"
-    (cd "$work/delabole" && HOME=$work/home PATH=$DELABOLE_BUILD/bin:$PATH bash -eu "$block" </dev/null)
+    (cd "$work/delabole" && HOME=$work/home PATH=$DELABOLE_BUILD/bin:$PATH bash -eu "$block" </dev/null | tee "$work/printed")
+    if [[ -f ${block%.sh}.out ]] && ! diff "${block%.sh}.out" "$work/printed"; then
+        echo "$readme does not show what this prints: <, what it shows, >, what it should"
+        failed=1
+    fi
     run=$((run + 1))
 done
 if [[ $run == 0 ]]; then
-    echo "the README has no command to run: has the mark of its blocks changed?"
-    exit 1
+    echo "$readme has no command to run: has the mark of its blocks changed?"
+    failed=1
 fi
+
+for picture in "$DELABOLE_SOURCE"/plots/pictures/*; do
+    if ! cmp "$picture" "$work/delabole/plots/pictures/${picture##*/}"; then
+        echo "plots/pictures/${picture##*/} is not what plots/README.md draws"
+        failed=1
+    fi
+done
+
+while read -r link; do
+    if [[ ! -e $DELABOLE_SOURCE/$(dirname "$readme")/$link ]]; then
+        echo "$readme: nothing is at $link"
+        failed=1
+    fi
+done < <(grep -oE '\]\([^)]+\)' "$DELABOLE_SOURCE/$readme" | sed 's/^](//;s/)$//' | grep -v '^https*:')
+exit "$failed"

@@ -16,6 +16,11 @@ if grep -rIn 'SPDX-License-Identifier' --exclude-dir=build --exclude-dir=.git --
     echo "states another licence than .reuse/dep5, which should then except it"
     failed=1
 fi
+version=$(sed -n 's/^project(delabole VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+if ! grep -qF "license: $stated" CITATION.cff || ! grep -qF "version: $version" CITATION.cff; then
+    echo "CITATION.cff does not give the licence $stated and the version $version"
+    failed=1
+fi
 if ! grep -q 'GNU GENERAL PUBLIC LICENSE' LICENSE; then
     echo "LICENSE is not the text of $stated"
     failed=1
