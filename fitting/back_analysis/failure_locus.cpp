@@ -15,9 +15,9 @@ namespace delabole {
 namespace {
 
 constexpr int scan_points = 17;
-constexpr double root_tolerance = 1e-10;  // of the range
-constexpr double node_root = 1e-12;       // rounding must not hide a root at the end of the range
-constexpr double root_check = 1e-6;       // |FS - 1| above this at a sign change is a jump, not a root
+constexpr double locus_tolerance = 1e-10;  // of the range
+constexpr double node_root = 1e-12;        // rounding must not hide a root at the end of the range
+constexpr double root_check = 1e-6;        // |FS - 1| above this at a sign change is a jump, not a root
 
 // FS - 1 in the plane of two parameters.
 class Plane {
@@ -47,7 +47,7 @@ class Plane {
 std::vector<double> roots_along(Plane& plane, std::size_t parameter, const Interval& range) {
     const std::vector<double> values = grid(range, scan_points);
     const auto function = [&](double value) { return plane(parameter, value); };
-    const double tolerance = root_tolerance * (range.upper - range.lower);
+    const double tolerance = locus_tolerance * (range.upper - range.lower);
     std::vector<double> roots;
     double previous = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t index = 0; index < values.size(); ++index) {

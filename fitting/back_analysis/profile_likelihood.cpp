@@ -21,7 +21,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double end_tolerance = 1e-4;     // of the range
-constexpr double root_tolerance = 1e-4;    // of sqrt(misfit): that many standard deviations of a normal posterior
+constexpr double bound_tolerance = 1e-4;   // of sqrt(misfit): that many standard deviations of a normal posterior
 constexpr double misfit_tolerance = 1e-6;  // each point's misfit; levels are 1 and more
 constexpr double better = 1e-4;            // a misfit lower by less than this is not news
 
@@ -246,7 +246,7 @@ IntervalEnd Tracer::find_end(double inside, double outside, double rise) {
     const double inside_excess = excess(knots_.at(inside).misfit, rise);
     const auto root = inside_excess == 0 ? std::optional(inside)
                                          : bracketed_root(function, {inside, outside, inside_excess, outside_excess},
-                                                          tolerance, root_tolerance);
+                                                          tolerance, bound_tolerance);
     // An answerless gap inside the bracket: the wider interval is the honest one.
     return {root.value_or(outside), true};
 }

@@ -6,6 +6,7 @@
 #include "fitting/work/evaluation.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 
 #include <array>
 #include <concepts>
@@ -198,6 +199,12 @@ struct MechanismFit {
     std::optional<SurrogateFit> surrogate;    // of a costly mechanism
     std::optional<MechanismPosterior> posterior;  // where the problem asks for it
     EvaluationCount evaluations;                  // the posterior's included
+
+    // Of one of the parameters, by its name.
+    Dimension dimension_of(const std::string& parameter) const {
+        const auto found = std::ranges::find(parameters, parameter, &FreeParameter::name);
+        return dimensions[static_cast<std::size_t>(found - parameters.begin())];
+    }
 };
 
 struct FitResult {

@@ -29,15 +29,6 @@ Values values_of(const Chains& chains, std::size_t parameter, std::size_t steps)
     return values;
 }
 
-std::vector<double> sorted_together(const Values& values) {
-    std::vector<double> all;
-    for (const std::vector<double>& column : values) {
-        all.insert(all.end(), column.begin(), column.end());
-    }
-    std::sort(all.begin(), all.end());
-    return all;
-}
-
 Interval central(const std::vector<double>& sorted, double probability) {
     return {sorted_quantile(sorted, (1 - probability) / 2), sorted_quantile(sorted, (1 + probability) / 2)};
 }

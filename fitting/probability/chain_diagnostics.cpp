@@ -149,15 +149,6 @@ void check(std::span<const Chain> chains) {
     }
 }
 
-Chain sorted_together(const std::vector<Chain>& chains) {
-    Chain sorted;
-    for (const Chain& chain : chains) {
-        sorted.insert(sorted.end(), chain.begin(), chain.end());
-    }
-    std::sort(sorted.begin(), sorted.end());
-    return sorted;
-}
-
 double r_hat_of(const std::vector<Chain>& split, const std::vector<Chain>& scores, const Chain& sorted) {
     const double median = sorted_quantile(sorted, 0.5);
     std::vector<Chain> folded = split;

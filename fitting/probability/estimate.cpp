@@ -16,6 +16,15 @@ constexpr double tail = 0.025;
 
 }  // namespace
 
+std::vector<double> sorted_together(const std::vector<std::vector<double>>& columns) {
+    std::vector<double> all;
+    for (const std::vector<double>& column : columns) {
+        all.insert(all.end(), column.begin(), column.end());
+    }
+    std::ranges::sort(all);
+    return all;
+}
+
 double sorted_quantile(std::span<const double> sorted, double share) {
     const double place = share * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(place);

@@ -16,6 +16,8 @@ struct Estimate {
     Interval interval_95 = {0, 0};
 };
 
+// The values of all columns, ascending.
+std::vector<double> sorted_together(const std::vector<std::vector<double>>& columns);
 // Value below which a share of the numbers lies: linear between order statistics (type 7 of R. J. Hyndman & Y. Fan, The
 // American Statistician 50 (1996) 361-365). The numbers have to be sorted and at least one; 0 <= share <= 1.
 double sorted_quantile(std::span<const double> sorted, double share);

@@ -21,7 +21,7 @@ double norm(std::span<const double> vector) {
     return std::sqrt(std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.0));
 }
 
-struct Run {
+struct Search {
     const Objective& g;
     const NearestPointSettings& settings;
     StopFlag stop;
@@ -74,7 +74,7 @@ double half_square(unsigned count, const double* u, double* gradient, void*) noe
 
 // Called from C: nothing may escape.
 double constraint(unsigned count, const double* u, double* gradient, void* data) noexcept {
-    Run& run = *static_cast<Run*>(data);
+    Search& run = *static_cast<Search*>(data);
     if (gradient != nullptr) {
         std::fill_n(gradient, count, 0.0);
     }
@@ -100,7 +100,7 @@ double constraint(unsigned count, const double* u, double* gradient, void* data)
     }
 }
 
-std::vector<double> search(Run& run, nlopt_algorithm algorithm, std::vector<double> u) {
+std::vector<double> search(Search& run, nlopt_algorithm algorithm, std::vector<double> u) {
     const Optimiser optimiser(nlopt_create(algorithm, static_cast<unsigned>(u.size())), &nlopt_destroy);
     if (!optimiser) {
         throw std::bad_alloc();
@@ -122,7 +122,7 @@ std::vector<double> search(Run& run, nlopt_algorithm algorithm, std::vector<doub
     return u;
 }
 
-NearestPoint judged(Run& run, std::vector<double> u) {
+NearestPoint judged(Search& run, std::vector<double> u) {
     NearestPoint found;
     const std::optional<double> value = run.value(u);
     std::vector<double> slope;
@@ -150,7 +150,7 @@ NearestPoint judged(Run& run, std::vector<double> u) {
 
 NearestPoint nearest_point(const Objective& g, std::span<const double> start, const NearestPointSettings& settings,
                            StopFlag stop) {
-    Run run{g, settings, stop};
+    Search run{g, settings, stop};
     std::vector<double> u(start.begin(), start.end());
     const std::optional<double> value = run.value(u);
     std::vector<double> slope;

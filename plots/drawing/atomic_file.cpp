@@ -18,10 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason_of(int error) {
-    return std::generic_category().message(error);
-}
-
 // A part is locked as long as its writer lives, so that one without a lock is abandoned. File systems that cannot lock
 // refuse the remover's lock as well: there parts stay.
 bool lock(int descriptor) {
@@ -137,6 +133,10 @@ class TemporaryFile {
 };
 
 }  // namespace
+
+std::string reason_of(int error) {
+    return std::generic_category().message(error);
+}
 
 OutputError::OutputError(std::filesystem::path path, std::string reason)
     : std::runtime_error("cannot write " + path.string() + ": " + reason),

@@ -22,6 +22,9 @@ class OutputError : public std::runtime_error {
     std::string reason_;
 };
 
+// What a value of errno means.
+std::string reason_of(int error);
+
 // Writes `text` to a hidden temporary file beside `path`, forces it to the disk and renames it to `path`: afterwards
 // either the whole new file is there or, after an OutputError, whatever was there before, without leftovers. Only
 // regular files are replaced: a symbolic link, folder, device or pipe named `path` is refused.

@@ -31,7 +31,7 @@ StudyProgress progress_of(const RelaxationStudy& study) {
     return progress;
 }
 
-class CheckpointFile : public testing::Test {
+class CheckpointFile : public ::testing::Test {
   protected:
     std::string refusal(const RelaxationStudy& other) const {
         const KeptProgress kept = read_checkpoint(path, other, KeepFrames::no);

@@ -41,13 +41,13 @@ label = "(ii)"
 statement = "none has a say in this"
 )toml";
 
-std::string text_with(std::string_view from, std::string_view to) {
+std::string conclusion_text_with(std::string_view from, std::string_view to) {
     const std::string all = std::string(example_text) + std::string(two_models) + std::string(conclusions);
     return from.empty() ? all : changed(all, from, to);
 }
 
 TEST(ConclusionsReader, ClaimsOfMechanismsAndOfQuantities) {
-    const CaseFile file = parse_case(text_with("", ""), "slope.toml");
+    const CaseFile file = parse_case(conclusion_text_with("", ""), "slope.toml");
     ASSERT_EQ(file.fit->conclusions.size(), 2U);
     const Conclusion& first = file.fit->conclusions[0];
     EXPECT_EQ(first.label, "(i)");
@@ -68,7 +68,7 @@ TEST(ConclusionsReader, ClaimsOfMechanismsAndOfQuantities) {
 }
 
 TEST(ConclusionsReader, TheResolvedCaseHoldsThem) {
-    const CaseFile file = parse_case(text_with("", ""), "slope.toml");
+    const CaseFile file = parse_case(conclusion_text_with("", ""), "slope.toml");
     const CaseFile again = parse_case(resolved_toml(file), "resolved.toml");
     EXPECT_EQ(resolved_toml(again), resolved_toml(file));
     const auto& water = std::get<ClaimOfQuantity>(again.fit->conclusions.at(0).tests.at(1).of);
@@ -78,7 +78,7 @@ TEST(ConclusionsReader, TheResolvedCaseHoldsThem) {
 
 TEST(ConclusionsReader, Complaints) {
     const auto said = [](std::string_view from, std::string_view to, std::string_view words) {
-        expect_complaint(text_with(from, to), words);
+        expect_complaint(conclusion_text_with(from, to), words);
     };
     said("[\"tilting\"]", "[\"titling\"]",
          "fit.conclusion[1].test[1].probability_of = [ ... ]: titling is not a mechanism of this case (did you mean "

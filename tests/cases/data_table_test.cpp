@@ -35,7 +35,7 @@ std::vector<Row> parse(const std::string& rows) {
     return parse_table<Row>(std::string(header) + rows, "slopes.csv");
 }
 
-std::string complaint(const std::string& text) {
+std::string complaint_of_table(const std::string& text) {
     try {
         parse_table<Row>(text, "slopes.csv");
     } catch (const CaseError& error) {
@@ -45,7 +45,7 @@ std::string complaint(const std::string& text) {
 }
 
 std::string complaint_of_row(const std::string& row) {
-    return complaint(std::string(header) + row);
+    return complaint_of_table(std::string(header) + row);
 }
 
 TEST(DataTable, ReadsEveryKindOfCell) {
@@ -104,22 +104,23 @@ TEST(DataTable, AllComplaintsAtOnceInTheOrderOfTheFile) {
 }
 
 TEST(DataTable, ComplainsAboutColumns) {
-    EXPECT_TRUE(complaint("name,slope_angle_deg,height_ratio,verdct\n")
+    EXPECT_TRUE(complaint_of_table("name,slope_angle_deg,height_ratio,verdct\n")
                     .starts_with("slopes.csv:1:35: verdct: is not a column of this table (did you mean verdict?)"));
-    EXPECT_TRUE(complaint("name,slope_angle,height_ratio,verdict\n")
+    EXPECT_TRUE(complaint_of_table("name,slope_angle,height_ratio,verdict\n")
                     .starts_with("slopes.csv:1:6: slope_angle: has no unit, e.g. slope_angle_deg"));
-    EXPECT_TRUE(
-        complaint("name,slope_angle_kPa,height_ratio,verdict\n").starts_with("slopes.csv:1:6: slope_angle_kPa:"));
-    EXPECT_TRUE(complaint("name,slope_angle_deg,height_ratio,height_ratio,verdict\n")
+    EXPECT_TRUE(complaint_of_table("name,slope_angle_kPa,height_ratio,verdict\n")
+                    .starts_with("slopes.csv:1:6: slope_angle_kPa:"));
+    EXPECT_TRUE(complaint_of_table("name,slope_angle_deg,height_ratio,height_ratio,verdict\n")
                     .starts_with("slopes.csv:1:35: height_ratio: is given twice"));
-    EXPECT_EQ(complaint("name,slope_angle_deg,verdict\n"),
+    EXPECT_EQ(complaint_of_table("name,slope_angle_deg,verdict\n"),
               "slopes.csv:1:1: height_ratio: is missing: a column height_ratio");
-    EXPECT_EQ(complaint("# nothing but this\n"), "slopes.csv:1:1: holds no table: its first line names the columns");
+    EXPECT_EQ(complaint_of_table("# nothing but this\n"),
+              "slopes.csv:1:1: holds no table: its first line names the columns");
 }
 
 // A case may name a file that is none of its sender's business.
 TEST(DataTable, ShowsNothingOfAFileThatIsNoTable) {
-    EXPECT_EQ(complaint("root:secret:1,2\nmore\n"),
+    EXPECT_EQ(complaint_of_table("root:secret:1,2\nmore\n"),
               "slopes.csv:1:1: names none of the columns of this table: name, slope_angle_deg, height_m, height_ratio, "
               "verdict");
 }
@@ -139,7 +140,7 @@ TEST(DataTable, AnyTextIsReadOrRefused) {
             if (!text.empty()) {
                 text[length / 2] = replaced;
             }
-            EXPECT_FALSE(complaint(text).empty());
+            EXPECT_FALSE(complaint_of_table(text).empty());
         }
     }
 }

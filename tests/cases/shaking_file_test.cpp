@@ -16,7 +16,7 @@ namespace {
 
 using testing::changed;
 
-constexpr std::string_view header = "time_s,horizontal_m_per_s2,vertical_m_per_s2\n";
+constexpr std::string_view first_line = "time_s,horizontal_m_per_s2,vertical_m_per_s2\n";
 
 constexpr std::string_view case_text = R"(schema = 1
 model = "relaxation"
@@ -45,7 +45,7 @@ std::string problem_of_record(const std::string& text) {
 
 class ShakingFile : public ::testing::Test {
   protected:
-    void write(std::string_view rows) const { std::ofstream(folder.path() / "record.csv") << header << rows; }
+    void write(std::string_view rows) const { std::ofstream(folder.path() / "record.csv") << first_line << rows; }
     CaseFile read(const std::string& text) const { return parse_case(text, (folder.path() / "case.toml").string()); }
     std::vector<ShakingPoint> record(const std::string& text) const {
         return std::get<RelaxationStudy>(read(text).model).model.shaking;
@@ -74,7 +74,7 @@ TEST(ShakingRecord, HasUnitsInItsColumns) {
 }
 
 TEST(ShakingRecord, SaysWhatIsWrongAndWhere) {
-    const std::string columns(header);
+    const std::string columns(first_line);
     EXPECT_EQ(problem_of_record(columns + "0,0,0\n0.1,1,0\n0.1,2,0\n"),
               "record.csv:4:1: time = 0.1 s: must be more than that of the line before, 0.1 s");
     EXPECT_EQ(problem_of_record(columns + "-1,0,0\n"), "record.csv:2:1: time = \"-1 s\": must be at least 0 s");
@@ -124,7 +124,7 @@ TEST_F(ShakingFile, ProblemsHaveTheirFileAndLine) {
 // A mechanism of a fit may be shaken otherwise than the case, whose record it then does not keep.
 TEST_F(ShakingFile, OfAMechanismReplacesThatOfTheCase) {
     write("0,1,0\n0.5,-2,0.25\n");
-    std::ofstream(folder.path() / "other.csv") << header << "1,3,0\n";
+    std::ofstream(folder.path() / "other.csv") << first_line << "1,3,0\n";
     const std::string text = std::string(case_text) + R"(
 [[fit.observation]]
 label = "slip"

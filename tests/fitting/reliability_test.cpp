@@ -13,10 +13,10 @@ using test::independent;
 using test::objective;
 using test::Study;
 
-const FailureCriterion below_zero{0, FailureSide::below, {}, {}};
+const FailureCriterion fails_below_zero{0, FailureSide::below, {}, {}};
 
 ReliabilityResult found(const std::function<double(std::span<const double>)>& margin, const InputSpace& space,
-                        const FailureCriterion& criterion = below_zero, int threads = 1) {
+                        const FailureCriterion& criterion = fails_below_zero, int threads = 1) {
     Study study(objective(margin), threads);
     return reliability(study.evaluator(), space, {}, criterion, 1);
 }
@@ -115,21 +115,22 @@ TEST(Reliability, FailuresOfTheModelAreWallsAndCounted) {
     Study study([](std::span<const double> u) {
         return u[1] > 1 ? Evaluation{0, "crack_outside"} : Evaluation{3 - u[0] - 0.5 * u[1], {}};
     });
-    const ReliabilityResult result = reliability(study.evaluator(), independent(2, Normal{0, 1}), {}, below_zero, 1);
+    const ReliabilityResult result =
+        reliability(study.evaluator(), independent(2, Normal{0, 1}), {}, fails_below_zero, 1);
     // Without the wall the design point is (2.4, 1.2) at 2.683; with it, the best left is (2.5, 1) at 2.693, where the
     // wall and not the slope of the margin decides, or none.
     EXPECT_NE(result.status, ReliabilityStatus::converged);
     EXPECT_GT(result.evaluations.failed(), 0);
 
     Study hopeless([](std::span<const double>) { return Evaluation{0, "crack_outside"}; });
-    EXPECT_EQ(reliability(hopeless.evaluator(), independent(2, Normal{0, 1}), {}, below_zero, 1).status,
+    EXPECT_EQ(reliability(hopeless.evaluator(), independent(2, Normal{0, 1}), {}, fails_below_zero, 1).status,
               ReliabilityStatus::no_answer_at_medians);
 }
 
 TEST(Reliability, SameNumbersOnAnyNumberOfThreads) {
     const auto margin = [](std::span<const double> u) { return 3 - u[0] * u[1] - 0.2 * u[2]; };
-    const ReliabilityResult alone = found(margin, independent(3, Normal{0, 1}), below_zero, 1);
-    const ReliabilityResult together = found(margin, independent(3, Normal{0, 1}), below_zero, 3);
+    const ReliabilityResult alone = found(margin, independent(3, Normal{0, 1}), fails_below_zero, 1);
+    const ReliabilityResult together = found(margin, independent(3, Normal{0, 1}), fails_below_zero, 3);
     EXPECT_EQ(alone.reliability_index, together.reliability_index);
     EXPECT_EQ(alone.evaluations.total, together.evaluations.total);
     EXPECT_EQ(alone.points.front().parameters, together.points.front().parameters);
@@ -142,7 +143,8 @@ TEST(Reliability, ExceptionsOfTheModelReachTheCaller) {
         }
         return {1 - u[0], {}};
     });
-    EXPECT_THROW(reliability(study.evaluator(), independent(1, Normal{0, 1}), {}, below_zero, 1), std::runtime_error);
+    EXPECT_THROW(reliability(study.evaluator(), independent(1, Normal{0, 1}), {}, fails_below_zero, 1),
+                 std::runtime_error);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // The critical crack and plane where loads make the factor of safety jump, against brute force.
+#include "critical_searches.hpp"
 #include "plane_failure/critical.hpp"
 #include "plane_failure/plane_failure.hpp"
 #include "random_problem.hpp"
@@ -11,9 +12,6 @@
 
 namespace delabole {
 namespace {
-
-constexpr CriticalSearch<> crack_search = {CriticalFeature::tension_crack, SearchCondition::given_water, {}, {}};
-constexpr CriticalSearch<> plane_search = {CriticalFeature::failure_plane, SearchCondition::given_water, {}, {}};
 
 // 12 m high, with one to four loads behind the crest, often on a bench.
 PlaneFailure<> loaded_slope(RandomProblem& random) {

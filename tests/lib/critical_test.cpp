@@ -1,5 +1,6 @@
 // Critical geometry, required values and optimum bolts against closed forms, published numbers and brute force.
 #include "plane_failure/critical.hpp"
+#include "critical_searches.hpp"
 #include "numerics/scalar_search.hpp"
 #include "plane_failure/closed_forms.hpp"
 #include "plane_failure/plane_failure.hpp"
@@ -13,8 +14,6 @@
 namespace delabole {
 namespace {
 
-constexpr CriticalSearch<> crack_search = {CriticalFeature::tension_crack, SearchCondition::given_water, {}, {}};
-constexpr CriticalSearch<> plane_search = {CriticalFeature::failure_plane, SearchCondition::given_water, {}, {}};
 constexpr CriticalSearch<> both_search = {CriticalFeature::both, SearchCondition::given_water, {}, {}};
 
 // --- Crack ---

@@ -14,21 +14,18 @@ namespace delabole {
 namespace {
 
 using testing::cut;
+using testing::joint_of_friction;
 using testing::joint_set;
 using testing::line;
 using testing::square;
-
-RelaxationJoint strength(double friction) {
-    RelaxationJoint joint{};
-    joint.friction_angle = degrees(friction);
-    return joint;
-}
 
 RelaxationSlope slope_of(std::vector<SectionPoint> outline, std::vector<SlopeCut> cuts) {
     RelaxationSlope slope{};
     slope.geometry = testing::section(std::move(outline), std::move(cuts));
     slope.rock = {{"slate", 2700}, {"gouge", 2000}};
-    slope.joint = {{"joint", {}, strength(30)}, {"intact", {}, strength(60)}, {"base", {}, strength(40)}};
+    slope.joint = {{"joint", {}, joint_of_friction(30)},
+                   {"intact", {}, joint_of_friction(60)},
+                   {"base", {}, joint_of_friction(40)}};
     slope.geometry.intact_joint = "intact";
     return slope;
 }
@@ -106,7 +103,7 @@ RelaxationStudy daylighting_slope(double friction) {
     RelaxationSlope slope =
         slope_of({{0, 0}, {14, 0}, {14, 8}, {4.6, 8}},
                  {cut("sliding", joint_set(degrees(40), 2, -0.5)), cut("steep", joint_set(degrees(-80), 3))});
-    slope.joint[0].strength = strength(friction);
+    slope.joint[0].strength = joint_of_friction(friction);
     slope.frame = SlopeFrame{FrameSides::below_and_behind, 1, 5, "base"};
     RelaxationStudy study{};
     study.model.scene = slope;
@@ -132,7 +129,7 @@ TEST(SlopeScene, JointThatComesOutOfAFaceAtAnAcuteAngleHoldsByFrictionAlone) {
             RelaxationSlope slope = slope_of({{0, 0}, {14, 0}, {14, 8}, {4.6, 8}},
                                              {cut("joint", line({{1.5 - up_dip.x(), 2.6 - up_dip.y()},
                                                                  {1.5 + 10 * up_dip.x(), 2.6 + 10 * up_dip.y()}}))});
-            slope.joint[0].strength = strength(friction);
+            slope.joint[0].strength = joint_of_friction(friction);
             slope.frame = SlopeFrame{FrameSides::below_and_behind, 1, 5, "base"};
             RelaxationStudy study{};
             study.model.scene = slope;

@@ -16,6 +16,7 @@ namespace delabole {
 namespace {
 
 using testing::cut;
+using testing::joint_of_friction;
 using testing::joint_set;
 using testing::line;
 using testing::square;
@@ -24,25 +25,19 @@ constexpr double water_weight = 9810;
 constexpr double gravity = 9.80665;
 constexpr double density = 2650;
 
-RelaxationJoint strength(double friction) {
-    RelaxationJoint joint{};
-    joint.friction_angle = degrees(friction);
-    return joint;
-}
-
-RelaxationSlope slope_of(std::vector<SectionPoint> outline, std::vector<SlopeCut> cuts) {
+RelaxationSlope wet_slope_of(std::vector<SectionPoint> outline, std::vector<SlopeCut> cuts) {
     RelaxationSlope slope{};
     slope.geometry = testing::section(std::move(outline), std::move(cuts));
     slope.rock = {{"rock", density}};
-    slope.joint = {{"joint", {}, strength(30)}, {"other", {}, strength(30)}};
+    slope.joint = {{"joint", {}, joint_of_friction(30)}, {"other", {}, joint_of_friction(30)}};
     slope.geometry.intact_joint = "joint";
     return slope;
 }
 
 RelaxationSlope cut_by_three_sets() {
-    return slope_of({{0, 0}, {20, 0}, {20, 12}, {12, 12}},
-                    {cut("a", joint_set(degrees(70), 2)), cut("b", joint_set(degrees(-15), 1.3)),
-                     cut("c", joint_set(degrees(-88), 3))});
+    return wet_slope_of({{0, 0}, {20, 0}, {20, 12}, {12, 12}},
+                        {cut("a", joint_set(degrees(70), 2)), cut("b", joint_set(degrees(-15), 1.3)),
+                         cut("c", joint_set(degrees(-88), 3))});
 }
 
 struct Resultant {
@@ -96,7 +91,7 @@ TEST(SlopeWater, LiftsEachBlockByWhatItDisplaces) {
 
 TEST(SlopeWater, ActsByTheShareOfTheJoint) {
     RelaxationSlope slope =
-        slope_of(square(6), {cut("upright", joint_set(degrees(90), 2, 1)), cut("level", joint_set(0, 2, 1))});
+        wet_slope_of(square(6), {cut("upright", joint_set(degrees(90), 2, 1)), cut("level", joint_set(0, 2, 1))});
     slope.water = SlopeWater{water_weight, {{-1, 10}, {10, 10}}};
     const auto total = [](const RelaxationSlope& of) {
         double sum = 0;
@@ -202,8 +197,8 @@ double plane_y(double x) {
 RelaxationStudy sliding_on_water(double depth_at_kink) {
     const PlanePoint<> toe = toe_of_plane();
     RelaxationSlope slope =
-        slope_of({{-10, -6}, {30, -6}, {30, 12}, {crest_x, 12}, {0, 0}, {-10, 0}},
-                 {cut("plane", line({{toe.x(), toe.y()}, {crack_x, plane_y(crack_x)}, {crack_x, 12}}))});
+        wet_slope_of({{-10, -6}, {30, -6}, {30, 12}, {crest_x, 12}, {0, 0}, {-10, 0}},
+                     {cut("plane", line({{toe.x(), toe.y()}, {crack_x, plane_y(crack_x)}, {crack_x, 12}}))});
     slope.frame = SlopeFrame{FrameSides::all_around, 3, {}, "joint"};
     slope.fixed = {
         {{{-11, -7}, {31, -7}, {31, 13}, {crack_x, 13}, {crack_x, plane_y(crack_x)}, {toe.x(), toe.y()}, {-11, 0.5}}}};

@@ -2,6 +2,7 @@
 #include "plots/drawing/polygon.hpp"
 #include "samples.hpp"
 #include "series_of.hpp"
+#include "tests/support/no_number.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +14,6 @@
 
 namespace delabole {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 double arrow_length(const Arrows::Shaft& shaft) {
     return (shaft.to - shaft.from).norm();

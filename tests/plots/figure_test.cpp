@@ -3,6 +3,7 @@
 #include "plots/drawing/process.hpp"
 #include "samples.hpp"
 #include "scratch_folder.hpp"
+#include "tests/support/no_number.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +16,6 @@ namespace delabole {
 namespace {
 
 using Names = std::vector<std::string>;
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class Environment {
   public:

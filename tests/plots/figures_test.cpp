@@ -4,6 +4,7 @@
 #include "plots/figures/fit_figures.hpp"
 #include "samples.hpp"
 #include "series_of.hpp"
+#include "tests/support/no_number.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,6 @@
 
 namespace delabole {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Text, MakesNamesHuman) {
     EXPECT_EQ(human_name("tension_crack.base_below_crest"), "tension crack: base below crest");

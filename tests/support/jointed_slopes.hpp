@@ -1,6 +1,7 @@
 // Slopes to be cut, for tests and benchmarks.
 #pragma once
 
+#include "dynamic_relaxation/scene/relaxation_parameters.hpp"
 #include "jointed_slope/jointed_section.hpp"
 
 #include <string>
@@ -8,6 +9,13 @@
 #include <vector>
 
 namespace delabole::testing {
+
+// Friction in degrees.
+inline RelaxationJoint joint_of_friction(double friction) {
+    RelaxationJoint joint{};
+    joint.friction_angle = degrees(friction);
+    return joint;
+}
 
 inline JointSetCut joint_set(double dip, double spacing, double offset = 0) {
     JointSetCut set{};

@@ -52,7 +52,7 @@ std::string status_of(const FitResult& result) {
 }
 
 // What keeps a result from being the answer; empty where nothing does.
-std::string reservation(const std::string& status) {
+std::string reservation_of_fit(const std::string& status) {
     if (status == "interrupted") {
         return "interrupted: the back-analysis was stopped early; what it had found is shown";
     }
@@ -130,7 +130,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
 
     Report report{file.title.empty() ? file.name : file.title, file.description, {}};
     const std::string status = status_of(result);
-    const std::string reserved = reservation(status);
+    const std::string reserved = reservation_of_fit(status);
     add_reservation(reserved, status == "interrupted", report);
     FitDocuments documents = document_fit(file, problem, result, folder, report);
     documents.json["status"] = status;

@@ -72,7 +72,7 @@ std::string status_of(const std::vector<MechanismRecovery>& recoveries) {
     return none ? "no_answer" : "finished";
 }
 
-std::string reservation(const std::string& status) {
+std::string reservation_of_recovery(const std::string& status) {
     if (status == "interrupted") {
         return "interrupted: the recovery was stopped early; the repetitions that were finished are shown";
     }
@@ -110,7 +110,7 @@ ExitCode recover_command(const std::filesystem::path& path, const Options& optio
 
     Report report{file.title.empty() ? file.name : file.title, file.description, {}};
     const std::string status = status_of(recoveries);
-    const std::string reserved = reservation(status);
+    const std::string reserved = reservation_of_recovery(status);
     add_reservation(reserved, status == "interrupted", report);
     const RecoveryDocuments documents = document_recovery(recoveries, options.at_best, folder, report);
     Json json;

@@ -1,6 +1,7 @@
 #include "cases/program/reader/outline_file.hpp"
 
 #include "cases/program/reader/ordinary_file.hpp"
+#include "cases/program/reader/spelling.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,14 +22,6 @@ constexpr std::size_t largest_bytes = std::size_t{64} << 20U;
 constexpr std::size_t most_corners = 20000;
 
 constexpr std::string_view blank = " \t\r\n";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(blank);
-    if (first == std::string_view::npos) {
-        return {};
-    }
-    return text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
 
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {

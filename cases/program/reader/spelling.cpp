@@ -10,6 +10,13 @@ constexpr std::size_t longest_word = 100;
 
 }  // namespace
 
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blank = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(blank);
+    return first == std::string_view::npos ? std::string_view()
+                                           : text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
 std::size_t edit_distance(std::string_view first, std::string_view second) {
     const std::size_t columns = second.size() + 1;
     std::vector<std::size_t> two_above(columns);

@@ -1,4 +1,4 @@
-// "Did you mean": the known word nearest to a mistyped one.
+// Words as people write them: "did you mean", the known word nearest to a mistyped one.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,9 @@
 #include <vector>
 
 namespace delabole {
+
+// Without blanks, tabs and line ends at either end.
+std::string_view trimmed(std::string_view text);
 
 // Insertions, deletions, substitutions and swaps of neighbours that turn one word into the other (optimal string
 // alignment).

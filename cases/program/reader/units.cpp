@@ -1,5 +1,6 @@
 #include "cases/program/reader/units.hpp"
 
+#include "cases/program/reader/spelling.hpp"
 #include "cases/program/reader/unit_system.hpp"
 
 #include <algorithm>
@@ -25,16 +26,6 @@ bool is_letter(char character) {
 // Bytes of a UTF-8 sequence: the degree and micro signs, superscripts, the raised dot.
 bool is_beyond_ascii(char character) {
     return static_cast<unsigned char>(character) >= 0x80;
-}
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && is_space(text.front())) {
-        text.remove_prefix(1);
-    }
-    while (!text.empty() && is_space(text.back())) {
-        text.remove_suffix(1);
-    }
-    return text;
 }
 
 // Only named units, products, quotients and one-digit exponents: udunits2 itself would take "kN/m3 2" for a factor of

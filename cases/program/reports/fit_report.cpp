@@ -2,6 +2,7 @@
 
 #include "cases/program/reader/units.hpp"
 #include "cases/program/reports/posterior_report.hpp"
+#include "cases/program/reports/sensitivity_parts.hpp"
 #include "cases/program/reports/surrogate_report.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
@@ -13,12 +14,6 @@
 namespace delabole {
 
 namespace {
-
-Dimension dimension_of(const MechanismFit& fit, const std::string& parameter) {
-    const auto found = std::find_if(fit.parameters.begin(), fit.parameters.end(),
-                                    [&](const FreeParameter& candidate) { return candidate.name == parameter; });
-    return fit.dimensions[static_cast<std::size_t>(found - fit.parameters.begin())];
-}
 
 const ProfileLikelihood* profile_of(const MechanismFit& fit, const std::string& parameter, bool with_priors) {
     const auto found = std::find_if(fit.profiles.begin(), fit.profiles.end(), [&](const ProfileLikelihood& profile) {
@@ -185,7 +180,7 @@ Table correlation_table(const MechanismFit& fit) {
     const Eigen::MatrixXd& correlation = *identifiability.correlation;
     for (Eigen::Index row = 0; row < correlation.rows(); ++row) {
         const std::string& name = identifiability.parameters[static_cast<std::size_t>(row)];
-        const Dimension dimension = dimension_of(fit, name);
+        const Dimension dimension = fit.dimension_of(name);
         std::vector<std::string> cells = {
             name, value_in_words(std::sqrt((*identifiability.covariance)(row, row)), dimension)};
         for (Eigen::Index column = 0; column < correlation.cols(); ++column) {
@@ -194,19 +189,6 @@ Table correlation_table(const MechanismFit& fit) {
         table.rows.push_back(std::move(cells));
     }
     return table;
-}
-
-std::string evaluations_in_words(const EvaluationCount& count) {
-    std::string text = std::to_string(count.total) + " evaluations of the model";
-    for (const auto& [cause, number] : count.failed_by_cause) {
-        text += ", " + std::to_string(number) + " without an answer (" + std::string(cause) + ")";
-    }
-    return text + ".";
-}
-
-Json json_of(const Interval& interval, Dimension dimension) {
-    return Json::array({json_number(in_display_unit(interval.lower, dimension)),
-                        json_number(in_display_unit(interval.upper, dimension))});
 }
 
 Json json_of(const MechanismFit& fit) {
@@ -294,7 +276,7 @@ Json json_of(const MechanismFit& fit) {
 void write_tables(const MechanismFit& fit, const ResultFolder& folder) {
     CsvTable profiles({"parameter", "with_priors", "value", "unit", "misfit"});
     for (const ProfileLikelihood& profile : fit.profiles) {
-        const Dimension dimension = dimension_of(fit, profile.parameter);
+        const Dimension dimension = fit.dimension_of(profile.parameter);
         for (std::size_t point = 0; point < profile.values.size(); ++point) {
             profiles.add_row({profile.parameter, profile.with_priors ? "yes" : "no",
                               in_display_unit(profile.values[point], dimension),

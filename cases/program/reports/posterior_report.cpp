@@ -109,8 +109,10 @@ std::string dependence_in_words(const Weighed& all) {
     }
     if (others.empty()) {
         return best +
-               " stays first when priors are halved, doubled or flat and when the model error of the factor of "
-               "safety is halved or doubled, as far as the case has them.";
+               " stays first when priors are halved, doubled or flat, when their means are one standard deviation "
+               "lower "
+               "or higher, and when the model error of the factor of safety is halved or doubled, as far as the case "
+               "has them.";
     }
     return "The ranking hangs on what was put in: " + best + " is first as given, another with " +
            list_in_words(others) + ".";
@@ -156,12 +158,6 @@ std::string interval_in_words(const Interval& interval, Dimension dimension) {
     return value_in_words(interval.lower, dimension) + " to " + value_in_words(interval.upper, dimension);
 }
 
-Dimension dimension_of(const MechanismFit& fit, const std::string& parameter) {
-    const auto found = std::find_if(fit.parameters.begin(), fit.parameters.end(),
-                                    [&](const FreeParameter& candidate) { return candidate.name == parameter; });
-    return fit.dimensions[static_cast<std::size_t>(found - fit.parameters.begin())];
-}
-
 Table posterior_table(const MechanismFit& fit) {
     Table table{"Posterior of the parameters",
                 {{"parameter"},
@@ -173,7 +169,7 @@ Table posterior_table(const MechanismFit& fit) {
                  {"effective size, tails", true}},
                 {}};
     for (const ParameterPosterior& parameter : fit.posterior->posterior.parameters) {
-        const Dimension dimension = dimension_of(fit, parameter.name);
+        const Dimension dimension = fit.dimension_of(parameter.name);
         // Four digits, or every R-hat would read 1.
         const std::string r_hat = std::isfinite(parameter.diagnostics.r_hat)
                                       ? std::to_string(parameter.diagnostics.r_hat).substr(0, 5)
@@ -197,7 +193,7 @@ Table posterior_correlations(const MechanismFit& fit) {
     }
     for (std::size_t row = 0; row < posterior.parameters.size(); ++row) {
         const ParameterPosterior& parameter = posterior.parameters[row];
-        const Dimension dimension = dimension_of(fit, parameter.name);
+        const Dimension dimension = fit.dimension_of(parameter.name);
         std::vector<std::string> cells = {parameter.name, value_in_words(parameter.mean, dimension),
                                           value_in_words(parameter.standard_deviation, dimension)};
         for (Eigen::Index column = 0; column < posterior.correlation.cols(); ++column) {
@@ -230,11 +226,6 @@ void write_draws(const MechanismFit& fit, const ResultFolder& folder) {
         csv.add_row(row);
     }
     folder.write(fit.name + "_draws.csv", csv.text());
-}
-
-Json json_of(const Interval& interval, Dimension dimension) {
-    return Json::array({json_number(in_display_unit(interval.lower, dimension)),
-                        json_number(in_display_unit(interval.upper, dimension))});
 }
 
 }  // namespace
@@ -362,7 +353,7 @@ Json json_of_posterior(const MechanismFit& fit) {
     json["warnings"] = fit.posterior->warnings;
     json["parameters"] = Json::object();
     for (const ParameterPosterior& parameter : posterior.parameters) {
-        const Dimension dimension = dimension_of(fit, parameter.name);
+        const Dimension dimension = fit.dimension_of(parameter.name);
         Json& entry = json["parameters"][column_name(parameter.name, dimension)];
         entry["mean"] = json_number(in_display_unit(parameter.mean, dimension));
         entry["standard_deviation"] = json_number(in_display_unit(parameter.standard_deviation, dimension));

@@ -26,10 +26,6 @@ constexpr std::string_view heading =
     "# Files that delabole has written here. The next result in this folder takes their place; all others stay.\n";
 constexpr std::array<std::string_view, 2> subfolders{"figures", "frames"};
 
-std::string reason_of(int error) {
-    return std::generic_category().message(error);
-}
-
 std::vector<fs::path> missing_folders(const fs::path& folder) {
     std::vector<fs::path> missing;
     std::error_code ignored;

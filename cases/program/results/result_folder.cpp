@@ -106,6 +106,11 @@ Json json_of(const std::vector<NamedOutput>& outputs) {
     return json;
 }
 
+Json json_of(const Interval& interval, Dimension dimension) {
+    return Json::array({json_number(in_display_unit(interval.lower, dimension)),
+                        json_number(in_display_unit(interval.upper, dimension))});
+}
+
 std::string json_text(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -36,6 +36,8 @@ std::string in_six_digits(double value, Dimension dimension);
 // {"factor_of_safety": 1.247, "crack_depth_m": 4.348, "outcome": "stable"}. Infinite values become the word "infinite".
 Json json_of(const std::vector<NamedOutput>& outputs);
 Json json_number(double value);
+// [lower, upper], in display units.
+Json json_of(const Interval& interval, Dimension dimension);
 // Indented, with a line end. Bytes that are not UTF-8, as a file name may contain, are replaced.
 std::string json_text(const Json& json);
 

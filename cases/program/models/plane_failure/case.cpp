@@ -80,7 +80,7 @@ void check_slope(Checker& checker, const PlaneFailure<>& model) {
 }
 
 // Wyllie & Mah (2004), example 7.1, with 3 m of water in the crack.
-PlaneFailureStudy<> example_study() {
+PlaneFailureStudy<> example_plane_failure() {
     PlaneFailureStudy<> study{};
     study.model.slope = {.height = 12,
                          .face_dip = degrees(60),
@@ -199,7 +199,7 @@ void check_case(Checker& checker, const PlaneFailureStudy<>& study) {
 }
 
 ModelExample<PlaneFailureStudy<>> example_case(const PlaneFailureStudy<>*) {
-    return {example_study(), "Plane failure of a slope 12 m high", study_parts};
+    return {example_plane_failure(), "Plane failure of a slope 12 m high", study_parts};
 }
 
 std::vector<Quantity> possible_outputs(const PlaneFailureStudy<>&) {

@@ -203,7 +203,7 @@ void check_critical(Checker& checker, const RelaxationStudy& study) {
     }
 }
 
-RelaxationStudy example_study() {
+RelaxationStudy example_relaxation() {
     RelaxationStudy study{};
     RelaxationRow row{};
     row.tilt = degrees(10);
@@ -267,7 +267,7 @@ void check_case(Checker& checker, const RelaxationStudy& study) {
 }
 
 ModelExample<RelaxationStudy> example_case(const RelaxationStudy*) {
-    return {example_study(), "Two blocks on an inclined plane, by dynamic relaxation", relaxation_parts};
+    return {example_relaxation(), "Two blocks on an inclined plane, by dynamic relaxation", relaxation_parts};
 }
 
 std::vector<Quantity> possible_outputs(const RelaxationStudy& study) {

@@ -15,7 +15,7 @@ namespace delabole {
 
 namespace {
 
-constexpr std::size_t most_arrows = 120;
+constexpr std::size_t most_contact_arrows = 120;
 constexpr std::size_t most_drawn_blocks = 300;
 constexpr std::size_t most_bracketed_columns = 100;
 
@@ -100,7 +100,7 @@ void add_mechanism(BlockDrawing& drawing, const BoundState& state, double enlarg
 
 void add_contact_forces(BlockDrawing& drawing, const BoundState& state) {
     const std::vector<Contact>& contacts = state.assembly.contacts;
-    const std::size_t step = 1 + contacts.size() / (most_arrows + 1);
+    const std::size_t step = 1 + contacts.size() / (most_contact_arrows + 1);
     for (std::size_t index = 0; index < contacts.size(); index += step) {
         const Contact& contact = contacts[index];
         const BoundContactForce& force = state.programme.forces[index];

@@ -121,7 +121,7 @@ void check_bound(Checker& checker, const LinearProgrammingBound& bound, const Co
 }
 
 // A slope of 60 m with columns 5 m thick, pushed by a wedge.
-SteppedBaseStudy<> example_study() {
+SteppedBaseStudy<> example_stepped_base() {
     SteppedBaseStudy<> study{};
     ColumnScene<>& scene = study.model.scene;
     scene.slope = SlopeSection<>{
@@ -176,11 +176,11 @@ void check_case(Checker& checker, const SteppedBaseStudy<>& study) {
 }
 
 ModelExample<SteppedBaseStudy<>> example_case(const SteppedBaseStudy<>*) {
-    return {example_study(), "Columns toppling on a stepped base", further_parts};
+    return {example_stepped_base(), "Columns toppling on a stepped base", further_parts};
 }
 
 std::vector<Quantity> possible_outputs(const SteppedBaseStudy<>&) {
-    std::vector<Quantity> outputs = model_interface(example_study()).outputs;  // has a datum, so all are there
+    std::vector<Quantity> outputs = model_interface(example_stepped_base()).outputs;  // has a datum, so all are there
     for (const std::string_view part : {bound_prefix, bound_of_blocks_prefix}) {
         for (Quantity quantity : outputs_of(BoundResult{})) {
             quantity.name = std::string(part) + "." + quantity.name;

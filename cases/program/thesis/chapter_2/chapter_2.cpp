@@ -2,6 +2,7 @@
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/thesis/chapter_2/fig_2_8.hpp"
+#include "cases/program/thesis/imperial.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/figures/figures.hpp"
 #include "water/column_tilt.hpp"
@@ -12,8 +13,6 @@
 namespace delabole {
 
 namespace {
-
-constexpr double foot = 0.3048;
 
 Table solutions_table(CsvTable& csv) {
     Table table{"Crack depth z that makes the slope just fail, for plausible unit weights",

@@ -1,5 +1,6 @@
 #include "cases/program/thesis/chapter_2/fig_2_8.hpp"
 
+#include "cases/program/thesis/imperial.hpp"
 #include "numerics/scalar_search.hpp"
 
 #include <cmath>
@@ -9,7 +10,6 @@ namespace delabole {
 
 namespace {
 
-constexpr double foot = 0.3048;
 constexpr double water_unit_weight = 9810;
 
 PlaneFailure<> problem(double unit_weight, double z, double cohesion) {

@@ -1,5 +1,7 @@
 #include "cases/program/thesis/chapter_3/base_friction_scene.hpp"
 
+#include "cases/program/thesis/imperial.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +12,6 @@ namespace delabole {
 
 namespace {
 
-constexpr double inch = 0.0254;
 constexpr double pascals_of_unit_strength = 1e3;
 
 // The golden section: no two of many neighbouring columns are shifted alike.

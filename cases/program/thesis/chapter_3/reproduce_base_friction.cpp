@@ -1,6 +1,7 @@
 // Tables 3.1 to 3.3 and Fig 3.2 of the thesis: base friction tests of slopes with toppling columns.
 #include "cases/program/reader/units.hpp"
 #include "cases/program/thesis/chapter_3/chapter_3.hpp"
+#include "cases/program/thesis/imperial.hpp"
 #include "cases/program/thesis/physical_models.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
@@ -14,7 +15,6 @@ namespace delabole {
 
 namespace {
 
-constexpr double inch = 0.0254;
 constexpr double minute = 60;
 
 using States = std::vector<BaseFrictionState>;

@@ -77,7 +77,7 @@ std::string strength_in_words(const SceneNeed& need) {
     }
 }
 
-std::string in_degrees(std::optional<double> angle) {
+std::string angle_in_words(std::optional<double> angle) {
     return angle ? human_number(*angle / degrees(1), 3) : "";
 }
 
@@ -103,7 +103,7 @@ Table test_table(const Predictions& predictions) {
                               !prediction.decided() ? ""
                               : prediction.hit()    ? "hit"
                                                     : "MISS",
-                              in_degrees(prediction.printed_angle()), in_degrees(prediction.angle())});
+                              angle_in_words(prediction.printed_angle()), angle_in_words(prediction.angle())});
     }
     return table;
 }

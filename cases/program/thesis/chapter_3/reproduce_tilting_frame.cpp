@@ -3,7 +3,9 @@
 // The points of the tests are not printed; what the text says of them is held against the calculation. Columns are 1
 // inch thick; heights are in inches.
 #include "cases/program/thesis/chapter_3/chapter_3.hpp"
+#include "cases/program/thesis/chapter_3/tilting_runs.hpp"
 #include "cases/program/thesis/chapter_4/chapter_4.hpp"
+#include "cases/program/thesis/imperial.hpp"
 #include "cases/program/thesis/physical_models.hpp"
 #include "fitting/work/words.hpp"
 #include "limit_equilibrium/block_row/block_row.hpp"
@@ -24,8 +26,6 @@ namespace delabole {
 
 namespace {
 
-constexpr double inch = 0.0254;
-
 // Nothing where no mode is admissible (block_row_search.hpp says when that may be).
 std::optional<RowAnswer> row_answer(const std::vector<double>& heights, double interface_friction,
                                     double base_friction) {
@@ -38,15 +38,6 @@ std::optional<RowAnswer> row_answer(const std::vector<double>& heights, double i
     const BlockRowResult result = analyse(row);
     const bool has_mode = result.check == BlockRowCheck::valid && result.answer.search != RowSearchKind::upper_bound;
     return has_mode ? std::optional(result.answer) : std::nullopt;
-}
-
-// 1, 2, ... up and down again; the greatest height stands twice where the number of columns is even (3.3.2.2).
-std::vector<double> growing_and_falling(int count) {
-    std::vector<double> heights;
-    for (int column = 1; column <= count; ++column) {
-        heights.push_back(std::min(column, count + 1 - column));
-    }
-    return heights;
 }
 
 double angle_of(std::string_view key) {
@@ -85,9 +76,7 @@ EqualColumns equal_columns(int count, double height, double interface_friction, 
 
 constexpr double slip_friction = degrees(20);     // of interfaces: what chapter 4 takes for short slips
 constexpr double plaster_friction = degrees(35);  // of the base
-constexpr int least_height = 2;                   // in, of the tests
-constexpr int most_height = 9;
-constexpr double same_tilt = 1e-12;  // rad, rounding of closed forms
+constexpr double same_tilt = 1e-12;               // rad, rounding of closed forms
 
 struct EqualRows {
     std::array<Line, 4> pressed;  // deg over inches, one to four columns
@@ -240,7 +229,7 @@ std::optional<double> friction_of_nine_columns(double tilt) {
 }
 
 // How many of the rows that have an answer meet a statement.
-struct Score {
+struct Tally {
     int met = 0;
     int of = 0;
     std::vector<std::string> exceptions{};  // numbers of columns
@@ -260,8 +249,8 @@ struct Score {
 };
 
 // In front of the column of 3 inches, which is the third from the top.
-Score cracks_at_three_inches(const std::vector<RowOfHeights>& rows) {
-    Score score;
+Tally cracks_at_three_inches(const std::vector<RowOfHeights>& rows) {
+    Tally score;
     for (const RowOfHeights& row : rows) {
         if (row.answer && row.columns >= 8 && row.columns <= 17 && row.columns != 16) {
             score.add(row.crack() == std::to_string(row.columns - 3) + " and " + std::to_string(row.columns - 2),
@@ -271,8 +260,8 @@ Score cracks_at_three_inches(const std::vector<RowOfHeights>& rows) {
     return score;
 }
 
-Score fall_with_number(const std::vector<RowOfHeights>& rows) {
-    Score score;
+Tally fall_with_number(const std::vector<RowOfHeights>& rows) {
+    Tally score;
     for (std::size_t index = 1; index < rows.size(); ++index) {
         if (rows[index].answer && rows[index - 1].answer) {
             score.add(rows[index].tilt() <= rows[index - 1].tilt() + same_tilt, rows[index].columns);
@@ -281,8 +270,8 @@ Score fall_with_number(const std::vector<RowOfHeights>& rows) {
     return score;
 }
 
-Score within_thesis_limits(const std::vector<RowOfHeights>& rows) {
-    Score score;
+Tally within_thesis_limits(const std::vector<RowOfHeights>& rows) {
+    Tally score;
     for (const RowOfHeights& row : rows) {
         if (row.answer) {
             score.add(row.tilt() > row.highest_alone && row.tilt() < row.average_alone, row.columns);
@@ -292,8 +281,8 @@ Score within_thesis_limits(const std::vector<RowOfHeights>& rows) {
 }
 
 // Even numbers against the mean of both odd neighbours, where columns turn.
-Score even_numbers_stabler(const std::vector<RowOfHeights>& rows) {
-    Score score;
+Tally even_numbers_stabler(const std::vector<RowOfHeights>& rows) {
+    Tally score;
     for (std::size_t index = 1; index + 1 < rows.size(); ++index) {
         const bool turns = !rows[index - 1].crack().empty() && !rows[index + 1].crack().empty();
         if (rows[index].columns % 2 == 0 && turns) {
@@ -379,7 +368,7 @@ Reproduction reproduce_fig_3_7(const ResultFolder& folder, Report& report) {
     result.rows.push_back({"nine columns: which slide, which turn", "1 slides, 2 to 6 turn", mode, "",
                            std::to_string(std::ranges::count(mode, row_role::slides)) +
                                " slide (S), the next turn (F with a sliding toe, P not), the last stand (0)"});
-    const auto score_row = [&](const std::string& what, const std::string& printed, const Score& score) {
+    const auto score_row = [&](const std::string& what, const std::string& printed, const Tally& score) {
         result.rows.push_back({what, printed, score.words(), "", score.remark()});
         result.json[what] = score.json();
     };

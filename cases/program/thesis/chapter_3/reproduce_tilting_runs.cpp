@@ -19,13 +19,11 @@ namespace delabole {
 
 namespace {
 
-constexpr int least_height = 2;  // in, of the tests
-constexpr int most_height = 9;
 constexpr std::uint64_t samples = 4;
 
 // Short slips at 8 to 22 deg between columns, sliding for good at 29 to 36.5 deg (3.3.2.1, 4.2): the middle of either,
 // and two standard deviations to its ends.
-PlasterFriction plaster_friction() {
+PlasterFriction scattered_plaster_friction() {
     return {degrees(15), degrees(33), degrees(3.5)};
 }
 
@@ -109,7 +107,7 @@ Line single_column_theory(double from, double to) {
                  [](double height) { return std::atan(1 / height) / degrees(1); });
 }
 
-std::string in_degrees(double angle) {
+std::string angle_in_words(double angle) {
     return human_number(angle / degrees(1), 3) + " deg";
 }
 
@@ -132,12 +130,12 @@ void add_single_columns(const ResultFolder& folder, Report& report, Reproduction
         return std::atan(1 / at.x) - at.mean();
     };
     const std::size_t last = curves.front().at.size() - 1;
-    result.rows.push_back({"column of 2 in, one piece: tilt below atan(b/a)", "1 deg", in_degrees(deficit(0, 0)), "",
-                           "the wear of the edges, 0.56 mm, is chosen for this"});
-    result.rows.push_back({"column of 9 in, one piece", "no difference", in_degrees(deficit(0, last)), "",
+    result.rows.push_back({"column of 2 in, one piece: tilt below atan(b/a)", "1 deg", angle_in_words(deficit(0, 0)),
+                           "", "the wear of the edges, 0.56 mm, is chosen for this"});
+    result.rows.push_back({"column of 9 in, one piece", "no difference", angle_in_words(deficit(0, last)), "",
                            "predicted: worn edges matter less to a tall column"});
     result.rows.push_back({"cubes: 2 and 9 in", "about 1 deg",
-                           in_degrees(deficit(1, 0)) + " and " + in_degrees(deficit(1, last)), "",
+                           angle_in_words(deficit(1, 0)) + " and " + angle_in_words(deficit(1, last)), "",
                            "cubes up to 1 mm out of line, an assumption"});
     result.json["single_deficit_deg"] = {deficit(0, 0) / degrees(1), deficit(0, last) / degrees(1)};
     result.json["cubes_deficit_deg"] = {deficit(1, 0) / degrees(1), deficit(1, last) / degrees(1)};
@@ -159,7 +157,7 @@ void add_equal_columns(const ResultFolder& folder, Report& report, Reproduction&
     sample(curves, samples, folder, {"equal columns", 0.2, 0.6},
            [&](std::size_t number, const Sampled& at, std::uint64_t seed) -> std::optional<double> {
                const bool on_tin = number == 4;
-               FrameRow row{std::vector<double>(on_tin ? 2 : number + 1, at.x), plaster_friction(), seed};
+               FrameRow row{std::vector<double>(on_tin ? 2 : number + 1, at.x), scattered_plaster_friction(), seed};
                if (on_tin) {
                    row.friction.base = tin;
                    row.friction.deviation = degrees(0.5);
@@ -186,22 +184,14 @@ void add_equal_columns(const ResultFolder& folder, Report& report, Reproduction&
     result.rows.push_back(
         {"one column more", "stands at greater tilt",
          std::to_string(stabler) + " of " + std::to_string(steps) + " greater", "",
-         "means of " + std::to_string(samples) + " rows each; four over one: at most " + in_degrees(gain)});
+         "means of " + std::to_string(samples) + " rows each; four over one: at most " + angle_in_words(gain)});
     result.rows.push_back({"two columns on tin against plaster, 4 in and more", "quite close",
-                           "within " + in_degrees(on_tin), "", "lower ones slide on the tin first"});
+                           "within " + angle_in_words(on_tin), "", "lower ones slide on the tin first"});
     result.json["equal_columns"] = {
         {"stabler", stabler}, {"steps", steps}, {"gain_deg", gain / degrees(1)}, {"tin_deg", on_tin / degrees(1)}};
     Figure figure = tilt_figure("Equal columns on the tilting frame, runs", "height", "in");
     draw_curves(figure, curves);
     report.blocks.emplace_back(folder.draw(figure, "fig_3_6_runs", "Fig 3.6: lines are means, dots single rows."));
-}
-
-std::vector<double> growing_and_falling(int count) {
-    std::vector<double> heights;
-    for (int column = 1; column <= count; ++column) {
-        heights.push_back(std::min(column, count + 1 - column));
-    }
-    return heights;
 }
 
 void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) {
@@ -215,7 +205,7 @@ void add_rows(const ResultFolder& folder, Report& report, Reproduction& result) 
            [&](std::size_t, const Sampled& at, std::uint64_t seed) -> std::optional<double> {
                const int columns = static_cast<int>(at.x);
                const std::optional<FrameFailure> failure =
-                   tilt_until_failure({growing_and_falling(columns), plaster_friction(), seed});
+                   tilt_until_failure({growing_and_falling(columns), scattered_plaster_friction(), seed});
                if (!failure) {
                    return std::nullopt;
                }
@@ -290,7 +280,7 @@ Figure frame_figure(const RelaxationRun& made, const MotionFrame& frame, const s
 void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& result) {
     constexpr std::size_t columns = 9;
     constexpr double printed = degrees(16);
-    FrameRow row{growing_and_falling(columns), plaster_friction(), 0};
+    FrameRow row{growing_and_falling(columns), scattered_plaster_friction(), 0};
     row.friction.deviation = 0;
     double low = degrees(2);
     double high = degrees(20);
@@ -307,9 +297,9 @@ void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& 
         result.rows.push_back({"Plate 3.XIV", "", "the run broke off", "", ""});
         return;
     }
-    result.rows.push_back({"nine columns: tilt of the first crack", "16 deg", in_degrees(failure->crack_tilt), "",
-                           "friction between columns set for it: " + in_degrees(row.friction.interface) +
-                               "; on the base " + in_degrees(row.friction.base)});
+    result.rows.push_back({"nine columns: tilt of the first crack", "16 deg", angle_in_words(failure->crack_tilt), "",
+                           "friction between columns set for it: " + angle_in_words(row.friction.interface) +
+                               "; on the base " + angle_in_words(row.friction.base)});
     result.rows.push_back(
         {"nine columns: place of the crack", "between 6 and 7",
          "between " + std::to_string(failure->crack_after) + " and " + std::to_string(failure->crack_after + 1), "",
@@ -318,12 +308,12 @@ void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& 
         const MotionFrame& frame = frame_at(made, degrees(tilt));
         const double speed = fastest(frame, columns);
         const bool reached = frame.tilt >= degrees(tilt);
-        result.rows.push_back({"nine columns at " + number_in_words(tilt) + " deg",
-                               tilt < 31 ? "stable, turned columns on their edges" : "all slide on their edges",
-                               reached
-                                   ? "fastest column " + human_number(speed * 1e3, 2) + " mm/s"
-                                   : "collapsed at " + in_degrees(frame.tilt) + ", column 1 beyond the end of the base",
-                               "", movements_in_words(frame, columns)});
+        result.rows.push_back(
+            {"nine columns at " + number_in_words(tilt) + " deg",
+             tilt < 31 ? "stable, turned columns on their edges" : "all slide on their edges",
+             reached ? "fastest column " + human_number(speed * 1e3, 2) + " mm/s"
+                     : "collapsed at " + angle_in_words(frame.tilt) + ", column 1 beyond the end of the base",
+             "", movements_in_words(frame, columns)});
         const std::string number = human_number(frame.tilt / degrees(1), 3);
         report.blocks.emplace_back(folder.draw(frame_figure(made, frame, "Nine columns at " + number + " deg"),
                                                "plate_3_xiv_" + number_in_words(tilt),

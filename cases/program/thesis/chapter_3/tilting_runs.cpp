@@ -1,5 +1,6 @@
 #include "cases/program/thesis/chapter_3/tilting_runs.hpp"
 
+#include "cases/program/thesis/imperial.hpp"
 #include "jointed_slope/counted_random.hpp"
 
 #include <algorithm>
@@ -9,7 +10,6 @@ namespace delabole {
 
 namespace {
 
-constexpr double inch = 0.0254;
 constexpr double plaster_density = 1400;  // kg/m3; matters to nothing
 constexpr double frame_limit = degrees(40);
 constexpr double faster_rate = degrees(0.5);  // per s: the frame turns by 0.1 deg while a column begins to fall
@@ -69,6 +69,14 @@ RelaxationPolygon worn_block(double left, double bottom, double height, double w
 }
 
 }  // namespace
+
+std::vector<double> growing_and_falling(int count) {
+    std::vector<double> heights;
+    for (int column = 1; column <= count; ++column) {
+        heights.push_back(std::min(column, count + 1 - column));
+    }
+    return heights;
+}
 
 std::optional<FrameFailure> tilt_until_failure(const FrameRow& row) {
     const RelaxationRun made = run(tilted(row_of(row), frame_limit));

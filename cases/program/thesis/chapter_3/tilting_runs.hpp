@@ -16,6 +16,13 @@ struct PlasterFriction {
     double deviation;
 };
 
+// in, of the columns of the tests
+inline constexpr int least_height = 2;
+inline constexpr int most_height = 9;
+
+// 1, 2, ... inches up and down again; the greatest height stands twice where the number of columns is even (3.3.2.2).
+std::vector<double> growing_and_falling(int count);
+
 struct FrameRow {
     std::vector<double> heights;  // in
     PlasterFriction friction;

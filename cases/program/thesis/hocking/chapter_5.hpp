@@ -8,6 +8,7 @@
 #pragma once
 
 #include "cases/program/thesis/hocking/columns_on_base.hpp"
+#include "cases/program/thesis/imperial.hpp"
 
 #include <optional>
 #include <string>
@@ -16,7 +17,6 @@
 
 namespace delabole {
 
-constexpr double inch = 0.0254;           // m
 constexpr double plaster_density = 1400;  // kg/m3; Ashby's mix of three parts of plaster to two of water
 constexpr double typed_digit = 1e-6;      // m
 

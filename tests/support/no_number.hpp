@@ -1,0 +1,11 @@
+// Values that are no numbers, as models give them for what has none.
+#pragma once
+
+#include <limits>
+
+namespace delabole {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace delabole
