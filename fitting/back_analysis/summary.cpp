@@ -13,32 +13,35 @@ namespace {
 constexpr double large_pull = 2;
 constexpr double score_of_silence = large_pull * large_pull;
 
-bool holds(const EvidenceSign& sign, const Misfit& misfit, const Prediction& prediction) {
+// What the prediction shows otherwise, with its value; empty where it is as it has to be.
+std::string contradiction(const EvidenceSign& sign, const Misfit& misfit, const Prediction& prediction) {
     const auto output = misfit.output(sign.quantity);
     if (!output || *output >= prediction.outputs.size()) {
-        return false;
+        return sign.quantity + " has no value";
     }
     const double value = prediction.outputs[*output];
-    return sign.relation == Relation::at_least ? value >= sign.value : value <= sign.value;
+    if (sign.relation == Relation::at_least ? value >= sign.value : value <= sign.value) {
+        return {};
+    }
+    return sign.quantity + " is " + value_in_words(value, misfit.mechanism().model.outputs[*output].dimension);
 }
 
-// By its nature, or by every sign that the prediction was to show.
-bool explains(const Misfit& misfit, const Prediction& prediction, const std::string& evidence) {
-    const Mechanism& mechanism = misfit.mechanism();
-    const auto of_evidence = [&](const EvidenceSign& sign) { return sign.evidence == evidence; };
-    const auto shown = [&](const EvidenceSign& sign) {
-        return sign.evidence != evidence || holds(sign, misfit, prediction);
-    };
-    return std::ranges::find(mechanism.model.explains, evidence) != mechanism.model.explains.end() ||
-           (std::ranges::any_of(mechanism.signs, of_evidence) && std::ranges::all_of(mechanism.signs, shown));
-}
-
+// Evidence is explained by every sign of it that the mechanism's prediction was to show, and by nothing else.
 void sort_evidence(const Misfit& misfit, MechanismFit& fit) {
     for (const FieldEvidence& evidence : misfit.problem().evidence) {
-        if (explains(misfit, fit.prediction, evidence.name)) {
+        std::string why_not = "the mechanism predicts nothing of the kind";
+        for (const EvidenceSign& sign : misfit.mechanism().signs) {
+            if (sign.evidence == evidence.name) {
+                why_not = contradiction(sign, misfit, fit.prediction);
+                if (!why_not.empty()) {
+                    break;
+                }
+            }
+        }
+        if (why_not.empty()) {
             fit.explained.push_back(evidence.name);
         } else {
-            fit.unexplained.push_back(evidence.name + ": " + evidence.statement);
+            fit.unexplained.push_back(evidence.name + " (" + evidence.statement + "): " + why_not);
         }
     }
 }

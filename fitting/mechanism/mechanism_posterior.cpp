@@ -31,6 +31,17 @@ void scale_priors(FitProblem& problem, double factor) {
     }
 }
 
+// By so many standard deviations.
+void move_prior_means(FitProblem& problem, double deviations) {
+    for (Mechanism& mechanism : problem.mechanisms) {
+        for (FreeParameter& parameter : mechanism.parameters) {
+            if (parameter.prior) {
+                parameter.prior->mean += deviations * parameter.prior->standard_deviation;
+            }
+        }
+    }
+}
+
 void drop_priors(FitProblem& problem) {
     for (Mechanism& mechanism : problem.mechanisms) {
         for (FreeParameter& parameter : mechanism.parameters) {
@@ -264,8 +275,9 @@ std::vector<EvidenceVariant> variants_of(const FitProblem& problem) {
                     [](const QuantityObservation& observation) { return observation.quantity == safety; });
     std::vector<EvidenceVariant> variants = {EvidenceVariant::as_given};
     if (priors) {
-        variants.insert(variants.end(), {EvidenceVariant::priors_halved, EvidenceVariant::priors_doubled,
-                                         EvidenceVariant::priors_flat});
+        variants.insert(variants.end(),
+                        {EvidenceVariant::priors_halved, EvidenceVariant::priors_doubled, EvidenceVariant::priors_flat,
+                         EvidenceVariant::prior_means_lower, EvidenceVariant::prior_means_higher});
     }
     if (model_error) {
         variants.insert(variants.end(), {EvidenceVariant::model_error_halved, EvidenceVariant::model_error_doubled});
@@ -286,6 +298,12 @@ FitProblem varied(const FitProblem& problem, EvidenceVariant variant) {
         break;
     case EvidenceVariant::priors_flat:
         drop_priors(result);
+        break;
+    case EvidenceVariant::prior_means_lower:
+        move_prior_means(result, -1);
+        break;
+    case EvidenceVariant::prior_means_higher:
+        move_prior_means(result, 1);
         break;
     case EvidenceVariant::model_error_halved:
         scale_model_error(result, 0.5);

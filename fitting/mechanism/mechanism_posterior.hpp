@@ -25,13 +25,16 @@ enum class EvidenceVariant {
     as_given,
     priors_halved,  // standard deviations of all priors
     priors_doubled,
-    priors_flat,         // between the bounds
+    priors_flat,        // between the bounds
+    prior_means_lower,  // all by one standard deviation
+    prior_means_higher,
     model_error_halved,  // standard deviations of observed factors of safety
     model_error_doubled,
 };
 
-constexpr std::array<std::string_view, 6> enum_names(EvidenceVariant) {
-    return {"as_given", "priors_halved", "priors_doubled", "priors_flat", "model_error_halved", "model_error_doubled"};
+constexpr std::array<std::string_view, 8> enum_names(EvidenceVariant) {
+    return {"as_given",          "priors_halved",      "priors_doubled",     "priors_flat",
+            "prior_means_lower", "prior_means_higher", "model_error_halved", "model_error_doubled"};
 }
 
 struct VariantEvidence {

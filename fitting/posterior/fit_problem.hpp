@@ -135,7 +135,7 @@ struct Mechanism {
     // What is observed of all mechanisms, by the same label, in terms of an output that this one has: "it failed" is a
     // factor of safety of one and a failed area of half the slope.
     std::vector<QuantityObservation> own_observations = {};
-    std::vector<EvidenceSign> signs = {};  // beside what the model always explains; every sign of a name has to hold
+    std::vector<EvidenceSign> signs = {};  // of field evidence; every sign of a name has to hold
     // Of a costly one: cheaper and less exact, with the same inputs and outputs. It says where runs would be wasted.
     std::optional<ModelInterface> coarse = {};
 };

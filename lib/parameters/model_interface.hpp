@@ -58,8 +58,6 @@ struct ModelInterface {
     std::vector<Quantity> inputs;
     std::vector<Quantity> outputs;
     std::vector<OutputBound> bounds;
-    // Field evidence without a number that the mechanism reproduces, e.g. "parallel_crest_cracks".
-    std::vector<std::string> explains;
     // Pure and safe to call from several threads. Values outside an input's range give a failure, not an exception.
     std::function<Prediction(std::span<const Assignment>)> predict;
     // A prediction takes longer than a millisecond, many times what it takes to keep one on the disk and to look it up:

@@ -252,10 +252,6 @@ ModelInterface model_interface(const PlaneFailureStudy<>& study) {
             {std::string(base_elevation_name), Dimension::length, "elevation of the crack's bottom"});
         model.outputs.push_back({std::string(top_elevation_name), Dimension::length, "elevation of the crack's top"});
     }
-    model.explains = {"planar_upper_surface", "tension_crack_at_crest"};
-    if (std::holds_alternative<SteppedSurface<>>(study.model.strength)) {
-        model.explains.emplace_back("stepped_lower_surface");
-    }
     model.predict = [study](std::span<const Assignment> assignments) { return predict(study, assignments); };
     return model;
 }

@@ -33,6 +33,10 @@ std::string variant_in_words(EvidenceVariant variant) {
         return "priors twice as wide";
     case EvidenceVariant::priors_flat:
         return "flat priors";
+    case EvidenceVariant::prior_means_lower:
+        return "prior means lower";
+    case EvidenceVariant::prior_means_higher:
+        return "prior means higher";
     case EvidenceVariant::model_error_halved:
         return "half the model error";
     case EvidenceVariant::model_error_doubled:

@@ -87,6 +87,15 @@ TEST(Delabole1967, SlidingExplainsNoneOfTheMovementsAtTheCrest) {
     }
 }
 
+// Field evidence counts by what a mechanism predicts: every one parts from the rock behind the crest, none in limiting
+// equilibrium turns blocks there, and the wedge's is the only joint that opens behind it.
+TEST(Delabole1967, LimitEquilibriumPredictsOneCrackAtTheCrestAndNoMore) {
+    for (const MechanismFit& fit : result_of_1967().mechanisms) {
+        EXPECT_EQ(fit.explained, std::vector<std::string>{"tension_crack_at_crest"}) << fit.name;
+    }
+    EXPECT_TRUE(leaves_unexplained(mechanism("slide_head_toppling"), "crest_cracks is 1"));
+}
+
 // The thesis's conclusion (2.4.2): toppling driven by wedges explains the evidence best, and needs no high water.
 TEST(Delabole1967, TopplingRanksFirstAndNeedsNoHighWater) {
     ASSERT_EQ(result_of_1967().mechanisms.size(), 3U);
@@ -94,7 +103,7 @@ TEST(Delabole1967, TopplingRanksFirstAndNeedsNoHighWater) {
     EXPECT_EQ(result_of_1967().mechanisms[1].name, "structural_sliding");
     const MechanismFit& fit = mechanism("slide_head_toppling");
     ASSERT_EQ(fit.status, FitStatus::converged);
-    EXPECT_TRUE(fit.unexplained.empty());
+    EXPECT_FALSE(leaves_unexplained(fit, "water.water_elevation"));
     // Regressions of the compromise between data and priors; three digits are what the README shows.
     EXPECT_NEAR(fit.best[0], degrees(35.4), degrees(0.1));
     EXPECT_NEAR(fit.best[1], 137, 0.5);
@@ -106,15 +115,15 @@ TEST(Delabole1967, TopplingRanksFirstAndNeedsNoHighWater) {
     }
 }
 
-// What the README says of the probabilities, and that neither priors nor model error decide it.
-TEST(Delabole1967, TopplingIsFirstByEvidenceWhateverThePriorsAndTheModelError) {
+// What the README says of the probabilities, and that the priors decide it.
+TEST(Delabole1967, TopplingIsFirstByEvidenceUnlessPriorsAreNarrowedOrLowered) {
     const auto& mechanisms = result_of_1967().mechanisms;
     for (const MechanismFit& fit : mechanisms) {
         ASSERT_TRUE(fit.posterior) << fit.name;
         EXPECT_EQ(fit.posterior->posterior.status, PosteriorStatus::converged) << fit.name;
         EXPECT_TRUE(fit.posterior->warnings.empty()) << fit.name;
         EXPECT_LT(fit.posterior->evidence().standard_error, 0.02) << fit.name;
-        EXPECT_EQ(fit.posterior->evidences.size(), 6U) << fit.name;
+        EXPECT_EQ(fit.posterior->evidences.size(), 8U) << fit.name;
     }
     for (const bool field : {true, false}) {
         std::vector<LogEvidence> evidences;
@@ -122,15 +131,24 @@ TEST(Delabole1967, TopplingIsFirstByEvidenceWhateverThePriorsAndTheModelError) {
             evidences.push_back({fit.posterior->log_evidence(fit.posterior->evidence(), field),
                                  fit.posterior->evidence().standard_error});
         }
-        // Three standard errors of the computation.
-        EXPECT_NEAR(weigh(evidences)[0].probability, field ? 0.998 : 0.833, 0.003);
+        // Three standard errors of the computation. No mechanism has more of the field evidence than another.
+        EXPECT_NEAR(weigh(evidences)[0].probability, 0.832, 0.003) << field;
     }
-    for (std::size_t variant = 0; variant < 6; ++variant) {
-        const auto log_evidence = [&](std::size_t index) {
-            const MechanismPosterior& posterior = *mechanisms[index].posterior;
-            return posterior.log_evidence(posterior.evidences[variant].evidence, true);
+    for (std::size_t index = 0; index < mechanisms[0].posterior->evidences.size(); ++index) {
+        const EvidenceVariant variant = mechanisms[0].posterior->evidences[index].variant;
+        const auto log_evidence = [&](std::size_t mechanism) {
+            const MechanismPosterior& posterior = *mechanisms[mechanism].posterior;
+            return posterior.log_evidence(posterior.evidences[index].evidence, true);
         };
-        EXPECT_GT(log_evidence(0), std::max(log_evidence(1), log_evidence(2)) + 1) << variant;
+        const double lead = log_evidence(0) - std::max(log_evidence(1), log_evidence(2));
+        // Errors of the evidences are below 0.05.
+        if (variant == EvidenceVariant::priors_halved || variant == EvidenceVariant::prior_means_lower) {
+            EXPECT_LT(lead, -0.5) << word_of(variant);
+        } else if (variant == EvidenceVariant::priors_flat) {
+            EXPECT_NEAR(lead, 0, 0.2) << "a tie";
+        } else {
+            EXPECT_GT(lead, 0.3) << word_of(variant);
+        }
     }
 }
 
@@ -144,7 +162,9 @@ TEST(Delabole1967, TheConclusionsOfTheThesisAsFarAsLimitEquilibriumHasASay) {
         EXPECT_NE(found, conclusions.end()) << label;
         return findings[static_cast<std::size_t>(found - conclusions.begin())];
     };
-    EXPECT_EQ(finding("(i)").verdict, ConclusionVerdict::confirmed);
+    // Toppling has less than the probability asked for, and less than half of what moves topples at more than half of the
+    // draws; but the wedge drives.
+    EXPECT_EQ(finding("(i)").verdict, ConclusionVerdict::partly);
     EXPECT_EQ(finding("(ii)").verdict, ConclusionVerdict::not_tested);
     EXPECT_EQ(finding("(vi)").verdict, ConclusionVerdict::not_tested);
     const std::vector<TestFinding> water = finding("(iv)").tests;

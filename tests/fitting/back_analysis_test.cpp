@@ -241,7 +241,7 @@ TEST(BackAnalysis, RanksMechanismsAndSaysWhatTheyCannotExplain) {
     problem.mechanisms.insert(
         problem.mechanisms.begin(),
         {"failing", "Failing", formula_model(1, {"factor_of_safety"}, failing), {test::free_parameter("x1", 0, 1)}});
-    problem.mechanisms[2].model.explains = {"cracks"};
+    problem.mechanisms[2].signs = {{"cracks", "factor_of_safety", Relation::at_most, 1.2}};
     problem.evidence = {{"cracks", "cracks opened behind the crest", "test"}};
     const FitResult result = fit(problem);
     EXPECT_EQ(result.mechanisms[0].name, "mechanism");
@@ -251,12 +251,27 @@ TEST(BackAnalysis, RanksMechanismsAndSaysWhatTheyCannotExplain) {
     EXPECT_NEAR(result.mechanisms[1].ranking_score, 36 + 4, 1e-9);
     EXPECT_EQ(
         result.mechanisms[1].unexplained,
-        (std::vector<std::string>{"cracks: cracks opened behind the crest",
+        (std::vector<std::string>{"cracks (cracks opened behind the crest): the mechanism predicts nothing of the kind",
                                   "factor_of_safety observed: predicted 1.3, observed 1, 6 standard deviations away"}));
     EXPECT_EQ(result.mechanisms[2].status, FitStatus::no_valid_point);
     EXPECT_TRUE(result.mechanisms[2].best.empty());
     EXPECT_EQ(result.mechanisms[2].evaluations.failed(), result.mechanisms[2].evaluations.total);
     EXPECT_EQ(result.mechanisms[2].evaluations.failed_by_cause[0].first, "impossible");
+}
+
+TEST(BackAnalysis, EvidenceIsExplainedByWhatIsPredictedAlone) {
+    FitProblem problem = failure_problem();
+    problem.evidence = {{"cracks", "cracks opened behind the crest", "test"}};
+    // At the best point the factor of safety is near 1: the priors draw it away by less than a hundredth.
+    problem.mechanisms[0].signs = {{"cracks", "factor_of_safety", Relation::at_least, 0.5},
+                                   {"cracks", "factor_of_safety", Relation::at_least, 1.5}};
+    const MechanismFit missed = fit(problem).mechanisms[0];
+    EXPECT_TRUE(missed.explained.empty());
+    ASSERT_EQ(missed.unexplained.size(), 1U);
+    EXPECT_TRUE(missed.unexplained[0].starts_with("cracks (cracks opened behind the crest): factor_of_safety is 0.99"))
+        << missed.unexplained[0];
+    problem.mechanisms[0].signs.pop_back();
+    EXPECT_EQ(fit(problem).mechanisms[0].explained, std::vector<std::string>{"cracks"});
 }
 
 TEST(BackAnalysis, KeepsTheBestPointWhenInterrupted) {

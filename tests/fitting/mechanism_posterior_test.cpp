@@ -56,7 +56,7 @@ double linear_evidence(double prior_factor, double model_error) {
 
 TEST(MechanismPosterior, EvidenceOfEachVariantIsThatOfTheTextbook) {
     const MechanismPosterior found = studied(linear_problem());
-    ASSERT_EQ(found.evidences.size(), 6U);
+    ASSERT_EQ(found.evidences.size(), 8U);
     const auto expect = [&](EvidenceVariant variant, double expected) {
         const auto place = std::find_if(found.evidences.begin(), found.evidences.end(),
                                         [&](const VariantEvidence& one) { return one.variant == variant; });
@@ -67,6 +67,10 @@ TEST(MechanismPosterior, EvidenceOfEachVariantIsThatOfTheTextbook) {
     };
     expect(EvidenceVariant::as_given, linear_evidence(1, 0.1));
     expect(EvidenceVariant::priors_halved, linear_evidence(0.5, 0.1));
+    // Both means by one deviation: the factor of safety by 0.8 of 1 less 0.4 of 0.5, its variance as it was.
+    const double moved = linear_evidence(1, 0.1) - square(0.6) / (2 * (0.68 + 0.01));
+    expect(EvidenceVariant::prior_means_lower, moved);
+    expect(EvidenceVariant::prior_means_higher, moved);
     expect(EvidenceVariant::model_error_halved, linear_evidence(1, 0.05));
     expect(EvidenceVariant::model_error_doubled, linear_evidence(1, 0.2));
     // Flat in a square of side 12: the band |0.8 x1 - 0.4 x2 - 0.4| crosses it over x2 = -6 ... 6 with width
@@ -107,7 +111,7 @@ TEST(MechanismPosterior, CountsWhatTheMechanismSaysNothingAboutAsMissed) {
     FitProblem problem = linear_problem();
     problem.observations.push_back(observe("crack_depth", 10, 1));
     problem.evidence = {{"planar_surface", "planar", ""}, {"rotation", "blocks turn", ""}};
-    problem.mechanisms[0].model.explains = {"rotation"};
+    problem.mechanisms[0].signs = {{"rotation", "factor_of_safety", Relation::at_least, 0}};
     const FitResult fitted = fit(problem);
     const MechanismPosterior& found = *fitted.mechanisms.front().posterior;
     EXPECT_EQ(found.missing_data, 1);

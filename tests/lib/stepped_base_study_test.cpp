@@ -1,5 +1,6 @@
 // The stepped base as the loops see it: named numbers in and out, inputs solved for, the ground left standing.
 #include "limit_equilibrium/stepped_base/stepped_base_study.hpp"
+#include "limit_equilibrium/columns/base_profile.hpp"
 
 #include <gtest/gtest.h>
 
@@ -81,6 +82,64 @@ TEST(SteppedBaseStudy, TheGroundLeftIsTheBaseAndTheJointOfTheWedge) {
     EXPECT_NEAR(inclination(0), degrees(42), 1e-12);
     EXPECT_NEAR(inclination(1), degrees(72), 1e-12);
     EXPECT_NEAR(profile[2].y(), 68.58, 1e-9);
+}
+
+TEST(SteppedBaseStudy, CracksAtTheCrestAreJointsThatPartThere) {
+    SteppedBaseStudy<> study = delabole_face();
+    const double crest = 68.58 / std::tan(degrees(70));
+    const SteppedBaseResult pushed = analyse(study.model);
+    ASSERT_EQ(pushed.limit, LimitState::found);
+    // The base ends below the face: only the wedge's joint comes out behind the crest.
+    EXPECT_EQ(pushed.crest_cracks, 1);
+    const std::vector<Point> outcrops = joint_outcrops(study.model.scene);
+    ASSERT_EQ(outcrops.size(), pushed.column_count + 1);
+    EXPECT_LT(outcrops[outcrops.size() - 2].x(), crest);
+    EXPECT_NEAR(outcrops.back().y(), 68.58, 1e-9);
+    EXPECT_GT(outcrops.back().x(), crest);
+
+    // Up to the ground behind the crest, without a wedge, all columns topple: as many cracks as joints there.
+    study.model.scene.slide_head.reset();
+    study.model.scene.columns = ContinuousColumns<>{degrees(85), 2, degrees(42), {}};
+    const SteppedBaseResult toppling = analyse(study.model);
+    ASSERT_EQ(toppling.limit, LimitState::found);
+    double behind = 0;
+    const std::vector<Point> all = joint_outcrops(study.model.scene);
+    for (std::size_t index = 0; index < all.size(); ++index) {
+        behind += static_cast<double>(index) < toppling.uppermost_moving && all[index].x() > crest ? 1 : 0;
+    }
+    EXPECT_GT(behind, 1);
+    EXPECT_LE(toppling.crest_cracks, behind);
+    // Columns that slide beside each other move as one.
+    EXPECT_GE(toppling.crest_cracks, behind - toppling.sliding_count);
+
+    study.model.scene.slope.reset();
+    study.model.scene.columns = BlockColumns<>{};
+    EXPECT_TRUE(joint_outcrops(study.model.scene).empty());
+}
+
+TEST(SteppedBaseStudy, SharesOfWhatMovesAreThoseOfItsArea) {
+    const SteppedBaseStudy<> study = delabole_face();
+    const SteppedBaseResult result = analyse(study.model);
+    EXPECT_NEAR(result.toppling_share + result.sliding_share + result.slide_head_share, 1, 1e-14);
+    const std::vector<ColumnResult> columns =
+        column_results(make_columns(study.model.scene), strength_of(study.model), result.factor_of_safety);
+    const std::vector<Polyline> outlines = column_outlines(study.model.scene);
+    double topples = 0;
+    double moves = 0;
+    for (std::size_t index = 0; index < outlines.size(); ++index) {
+        double area = 0;
+        for (std::size_t corner = 1; corner < outlines[index].size(); ++corner) {
+            const Point& from = outlines[index][corner - 1];
+            const Point& to = outlines[index][corner];
+            area += (from.x() * to.y() - from.y() * to.x()) / 2;
+        }
+        area = std::abs(area);
+        const bool wedge = index == columns.size();
+        moves += wedge || columns[index].mode != ColumnMode::stays ? area : 0;
+        topples += !wedge && columns[index].mode == ColumnMode::topples ? area : 0;
+    }
+    // The rock is the same everywhere, so that weights are as areas; to the rounding of sums of products of 100 m.
+    EXPECT_NEAR(result.toppling_share, topples / moves, 1e-12);
 }
 
 TEST(SteppedBaseStudy, RequiredValuesReachTheirFactorOfSafety) {

@@ -114,7 +114,7 @@ std::string dependence_in_words(const Weighed& all) {
                "or higher, and when the model error of the factor of safety is halved or doubled, as far as the case "
                "has them.";
     }
-    return "The ranking hangs on what was put in: " + best + " is first as given, another with " +
+    return "The ranking depends on what was put in: " + best + " is first as given, another with " +
            list_in_words(others) + ".";
 }
 

@@ -76,6 +76,21 @@ Polyline ground_after_toppling(const ColumnScene<>& scene, std::size_t moving_co
     return profile;
 }
 
+std::vector<Point> joint_outcrops(const ColumnScene<>& scene) {
+    const ColumnShapes<> shapes = make_shapes(scene.slope, scene.columns);
+    if (shapes.check != ColumnCheck::valid || !scene.slope) {
+        return {};
+    }
+    std::vector<Point> outcrops;
+    for (const ColumnShape<>& shape : shapes.columns) {
+        outcrops.push_back(detail::turned_back(shapes.base, shape.top.back()));
+    }
+    if (const auto head = wedge_top(scene, shapes)) {
+        outcrops.push_back(detail::turned_back(shapes.base, head->back()));
+    }
+    return outcrops;
+}
+
 std::vector<Polyline> column_outlines(const ColumnScene<>& scene) {
     const ColumnShapes<> shapes = make_shapes(scene.slope, scene.columns);
     if (shapes.check != ColumnCheck::valid) {

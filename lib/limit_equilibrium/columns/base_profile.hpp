@@ -16,6 +16,10 @@ enum class BaseOutline { steps, envelope };
 // or none moves.
 Polyline ground_after_toppling(const ColumnScene<>& scene, std::size_t moving_columns, BaseOutline outline);
 
+// Where the joint above each column, from the toe up, comes out of the ground, and last that of the wedge, if there is
+// one; section axes. Empty where there are no columns or no ground is given.
+std::vector<Point> joint_outcrops(const ColumnScene<>& scene);
+
 // Closed polygons, one per column from the toe up, in section axes; the wedge above them last, if there is one. Empty
 // where there are no columns.
 std::vector<Polyline> column_outlines(const ColumnScene<>& scene);

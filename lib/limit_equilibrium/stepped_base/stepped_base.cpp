@@ -1,5 +1,7 @@
 #include "limit_equilibrium/stepped_base/stepped_base.hpp"
 
+#include "limit_equilibrium/columns/base_profile.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -324,6 +326,46 @@ std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const Colum
     return results;
 }
 
+namespace {
+
+// What a limiting state does to the slope: which of its parts move, by weight, and where it cracks the crest.
+void add_movement(const ColumnScene<>& scene, const std::vector<ColumnResult>& columns, double wedge_weight,
+                  SteppedBaseResult& result) {
+    double topples = 0;
+    double slides = 0;
+    for (const ColumnResult& column : columns) {
+        topples += column.mode == ColumnMode::topples ? column.weight : 0;
+        slides += column.mode == ColumnMode::slides ? column.weight : 0;
+    }
+    const double moving = topples + slides + wedge_weight;
+    if (moving > 0) {
+        result.toppling_share = topples / moving;
+        result.sliding_share = slides / moving;
+        result.slide_head_share = wedge_weight / moving;
+    }
+    const std::vector<Point> outcrops = joint_outcrops(scene);
+    if (outcrops.empty()) {
+        return;
+    }
+    const double crest = scene.slope->height / std::tan(scene.slope->face_dip);
+    const auto parts = [&](std::size_t index) {
+        if (index >= columns.size()) {
+            return wedge_weight > 0;
+        }
+        const ColumnMode mode = columns[index].mode;
+        if (index + 1 < columns.size()) {
+            // Columns that slide do so together, as their bases are parallel; those that topple slip past each other.
+            return mode != columns[index + 1].mode || mode == ColumnMode::topples;
+        }
+        return mode != ColumnMode::stays || wedge_weight > 0;
+    };
+    for (std::size_t index = 0; index < outcrops.size(); ++index) {
+        result.crest_cracks += outcrops[index].x() > crest && parts(index) ? 1 : 0;
+    }
+}
+
+}  // namespace
+
 SteppedBaseResult analyse(const SteppedBase<>& problem) {
     SteppedBaseResult result;
     if (!in_range(problem)) {
@@ -344,8 +386,8 @@ SteppedBaseResult analyse(const SteppedBase<>& problem) {
     result.limiting_friction_angle = friction.value;
     result.toe_force = toe_force(slope, strength);
     result.column_count = static_cast<double>(slope.columns.size());
-    const std::vector<ColumnResult> columns =
-        column_results(slope, strength, limit.state == LimitState::found ? limit.value : 1);
+    const double at_limit = limit.state == LimitState::found ? limit.value : 1;
+    const std::vector<ColumnResult> columns = column_results(slope, strength, at_limit);
     for (std::size_t index = 0; index < columns.size(); ++index) {
         result.weight += columns[index].weight;
         result.toppling_count += columns[index].mode == ColumnMode::topples ? 1 : 0;
@@ -368,6 +410,9 @@ SteppedBaseResult analyse(const SteppedBase<>& problem) {
             }
         },
         problem.scene.columns);
+    const double moving_wedge =
+        slope.slide_head && head_force(slope, strength, at_limit).normal > 0 ? slope.slide_head->weight : 0;
+    add_movement(problem.scene, columns, moving_wedge, result);
     if (slope.slide_head) {
         const SlideHeadThrust<> thrust =
             slide_head_thrust(*slope.slide_head, slope.base_dip, strength.joint_friction, 1.0);

@@ -168,6 +168,10 @@ struct SteppedBaseResult {
     SlideHeadState slide_head = SlideHeadState::stands;  // as the numbers below, of no meaning without a wedge
     double slide_head_thrust = 0;
     double slide_head_factor_of_safety = 0;
+    double toppling_share = 0;
+    double sliding_share = 0;
+    double slide_head_share = 0;
+    double crest_cracks = 0;
 
     static constexpr auto fields() {
         using Result = SteppedBaseResult;
@@ -205,7 +209,16 @@ struct SteppedBaseResult {
             number("slide_head_thrust", &Result::slide_head_thrust, Dimension::force_per_length, any_number(),
                    "force of the wedge on the last column"),
             number("slide_head_factor_of_safety", &Result::slide_head_factor_of_safety, Dimension::ratio, any_number(),
-                   "factor of safety of the wedge by itself; 0 where there is none")};
+                   "factor of safety of the wedge by itself; 0 where there is none"),
+            number("toppling_share", &Result::toppling_share, Dimension::ratio, any_number(),
+                   "share of the weight that moves in limiting equilibrium which is that of toppling columns"),
+            number("sliding_share", &Result::sliding_share, Dimension::ratio, any_number(),
+                   "the same of sliding columns"),
+            number("slide_head_share", &Result::slide_head_share, Dimension::ratio, any_number(),
+                   "the same of the wedge"),
+            number("crest_cracks", &Result::crest_cracks, Dimension::ratio, any_number(),
+                   "joints that come out behind the crest and on whose sides the rock moves differently in limiting "
+                   "equilibrium; 0 where the ground is not given")};
     }
 };
 

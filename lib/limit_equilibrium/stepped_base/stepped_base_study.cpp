@@ -74,26 +74,6 @@ ModelInterface model_interface(const SteppedBaseStudy<>& study) {
         model.outputs.push_back(
             {std::string(base_elevation_name), Dimension::length, "elevation of the crack's lower end"});
     }
-    // Every joint of the moving columns opens at its top; the thesis (2.4.1) saw the cracks that this makes at the
-    // crest of its models in toppling only.
-    model.explains = {"tension_crack_at_crest", "parallel_crest_cracks"};
-    if (study.model.scene.slide_head) {
-        // Left behind as the upper surface. The wedge goes down behind the columns that it pushes: subsidence and
-        // rotation between the crest cracks need both joint sets (thesis 2.4.1).
-        model.explains.insert(model.explains.end(), {"planar_upper_surface", "crest_block_rotation"});
-    }
-    const bool steps = std::visit(
-        [](const auto& layout) {
-            if constexpr (requires { layout.base_inclination; }) {
-                return layout.base_inclination + layout.joint_dip > degrees(90);
-            } else {
-                return true;
-            }
-        },
-        study.model.scene.columns);
-    if (steps) {
-        model.explains.emplace_back("stepped_lower_surface");
-    }
     model.predict = [study](std::span<const Assignment> assignments) { return predict(study, assignments); };
     return model;
 }
