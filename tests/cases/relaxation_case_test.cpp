@@ -332,7 +332,7 @@ TEST(RelaxationCase, HasAThousandBricksInBalanceAtTheStart) {
     study.settings->duration = 1e-6;
     const Analysis analysis = analyse_model(file.model);
     EXPECT_FALSE(std::ranges::any_of(analysis.warnings, [](const std::string& warning) {
-        return warning.starts_with("preloading so many blocks");
+        return warning.starts_with("the static solve of the start was ended early");
     }));
 }
 
@@ -349,8 +349,8 @@ TEST(RelaxationCase, SaysThatAGapOfTheDrawingWasClosed) {
     const std::string_view corner = "{ x = \"0 m\", y = \"0 m\" }, { x = \"1 m\", y = \"0 m\" }";
     const std::string above =
         changed(blocks_text, corner, "{ x = \"0 m\", y = \"10 mm\" }, { x = \"1 m\", y = \"10 mm\" }");
-    EXPECT_TRUE(warns(above, "preloading closed gaps of the drawing"));
-    EXPECT_FALSE(warns(std::string(blocks_text), "preloading closed gaps of the drawing"));
+    EXPECT_TRUE(warns(above, "the static solve of the start closed gaps of the initial geometry"));
+    EXPECT_FALSE(warns(std::string(blocks_text), "the static solve of the start closed gaps of the initial geometry"));
 }
 
 TEST(RelaxationCase, SaysThatNothingHoldsTheBlocks) {

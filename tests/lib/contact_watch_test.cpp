@@ -50,13 +50,13 @@ std::uint64_t looks_after_the_first(int rows, int columns) {
     // The same for both walls: corners where four blocks meet bear 4e-5 s.
     settings.time_step = 2.5e-5;
     Simulation simulation(wall_and_splinter(rows, columns), settings);
-    const std::uint64_t first = simulation.state().watch.looks;
+    const std::uint64_t first = simulation.state().watch.pair_checks;
     while (simulation.running()) {
         simulation.step();
     }
     // It has fallen, and lies or bounces on the floor.
     EXPECT_LT(simulation.state().motion[static_cast<std::size_t>(rows * columns)].y, -2);
-    return simulation.state().watch.looks - first;
+    return simulation.state().watch.pair_checks - first;
 }
 
 TEST(ContactWatch, SplinterDoesNotMakeAWallBeSearchedAgain) {
@@ -76,13 +76,13 @@ TEST(ContactWatch, BlocksThatFallSideBySideAreNotLookedAtAgain) {
     Simulation simulation(on_floor(std::move(blocks)), settings);
     simulation.step();
     // Air parts them from the floor only: 9 pairs.
-    const std::uint64_t first = simulation.state().watch.looks;
+    const std::uint64_t first = simulation.state().watch.pair_checks;
     EXPECT_EQ(first, 9U);
     while (simulation.running()) {
         simulation.step();
     }
     EXPECT_LT(simulation.state().motion[0].y, -8);
-    EXPECT_EQ(simulation.state().watch.looks, first);
+    EXPECT_EQ(simulation.state().watch.pair_checks, first);
 }
 
 // Rubble of very different sizes: corners on an ellipse at random angles.
@@ -174,7 +174,7 @@ TEST(ContactWatch, LooksTheSameOnAnyThreadsAndAfterARestart) {
     for (int step = 0; step < steps; ++step) {
         simulation.step();
     }
-    EXPECT_GT(simulation.state().watch.looks, 5 * simulation.state().watch.pair.size());
+    EXPECT_GT(simulation.state().watch.pair_checks, 5 * simulation.state().watch.pair.size());
     EXPECT_GT(simulation.state().watch.searches, 5U);
 }
 

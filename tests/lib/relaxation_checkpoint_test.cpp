@@ -131,7 +131,7 @@ TEST(RelaxationCheckpoint, ContactsAreSearchedAnewOnTheWay) {
     for (const Case& one : {two_blocks(), eight_columns(), eventful()}) {
         Simulation run(one.scene, one.settings);
         advance(run, 2000);
-        EXPECT_GT(run.state().watch.looks, run.state().watch.pair.size()) << one.name;
+        EXPECT_GT(run.state().watch.pair_checks, run.state().watch.pair.size()) << one.name;
         EXPECT_GT(run.ledger().friction, 0) << one.name;
     }
 }

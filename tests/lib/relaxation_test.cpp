@@ -1,4 +1,4 @@
-// Dynamic relaxation against equations of motion, limit equilibrium, and the books of energy and momentum.
+// Dynamic relaxation against equations of motion, limit equilibrium, and the balances of energy and momentum.
 #include "dynamic_relaxation/scene/scenes.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
 #include "dynamic_relaxation/study/checkpoint.hpp"

@@ -264,7 +264,7 @@ TEST_F(Shaken, BlocksMoveTheSameFourAtATimeAsOneByOne) {
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         scales.inverse_radius.push_back(1 / bodies.radius[block]);
         scales.inverse_weight.push_back(1 / (10 * bodies.mass[block]));
-        scales.calm_speed.push_back(1e-6);
+        scales.rest_speed.push_back(1e-6);
         // Some blocks go farther in a step, and some do not.
         scales.unnoticed.push_back(1e-4);
     }

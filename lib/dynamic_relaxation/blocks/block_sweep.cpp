@@ -121,19 +121,19 @@ bool kick_block(const BlockSweep& sweep, std::size_t block, StepSums& sums) {
                                          sweep.scales.inverse_radius[block], sweep.scales.inverse_weight[block]};
     const Imbalance<double> imbalance = imbalance_of(net, measures);
     sums.unbalanced = std::max(sums.unbalanced, imbalance.ratio);
-    if (sweep.calm[block] >= sweep.calm_enough) {
+    if (sweep.checks_at_rest[block] >= sweep.checks_before_rest) {
         if (imbalance.ratio <= 4 * sweep.rest_ratio) {
             return false;
         }
-        sweep.calm[block] = 0;
+        sweep.checks_at_rest[block] = 0;
     }
     const KickWork<double> work = kick<double>(net, imbalance.force, load, velocity_on_base(sweep, block), measures,
                                                sweep.local_damping, sweep.kick, motion);
     sums.applied += work.applied;
     sums.damped -= work.damped;
     if (imbalance.ratio > sweep.rest_ratio ||
-        fastest_point<double>(motion, sweep.bodies.radius[block]) > sweep.scales.calm_speed[block]) {
-        sweep.calm[block] = 0;
+        fastest_point<double>(motion, sweep.bodies.radius[block]) > sweep.scales.rest_speed[block]) {
+        sweep.checks_at_rest[block] = 0;
     }
     return true;
 }
@@ -157,7 +157,7 @@ void move_block(const BlockSweep& sweep, std::size_t block, StepSums& sums) {
     const double radius = sweep.bodies.radius[block];
     const double fastest = fastest_point<double>(motion, radius);
     sums.fastest = std::max(sums.fastest, fastest);
-    sweep.way[block] += fastest * sweep.step;
+    sweep.travelled[block] += fastest * sweep.step;
     const PoseOf<double> then{noticed.x[block], noticed.y[block], noticed.angle[block]};
     if (!is_unnoticed<double>(motion, then, radius, sweep.scales.unnoticed[block])) {
         noticed.notice(block, motion);
@@ -217,10 +217,10 @@ DELABOLE_INLINED void move_four(const BlockSweep& sweep, std::size_t first, Wide
     const FourLanes radius = load_lanes<FourLanes>(&sweep.bodies.radius[first]);
     const FourLanes fastest = fastest_point<FourLanes>(motion, radius);
     sums.fastest = greater(sums.fastest, fastest);
-    const unsigned not_calm =
-        bits((imbalance.ratio > sweep.rest_ratio) | (fastest > load_lanes<FourLanes>(&sweep.scales.calm_speed[first])));
+    const unsigned not_at_rest =
+        bits((imbalance.ratio > sweep.rest_ratio) | (fastest > load_lanes<FourLanes>(&sweep.scales.rest_speed[first])));
     for (std::size_t lane = 0; lane < lane_count<FourLanes>; ++lane) {
-        sweep.calm[first + lane] = (not_calm >> lane & 1U) != 0 ? 0 : sweep.calm[first + lane];
+        sweep.checks_at_rest[first + lane] = (not_at_rest >> lane & 1U) != 0 ? 0 : sweep.checks_at_rest[first + lane];
     }
     motion.x += motion.vx * sweep.step;
     motion.y += motion.vy * sweep.step;
@@ -241,15 +241,15 @@ DELABOLE_INLINED void move_four(const BlockSweep& sweep, std::size_t first, Wide
             moved[lane].set_angle(motion.angle[lane]);
         }
     }
-    double* const way = sweep.way + first;
-    store_lanes<FourLanes>(load_lanes<FourLanes>(way) + fastest * sweep.step, way);
+    double* const travelled = sweep.travelled + first;
+    store_lanes<FourLanes>(load_lanes<FourLanes>(travelled) + fastest * sweep.step, travelled);
     notice_four(sweep, first, motion, radius);
 }
 
 DELABOLE_INLINED bool together(const BlockSweep& sweep, std::size_t first) {
     bool free = true;
     for (std::size_t block = first; block < first + lane_count<FourLanes>; ++block) {
-        free = free && sweep.held[block] == 0 && sweep.calm[block] < sweep.calm_enough;
+        free = free && sweep.held[block] == 0 && sweep.checks_at_rest[block] < sweep.checks_before_rest;
     }
     return free;
 }

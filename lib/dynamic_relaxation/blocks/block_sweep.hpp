@@ -14,7 +14,7 @@ namespace delabole {
 struct BlockScales {
     std::vector<double> inverse_radius = {};  // 1/m
     std::vector<double> inverse_weight = {};  // m/N
-    std::vector<double> calm_speed = {};      // m/s, below which a block may be calm
+    std::vector<double> rest_speed = {};      // m/s, below which a block may be at rest
     std::vector<double> unnoticed = {};       // m, way that its contacts may disregard
 };
 
@@ -51,13 +51,13 @@ struct BlockSweep {
     double local_damping;
     double kick;  // s, over which forces change the velocities
     double step;  // s, over which these move the blocks
-    // A block whose `calm` has reached `calm_enough` is at rest until the forces on it are out of balance by four times
-    // this share of its weight.
+    // A block whose `checks_at_rest` has reached `checks_before_rest` is at rest until the forces on it are out of
+    // balance by four times this share of its weight.
     double rest_ratio;
-    std::uint32_t calm_enough;
+    std::uint32_t checks_before_rest;
     Motion* motion;
-    double* way;
-    std::uint32_t* calm;  // set to zero where a block is not
+    double* travelled;
+    std::uint32_t* checks_at_rest;  // set to zero where a block is not
     NoticedMotion& noticed;
     // Where blocks are carried along by a base that turns: its motion before the step, whichever is moved first.
     Motion base = {};

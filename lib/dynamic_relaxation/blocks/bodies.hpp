@@ -31,11 +31,11 @@ struct Bodies {
     std::vector<double> radius = {};           // farthest corner from the centroid
     std::vector<double> shortest_edge = {};
     std::vector<char> fixed = {};
-    std::vector<PlanePoint<>> centroid = {};  // in the drawing
+    std::vector<PlanePoint<>> centroid = {};  // in the initial geometry
     std::vector<CornerRange> range = {};
     std::vector<std::size_t> block_of = {};  // of a corner
-    std::vector<PlanePoint<>> corner = {};   // about the centroid, in the drawing
-    std::vector<PlanePoint<>> along = {};    // unit vector of an edge, in the drawing
+    std::vector<PlanePoint<>> corner = {};   // about the centroid, in the initial geometry
+    std::vector<PlanePoint<>> along = {};    // unit vector of an edge, in the initial geometry
     std::vector<double> length = {};         // of an edge
     std::vector<std::size_t> material = {};  // of an edge
     // A fixed block where all fixed ones move as one: motion is seen from it.
@@ -81,9 +81,9 @@ DELABOLE_INLINED MaskOf<Number> small_turn(const Number& angle, Number& sine, Nu
     return square < 1e-4;
 }
 
-// One block's motion since the drawing, and its velocity half a step ago. Displacements instead of positions: the
-// overlap of stiff joints would drown in the rounding of coordinates. One cache line, because contacts visit blocks at
-// random.
+// One block's motion since the initial geometry, and its velocity half a step ago. Displacements instead of positions:
+// the overlap of stiff joints would drown in the rounding of coordinates. One cache line, because contacts visit blocks
+// at random.
 template <class Number>
 struct MotionOf {
     Number x{};        // m, of the centroid

@@ -1,4 +1,4 @@
-// Water between two blocks whose faces lie on each other in the drawing.
+// Water between two blocks whose faces lie on each other in the initial geometry.
 #pragma once
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
@@ -15,8 +15,8 @@ struct JointWater {
     double at_second;  // Pa, at least 0; at its other end, linear between
 };
 
-// Pressures on both, equal and opposite along one line in the drawing; later each goes with its own face. Two for each
-// pair of edges: a straight face may have corners. Empty where the blocks share no face.
+// Pressures on both, equal and opposite along one line in the initial geometry; later each goes with its own face. Two
+// for each pair of edges: a straight face may have corners. Empty where the blocks share no face.
 std::vector<FacePressure> pressures_of(const JointWater& water, const Bodies& bodies);
 
 }  // namespace delabole

@@ -10,7 +10,7 @@ namespace delabole {
 
 namespace {
 
-// About the centroid of `origin` in the drawing: coordinates keep their digits far away from zero.
+// About the centroid of `origin` in the initial geometry: coordinates keep their digits far away from zero.
 Polygon<> moved_outline(const Bodies& bodies, const std::vector<Motion>& motion, std::size_t block,
                         std::size_t origin) {
     const Motion& moved = motion[block];

@@ -1,4 +1,4 @@
-// Where the faces of two blocks lie on each other in the drawing, and how they have parted since.
+// Where the faces of two blocks lie on each other in the initial geometry, and how they have parted since.
 #pragma once
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
@@ -15,9 +15,9 @@ struct SharedFace {
     std::uint32_t other;
     std::uint32_t edge;  // of the block; edges of all blocks are numbered through
     std::uint32_t other_edge;
-    PlanePoint<> arm;        // of the middle of what they share, about the block's centroid, in the drawing
+    PlanePoint<> arm;        // of the middle of what they share, about the block's centroid, in the initial geometry
     PlanePoint<> other_arm;  // of the same point, about the other's
-    PlanePoint<> along;      // of the other's edge, in the drawing
+    PlanePoint<> along;      // of the other's edge, in the initial geometry
     double length;           // m
 };
 

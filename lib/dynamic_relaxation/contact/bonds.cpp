@@ -120,8 +120,8 @@ BondState state_under(const Bond& bond, const BondLoading& loading) {
     return bond.of_joint && bond.tension == 0 ? BondState::handed_over : BondState::broken_in_tension;
 }
 
-// Dashpots act half a step on both sides of their moment: the books count half with each velocity. Velocities are those
-// that led here, half a step ago.
+// Dashpots act half a step on both sides of their moment: the energy balance counts half with each velocity. Velocities
+// are those that led here, half a step ago.
 ForceOnCorner advance_bond(const Bond& bond, BondMemory& memory, const Motion& block, const Motion& other,
                            double step) {
     const FacePosition at = locate(bond.face, block, other);
@@ -130,11 +130,11 @@ ForceOnCorner advance_bond(const Bond& bond, BondMemory& memory, const Motion& b
     const double opening = at.normal_x * velocity_x + at.normal_y * velocity_y;
     const double shearing = at.along_x() * velocity_x + at.along_y() * velocity_y;
     const double bending = block.spin - other.spin;
-    const auto book = [&] {
+    const auto account = [&] {
         memory.damping -=
             step / 2 * (memory.normal_drag * opening + memory.shear_drag * shearing + memory.bending_drag * bending);
     };
-    book();
+    account();
     memory.normal_drag = memory.shear_drag = memory.bending_drag = 0;
     memory.state = state_under(bond, loading_of(bond, at));
     if (memory.state != BondState::whole) {
@@ -143,7 +143,7 @@ ForceOnCorner advance_bond(const Bond& bond, BondMemory& memory, const Motion& b
     memory.normal_drag = -bond.normal_dashpot * opening;
     memory.shear_drag = -bond.shear_dashpot * shearing;
     memory.bending_drag = -bond.bending_dashpot * bending;
-    book();
+    account();
     const double normal = -bond.normal_stiffness * at.opening + memory.normal_drag;
     const double shear = -bond.shear_stiffness * at.slide + memory.shear_drag;
     const double moment = -bond.bending_stiffness * at.turn + memory.bending_drag;

@@ -91,9 +91,9 @@ struct BondMemory {
 // The scene must be valid: one for each of its bonds.
 std::vector<Bond> make_bonds(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping);
 
-// Bonds across all faces that lie on each other in the drawing. Of rock where the joints of both have a bond; the
-// material is that of the joint with less friction, whose contacts act once it has broken. Of that joint itself where
-// it has strength to lose: tensile strength, or more cohesion than remains.
+// Bonds across all faces that lie on each other in the initial geometry. Of rock where the joints of both have a bond;
+// the material is that of the joint with less friction, whose contacts act once it has broken. Of that joint itself
+// where it has strength to lose: tensile strength, or more cohesion than remains.
 std::vector<FaceBond> find_bonds(const RelaxationScene& scene);
 
 // J/m

@@ -46,7 +46,7 @@ std::size_t ContactForces::evaluate_all(const ContactSweep& sweep) {
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
-std::size_t ContactForces::apply(const std::vector<Motion>& motion, const std::vector<double>& way,
+std::size_t ContactForces::apply(const std::vector<Motion>& motion, const std::vector<double>& travelled,
                                  const std::vector<char>& moved, double step, ContactList& list) {
     // From this share of the blocks on it costs less to go through all contacts in their order.
     constexpr std::size_t many = 8;
@@ -57,7 +57,7 @@ std::size_t ContactForces::apply(const std::vector<Motion>& motion, const std::v
         moved_count += moved[block] != 0 ? 1 : 0;
         any_still |= moved[block] == 0 && bodies_.fixed[block] == 0 ? 1U : 0U;
     }
-    const ContactSweep sweep = sweep_of(motion, way, any_still != 0 ? moved.data() : nullptr, step, list);
+    const ContactSweep sweep = sweep_of(motion, travelled, any_still != 0 ? moved.data() : nullptr, step, list);
     if (many * moved_count <= bodies_.size()) {
         index(list);
         return evaluate_and_sum_of_moved(moved, sweep, list);

@@ -22,11 +22,11 @@ class ContactForces {
     // To be called whenever the list of contacts is new.
     void renew() { list_is_new_ = true; }
 
-    // Evaluates contacts of blocks that have moved and sums up. `way`: of each block, since the start; no point of it
-    // has come farther. `moved`: NoticedMotion's. Returns how many were evaluated.
-    // The same bits come out however the work is divided: the forces on a block are added in the order of the list.
-    std::size_t apply(const std::vector<Motion>& motion, const std::vector<double>& way, const std::vector<char>& moved,
-                      double step, ContactList& list);
+    // Evaluates contacts of blocks that have moved and sums up. `travelled`: of each block, since the start; no point
+    // of it has come farther. `moved`: NoticedMotion's. Returns how many were evaluated. The same bits come out however
+    // the work is divided: the forces on a block are added in the order of the list.
+    std::size_t apply(const std::vector<Motion>& motion, const std::vector<double>& travelled,
+                      const std::vector<char>& moved, double step, ContactList& list);
 
     const std::vector<BlockForce>& on_blocks() const { return force_; }
 

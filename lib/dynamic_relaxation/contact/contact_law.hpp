@@ -25,7 +25,7 @@ struct ContactPositionOf {
     Number normal_x;
     Number normal_y;
     Number gap;
-    Number slide;     // along the edge, since the drawing
+    Number slide;     // along the edge, since the initial geometry
     Number position;  // along the edge from its start
     Number arm_x;     // from the block's centroid to the corner
     Number arm_y;
@@ -46,8 +46,8 @@ DELABOLE_INLINED ContactPositionOf<Number> locate(const ContactShapeOf<Number>& 
     const Number turned_y = block.sine * contact.arm_x - block.versine * contact.arm_y;
     const Number carried_back_x = other.versine * contact.other_arm_x + other.sine * contact.other_arm_y;
     const Number carried_y = other.sine * contact.other_arm_x - other.versine * contact.other_arm_y;
-    // From where the other block has carried the corner's place in the drawing to the corner. Only changes are added
-    // up: the overlap keeps its digits however far away the origin is.
+    // From where the other block has carried the corner's place in the initial geometry to the corner. Only changes are
+    // added up: the overlap keeps its digits however far away the origin is.
     const Number change_x = (block.x - other.x) + (carried_back_x - back_x);
     const Number change_y = (block.y - other.y) + (turned_y - carried_y);
     const Number along_x = contact.along_x - (other.versine * contact.along_x + other.sine * contact.along_y);
@@ -69,11 +69,11 @@ DELABOLE_INLINED ContactPosition locate(const RelaxationContact& contact, const 
     return locate<double>(contact, block, other);
 }
 
-// Beside the edge's rival: its overlap, and the way along it from the end that they have in common.
+// Beside the edge's rival: its overlap, and the distance along it from the end that they have in common.
 template <class Number>
 struct RivalPlace {
     Number overlap;
-    Number way;
+    Number along;
 };
 
 template <class Number>
@@ -106,10 +106,10 @@ DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Num
     Number weight = lesser(at_start, at_end);
     const auto has_rival = ends.rival != Number{};
     if (any(has_rival)) {
-        const auto [other_overlap, other_way] = place_at_rival<Number>(ends, length_to_end, at);
+        const auto [other_overlap, other_along] = place_at_rival<Number>(ends, length_to_end, at);
         const Number half = Number{} + 0.5;
         Number against =
-            half + ramp(lesser(overlap, other_overlap), half) * greater(other_overlap - overlap, -other_way);
+            half + ramp(lesser(overlap, other_overlap), half) * greater(other_overlap - overlap, -other_along);
         const auto alone = ends.alone > Number{};
         if (any(alone)) {
             // It bears as far as the blocks overlap, which they do not where they are apart over the rival.
@@ -199,7 +199,7 @@ DELABOLE_INLINED ForceOnCornerOf<Number> bear(const JointLawOf<Number>& law, con
 }
 
 // Dissipated until now, where both drags have acted since the last step. A drag acts half a step on both sides of its
-// moment: the books count half with each velocity.
+// moment: the energy balance counts half with each velocity.
 template <class Number>
 DELABOLE_INLINED Number damping_until_now(const ContactNumbersOf<Number>& memory,
                                           const ContactVelocity<Number>& velocity, const double& half_step) {

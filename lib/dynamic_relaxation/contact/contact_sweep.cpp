@@ -20,7 +20,7 @@ namespace {
 DELABOLE_INLINED void note_opening(const ContactSweep& sweep, std::size_t index, double open_by) {
     const ContactBlocks& contact = sweep.contact[index];
     sweep.open_until[index] =
-        open_by > 0 ? sweep.way[contact.block] + sweep.way[contact.other] + open_by / 2 : not_open;
+        open_by > 0 ? sweep.travelled[contact.block] + sweep.travelled[contact.other] + open_by / 2 : not_open;
 }
 
 // Rows are members in the order in which bodies.hpp and contacts.hpp declare them.
@@ -436,10 +436,10 @@ std::span<const ContactLoop> contact_loops() {
     return std::span(all_loops).subspan(first);
 }
 
-ContactSweep sweep_of(const std::vector<Motion>& motion, const std::vector<double>& way, const char* moved, double step,
-                      ContactList& list) {
+ContactSweep sweep_of(const std::vector<Motion>& motion, const std::vector<double>& travelled, const char* moved,
+                      double step, ContactList& list) {
     return {motion.data(),
-            way.data(),
+            travelled.data(),
             moved,
             step,
             list.contact.blocks().data(),

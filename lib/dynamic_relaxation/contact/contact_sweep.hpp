@@ -14,8 +14,8 @@ namespace delabole {
 // What a sweep reads and changes: arrays of the blocks, and those of the list of contacts.
 struct ContactSweep {
     const Motion* motion;
-    const double* way;  // of each block, since the start; no point of it has come farther
-    const char* moved;  // whether contacts of a block are to be evaluated again; null: of all
+    const double* travelled;  // of each block, since the start; no point of it has come farther
+    const char* moved;        // whether contacts of a block are to be evaluated again; null: of all
     double step;
     const ContactBlocks* contact;
     const ContactCorner* corner;
@@ -29,15 +29,16 @@ struct ContactSweep {
 
     // Neither touches nor can have come to.
     [[gnu::always_inline]] bool stays_open(std::size_t index) const {
-        return open_until[index] >= 0 && way[contact[index].block] + way[contact[index].other] <= open_until[index];
+        return open_until[index] >= 0 &&
+               travelled[contact[index].block] + travelled[contact[index].other] <= open_until[index];
     }
     [[gnu::always_inline]] bool concerned(std::size_t index) const {
         return moved == nullptr || moved[contact[index].block] != 0 || moved[contact[index].other] != 0;
     }
 };
 
-ContactSweep sweep_of(const std::vector<Motion>& motion, const std::vector<double>& way, const char* moved, double step,
-                      ContactList& list);
+ContactSweep sweep_of(const std::vector<Motion>& motion, const std::vector<double>& travelled, const char* moved,
+                      double step, ContactList& list);
 
 void evaluate_contact(const ContactSweep& sweep, std::size_t index);
 

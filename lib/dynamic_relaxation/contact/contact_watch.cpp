@@ -38,7 +38,7 @@ constexpr double step_fraction_in_collision = 0.3;
 constexpr double fall_in_radii = 0.02;
 // A block that has come by this share of its radius rests on other places of its neighbours, and has another stable
 // step.
-constexpr double way_of_same_step = 0.01;
+constexpr double distance_of_same_step = 0.01;
 
 double least_of(const std::vector<double>& numbers) {
     return *std::min_element(numbers.begin(), numbers.end());
@@ -84,7 +84,7 @@ ContactWatch::ContactWatch(const RelaxationScene& scene, const Bodies& bodies, c
 }
 
 void ContactWatch::start(std::size_t blocks, WatchState& state) {
-    state.way.assign(blocks, 0);
+    state.travelled.assign(blocks, 0);
     state.due.assign(blocks, -infinity);
     state.neighbours_until.assign(blocks, -infinity);
     state.step_until.assign(blocks, -infinity);
@@ -96,7 +96,7 @@ void ContactWatch::prepare_for(double step, const std::vector<Motion>& motion, W
     std::fill(state.due.begin(), state.due.end(), -infinity);
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
         const double speed = fastest_point<double>(motion[block], bodies_.radius[block]);
-        if (state.neighbours_until[block] - state.way[block] < steps_ahead * speed * step) {
+        if (state.neighbours_until[block] - state.travelled[block] < steps_ahead * speed * step) {
             state.neighbours_until[block] = -infinity;
         }
     }
@@ -119,7 +119,7 @@ bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const st
     changed_blocks_.clear();
     worst_overlap_ = 0;
     const bool new_neighbours = std::any_of(due_blocks_.begin(), due_blocks_.end(), [&](std::uint32_t block) {
-        return state.way[block] > state.neighbours_until[block];
+        return state.travelled[block] > state.neighbours_until[block];
     });
     first_ = list_changed_ = state.searches == 0;
     if (new_neighbours) {
@@ -157,10 +157,10 @@ void ContactWatch::list_due_blocks(const WatchState& state) {
         const std::size_t end = std::min(begin + together, bodies_.size());
         unsigned any = 0;
         for (std::size_t block = begin; block < end; ++block) {
-            any |= state.way[block] > state.due[block] ? 1U : 0U;
+            any |= state.travelled[block] > state.due[block] ? 1U : 0U;
         }
         for (std::size_t block = begin; any != 0 && block < end; ++block) {
-            if (state.way[block] > state.due[block]) {
+            if (state.travelled[block] > state.due[block]) {
                 due_blocks_.push_back(static_cast<std::uint32_t>(block));
             }
         }
@@ -211,7 +211,7 @@ void ContactWatch::visit(std::size_t number, const MovingScene& scene, WatchStat
     double deep_left = pair.distance + too_deep - (pair.holds - left);
     // Not a number counts as used up.
     if (!(left >= std::max(pair.holds, margin) / 2) || !(turn_left >= turn_of_same_corners / 2) || !(deep_left >= 0)) {
-        look(number, margin, scene, state, list);
+        check_pair(number, margin, scene, state, list);
         left = pair.holds;
         turn_left = now_.contact.empty() ? infinity : turn_of_same_corners;
         deep_left = pair.distance + too_deep;
@@ -223,19 +223,19 @@ void ContactWatch::visit(std::size_t number, const MovingScene& scene, WatchStat
     const auto give = [&](std::uint32_t block) {
         const double whole = std::min({spare, spare_turn * bodies_.radius[block], deep_left});
         const double share = both ? whole / 2 : bodies_.fixed[block] == 0 ? whole : 0;
-        state.due[block] = std::min(state.due[block], state.way[block] + share);
+        state.due[block] = std::min(state.due[block], state.travelled[block] + share);
     };
     give(pair.first);
     give(pair.second);
 }
 
-void ContactWatch::look(std::size_t number, double margin, const MovingScene& scene, WatchState& state,
-                        const ContactList& list) {
+void ContactWatch::check_pair(std::size_t number, double margin, const MovingScene& scene, WatchState& state,
+                              const ContactList& list) {
     WatchedPair& pair = state.pair[number];
     const ContactRange before = contacts_of(number, state, list);
     pair_search_.find({pair.first, pair.second}, scene.motion, margin, first_, list, before,
                       pair.holds >= 0 ? std::optional(pair.pose) : std::nullopt, now_);
-    ++state.looks;
+    ++state.pair_checks;
     const Motion& first = scene.motion[pair.first];
     const Motion& second = scene.motion[pair.second];
     pair.pose = {first.x - second.x, first.y - second.y, first.angle, second.angle};
@@ -278,7 +278,7 @@ void ContactWatch::search(const MovingScene& scene, const std::vector<BlockPair>
         const double speed = fastest_point<double>(scene.motion[block], bodies_.radius[block]);
         reach[block] = std::max(reach[block], steps_between_searches * speed * state.step);
         // The other half is left for margins.
-        state.neighbours_until[block] = state.way[block] + reach[block] / 2;
+        state.neighbours_until[block] = state.travelled[block] + reach[block] / 2;
         state.due[block] = infinity;
     }
     const auto drop = [&](std::size_t begin, std::size_t end) {
@@ -391,11 +391,11 @@ void ContactWatch::renew_stable_steps(const MovingScene& scene, const Bonds& bon
         const bool collides = fastest * fastest > 2 * gravity_ * fall_in_radii * bodies_.radius[block];
         state.stable_step[block] = collides ? share_in_collision_ * step : step;
         stable_step_ = std::min(stable_step_, state.stable_step[block]);
-        state.step_until[block] = state.way[block] + way_of_same_step * bodies_.radius[block];
+        state.step_until[block] = state.travelled[block] + distance_of_same_step * bodies_.radius[block];
     };
     std::for_each(changed_blocks_.begin(), changed_blocks_.end(), renew);
     for (const std::uint32_t block : due_blocks_) {
-        if (state.way[block] > state.step_until[block]) {
+        if (state.travelled[block] > state.step_until[block]) {
             renew(block);
         }
     }

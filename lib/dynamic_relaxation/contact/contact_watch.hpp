@@ -1,10 +1,10 @@
 // Keeps the contacts of a run up to date with no more looks than what moves makes necessary.
 //
 // Blocks that could touch soon are paired through the grid once in a while. Each pair was looked at once, and what was
-// found holds until its two blocks have moved against each other by a way of the pair's own: its margin, within which
-// every contact was found, or the distance between the blocks if that is more. Blocks that fall side by side, and the
-// slope that a splinter flies off, are not looked at again. So that not even pairs need be asked at every step, each
-// block has a way of its own up to which none of its pairs can be due.
+// found holds until its two blocks have moved against each other by a distance of the pair's own: its margin, within
+// which every contact was found, or the distance between the blocks if that is more. Blocks that fall side by side, and
+// the slope that a splinter flies off, are not looked at again. So that not even pairs need be asked at every step,
+// each block has a distance of its own up to which none of its pairs can be due.
 //
 // The list has the contacts of find_contacts (contacts.hpp), but those that a pair has on top depend on when it was
 // last looked at. Looks depend on motion alone: neither on threads nor on when a run was interrupted.
@@ -39,14 +39,14 @@ struct WatchedPair {
 struct WatchState {
     std::vector<WatchedPair> pair = {};  // in increasing order
     // Of each block, m:
-    std::vector<double> way = {};               // no point of it has moved farther since the start
-    std::vector<double> due = {};               // no pair of it is due up to this way
-    std::vector<double> neighbours_until = {};  // up to this way, all that it can touch are pairs
-    std::vector<double> step_until = {};        // the stable step of the block is good enough up to this way
+    std::vector<double> travelled = {};         // no point of it has moved farther since the start
+    std::vector<double> due = {};               // no pair of it is due up to this distance
+    std::vector<double> neighbours_until = {};  // up to this distance, all that it can touch are pairs
+    std::vector<double> step_until = {};        // the stable step of the block is good enough up to this distance
     std::vector<double> stable_step = {};       // s, of the block's springs alone
     double step = 0;                            // s, pairs are looked at in time for steps up to this
     std::uint64_t searches = 0;                 // for pairs
-    std::uint64_t looks = 0;                    // at pairs, for contacts
+    std::uint64_t pair_checks = 0;              // at pairs, for contacts
 };
 
 struct MovingScene {
@@ -95,7 +95,8 @@ class ContactWatch {
     static double turned_since(const WatchedPair& pair, const std::vector<Motion>& motion);
     void search(const MovingScene& scene, const std::vector<BlockPair>& bonded, WatchState& state, ContactList& list);
     void visit(std::size_t number, const MovingScene& scene, WatchState& state, const ContactList& list);
-    void look(std::size_t number, double margin, const MovingScene& scene, WatchState& state, const ContactList& list);
+    void check_pair(std::size_t number, double margin, const MovingScene& scene, WatchState& state,
+                    const ContactList& list);
     bool is_as_before(const ContactRange& before, const ContactList& list) const;
     void assemble(WatchState& state, ContactList& list);
     void replace(const Replacement& by, const ContactRange& range, const ContactList& list, ContactList& renewed);

@@ -73,7 +73,7 @@ using EdgeEnds = EdgeEndsOf<double>;
 using JointLaw = JointLawOf<double>;
 using ContactLaw = ContactLawOf<double>;
 
-// In the drawing.
+// In the initial geometry.
 template <class Number>
 struct ContactShapeOf {
     Number arm_x{};  // of the corner, about its block's centroid
@@ -110,7 +110,7 @@ struct RelaxationContact : ContactBlocks, ContactCorner, ContactShapeOf<double> 
 template <class Number>
 struct ContactNumbersOf {
     Number shear{};        // displacement of the shear spring, along the edge
-    Number place{};        // of the corner along the edge when last evaluated, since the drawing
+    Number place{};        // of the corner along the edge when last evaluated, since the initial geometry
     Number damping{};      // J/m, dissipated so far
     Number normal_drag{};  // N/m, of the dashpots when last evaluated, along the normal
     Number shear_drag{};   // N/m, along the edge
@@ -228,8 +228,8 @@ struct ContactList {
 struct SearchOptions {
     double margin;
     double viscous_damping;
-    // Joints that are closed in the drawing are whole: they have their peak strengths. Those that come about later, or
-    // were open, have lost them.
+    // Joints that are closed in the initial geometry are whole: they have their peak strengths. Those that come about
+    // later, or were open, have lost them.
     bool first;
     // Pairs that have none, in increasing order.
     std::span<const BlockPair> bonded = {};

@@ -48,8 +48,8 @@ double greatest_distance(const CornerRange& corners, const CornerRange& edges, c
     return greatest;
 }
 
-// In the drawing, below the line of the edge but outside another edge of the same block; or farther below than the
-// blocks overlap, as tips of blocks on the other side of a thin one are.
+// In the initial geometry, below the line of the edge but outside another edge of the same block; or farther below than
+// the blocks overlap, as tips of blocks on the other side of a thin one are.
 bool beside(const Bodies& bodies, const RelaxationContact& contact, double shortest) {
     if (contact.gap >= 0) {
         return false;
@@ -258,9 +258,10 @@ bool PairSearch::bears(const Side& block, std::size_t corner, const Side& other,
     return before != unknown && list_->memory[before].touching;
 }
 
-// Where a joint comes out of a face at an acute angle, the corners of both blocks coincide in the drawing: they bear on
-// each other's joint, but on each other's face they would hold the joint. By how much the faces of a corner dip deeper
-// (sine) below one edge than below the one beyond its end; 0 where the corner is not drawn at that end.
+// Where a joint comes out of a face at an acute angle, the corners of both blocks coincide in the initial geometry:
+// they bear on each other's joint, but on each other's face they would hold the joint. By how much the faces of a
+// corner dip deeper (sine) below one edge than below the one beyond its end; 0 where the corner is not drawn at that
+// end.
 double PairSearch::dip_beyond_that_of(std::size_t corner, std::size_t edge, std::size_t beyond, bool at_start) const {
     const std::size_t block = bodies_.block_of[corner];
     const std::size_t end = at_start ? edge : bodies_.range[bodies_.block_of[edge]].after(edge);

@@ -33,8 +33,8 @@ struct PairPose {
     double second_angle = 0;
 };
 
-// In the drawing: greatest distance by which a line along an edge of either block parts them; negative: least way out
-// of an overlap.
+// In the initial geometry: greatest distance by which a line along an edge of either block parts them; negative: least
+// way out of an overlap.
 double distance_between(const Bodies& bodies, std::size_t first, std::size_t second);
 
 class PairSearch {

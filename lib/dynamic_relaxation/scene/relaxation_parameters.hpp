@@ -1,8 +1,8 @@
 // Dynamic relaxation as a case file has it: a scene of blocks with their joints, and what loads them.
 //
-// Section axes, per metre run: x into the slope, y up in the drawing, which dips towards -x by the scene's tilt. Blocks
-// are counted from 1: in a row and on a stepped base from the toe up, then the fixed blocks below. SI units and
-// radians.
+// Section axes, per metre run: x into the slope, y up in the initial geometry, which dips towards -x by the scene's
+// tilt. Blocks are counted from 1: in a row and on a stepped base from the toe up, then the fixed blocks below. SI
+// units and radians.
 #pragma once
 
 #include "dynamic_relaxation/scene/slope_parameters.hpp"
@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 3> enum_names(BlockHold) {
 inline constexpr std::string_view hold_meaning =
     "fixed moves only as prescribed, held_at_first not before settings.consolidation_time; absent: free";
 
-// Intact rock across faces that lie on each other in the drawing, until it breaks: see bonds.hpp.
+// Intact rock across faces that lie on each other in the initial geometry, until it breaks: see bonds.hpp.
 struct RelaxationBond {
     double young_modulus;
     double shear_modulus;
@@ -174,8 +174,8 @@ struct RelaxationVertex {
     std::optional<double> joint;
     static constexpr auto fields() {
         using V = RelaxationVertex;
-        return std::tuple{number("x", &V::x, Dimension::length, any_number(), "in the drawing"),
-                          number("y", &V::y, Dimension::length, any_number(), "in the drawing"),
+        return std::tuple{number("x", &V::x, Dimension::length, any_number(), "in the initial geometry"),
+                          number("y", &V::y, Dimension::length, any_number(), "in the initial geometry"),
                           number("joint", &V::joint, Dimension::ratio, at_least(1),
                                  "number of the joint along the edge to the next vertex; absent: the block's")};
     }
@@ -206,7 +206,7 @@ struct RelaxationPolygons {
     static constexpr auto fields() {
         using P = RelaxationPolygons;
         return std::tuple{number("tilt", &P::tilt, Dimension::angle, between(degrees(-90), degrees(90)),
-                                 "of gravity against the drawing, as if that dipped to -x"),
+                                 "of gravity against the section, as if that dipped to -x"),
                           section("joint", &P::joint, "properties of joints, counted from 1"),
                           section("block", &P::block, "the blocks, counted from 1")};
     }
@@ -241,7 +241,7 @@ struct RelaxationSlope {
     static constexpr auto fields() {
         using S = RelaxationSlope;
         return std::tuple{number("tilt", &S::tilt, Dimension::angle, between(degrees(-90), degrees(90)),
-                                 "of gravity against the drawing, as if that dipped to -x; absent: 0"),
+                                 "of gravity against the section, as if that dipped to -x; absent: 0"),
                           inlined(&S::geometry, "outline and cuts"),
                           section("rock", &S::rock, "rocks; all is of the first where no line says otherwise"),
                           section("joint", &S::joint, "properties of joints; surfaces have those of the first"),
@@ -272,7 +272,7 @@ struct Tilting {
     static constexpr auto fields() {
         using T = Tilting;
         return std::tuple{
-            section("turned", &T::turned, "gravity in the drawing, or the fixed blocks under it"),
+            section("turned", &T::turned, "gravity in the initial geometry, or the fixed blocks under it"),
             number("final_tilt", &T::final_tilt, Dimension::angle, between(degrees(-90), degrees(90)), "tilt reached"),
             number("rate", &T::rate, Dimension::angular_speed, more_than(0), "speed of tilting"),
             number("interval", &T::interval, Dimension::time, at_least(0),
@@ -304,14 +304,14 @@ struct ForceOnBlock {
     double vertical;
     static constexpr auto fields() {
         using F = ForceOnBlock;
-        return std::tuple{
-            number("block", &F::block, Dimension::ratio, at_least(1), "number of the block"),
-            number("x", &F::x, Dimension::length, any_number(), "where it acts, in the drawing; moves with the block"),
-            number("y", &F::y, Dimension::length, any_number(), "where it acts, in the drawing"),
-            number("horizontal", &F::horizontal, Dimension::force_per_length, any_number(),
-                   "along x of the drawing, however it is tilted"),
-            number("vertical", &F::vertical, Dimension::force_per_length, any_number(),
-                   "along y of the drawing, likewise")};
+        return std::tuple{number("block", &F::block, Dimension::ratio, at_least(1), "number of the block"),
+                          number("x", &F::x, Dimension::length, any_number(),
+                                 "where it acts, in the initial geometry; moves with the block"),
+                          number("y", &F::y, Dimension::length, any_number(), "where it acts, in the initial geometry"),
+                          number("horizontal", &F::horizontal, Dimension::force_per_length, any_number(),
+                                 "along x of the section, however it is tilted"),
+                          number("vertical", &F::vertical, Dimension::force_per_length, any_number(),
+                                 "along y of the section, likewise")};
     }
 };
 
@@ -356,13 +356,12 @@ struct ShakingPoint {
     double vertical;
     static constexpr auto fields() {
         using S = ShakingPoint;
-        return std::tuple{
-            number("time", &S::time, Dimension::time, at_least(0), "of the record, increasing"),
-            number(
-                "horizontal", &S::horizontal, Dimension::acceleration, any_number(),
-                "of the ground into the slope, truly horizontal: normal to gravity, which a tilt turns in the drawing"),
-            number("vertical", &S::vertical, Dimension::acceleration, any_number(),
-                   "of the ground, upward against gravity")};
+        return std::tuple{number("time", &S::time, Dimension::time, at_least(0), "of the record, increasing"),
+                          number("horizontal", &S::horizontal, Dimension::acceleration, any_number(),
+                                 "of the ground into the slope, truly horizontal: normal to gravity, which a tilt "
+                                 "turns in the initial geometry"),
+                          number("vertical", &S::vertical, Dimension::acceleration, any_number(),
+                                 "of the ground, upward against gravity")};
     }
 };
 
@@ -442,7 +441,7 @@ struct Relaxation {
             section("tilting", &R::tilting, "tilt that grows"),
             section("base_friction", &R::base_friction,
                     "a belt that drives the blocks, pressed on it by gravity; absent: gravity drives them"),
-            section("force", &R::force, "point forces, along the axes of the drawing"),
+            section("force", &R::force, "point forces, along the axes of the section"),
             section("pressure", &R::pressure, "water on single faces of blocks"),
             section("joint_water", &R::joint_water,
                     "water between two blocks, on both, over what their faces share at the start"),

@@ -48,7 +48,7 @@ struct BondMaterial {
     std::optional<double> spacing = {};
 };
 
-// Two faces that lie on each other in the drawing, at least one of them of a free block.
+// Two faces that lie on each other in the initial geometry, at least one of them of a free block.
 struct FaceBond {
     std::size_t block;
     std::size_t edge;
@@ -81,8 +81,8 @@ struct Gravity {
 
 struct PointForce {
     std::size_t block;
-    PlanePoint<> at;     // in the drawing; moves with the block
-    PlanePoint<> force;  // N/m, along the axes of the drawing; keeps its direction there, also while gravity turns
+    PlanePoint<> at;     // in the initial geometry; moves with the block
+    PlanePoint<> force;  // N/m, along the axes of the section; keeps its direction there, also while gravity turns
 };
 
 // Part of an edge, m from its first vertex.
@@ -107,9 +107,10 @@ struct TimedVector {
 };
 
 struct PrescribedMotion {
-    std::size_t block;                  // a fixed one
-    std::vector<TimedVector> velocity;  // m/s, of the centroid in the drawing; zero before the first, the last one kept
-    double angular_velocity = 0;        // rad/s about `pivot`, from `start` for `duration`
+    std::size_t block;  // a fixed one
+    std::vector<TimedVector>
+        velocity;  // m/s, of the centroid in the initial geometry; zero before the first, the last one kept
+    double angular_velocity = 0;  // rad/s about `pivot`, from `start` for `duration`
     PlanePoint<> pivot = {0, 0};
     double start = 0;
     double duration = 0;
@@ -120,7 +121,7 @@ struct Removal {
     double time;  // s; negative: the block is not there from the start
 };
 
-// A belt under the drawing that moves with gravity's direction, and drives the blocks instead of gravity, whose
+// A belt under the section that moves with gravity's direction, and drives the blocks instead of gravity, whose
 // acceleration presses them on it (base_friction.hpp).
 struct Belt {
     double speed;           // m/s, more than 0
@@ -133,7 +134,7 @@ struct RelaxationScene {
     Gravity gravity = {};
     std::vector<PointForce> force = {};
     std::vector<FacePressure> pressure = {};
-    // Acceleration of the ground, m/s2: horizontal, towards +x in a drawing that is not tilted, and upward, as gravity
+    // Acceleration of the ground, m/s2: horizontal, towards +x in a section that is not tilted, and upward, as gravity
     // has them at that time, on a belt its direction. Zero before the first and after the last; one alone stays. The
     // scene is seen from the ground.
     std::vector<TimedVector> shaking = {};
@@ -165,7 +166,7 @@ enum class SceneCheck {
     overlap_at_start,   // more than 10 times that under the block's own weight: it would explode
     load_out_of_range,  // gravity, rates, durations and water pressures are not negative
     setting_out_of_range,
-    bond_without_face,     // the two faces do not lie on each other in the drawing
+    bond_without_face,     // the two faces do not lie on each other in the initial geometry
     modulus_not_positive,  // or spacing
 };
 

@@ -23,7 +23,7 @@ class WeakeningSlope {
           reduction_(reduction),
           watch_(watch),
           bodies_(make_bodies(scene)),
-          failed_way_((reduction.failed_way + reduction.loose_way) / 2) {
+          failed_distance_((reduction.failed_distance + reduction.loose_distance) / 2) {
         settings_.stop_at_onset = false;
         settings_.stop_at_equilibrium = true;
         settings_.collapse_rotation = settings_.collapse_displacement = std::numeric_limits<double>::infinity();
@@ -77,7 +77,7 @@ class WeakeningSlope {
     void take_as_unbroken() {
         made_.end.unbroken = made_.end.state.motion;
         unbroken_ = made_.end;
-        failed_way_ = reduction_.failed_way;
+        failed_distance_ = reduction_.failed_distance;
     }
     void go_back_to_unbroken() { made_.end = unbroken_; }
 
@@ -113,20 +113,20 @@ class WeakeningSlope {
         return bodies_.fixed[block] == 0 && state.removed[block] == 0;
     }
 
-    bool has_moved(const RelaxationState& state, std::size_t block, double way) const {
+    bool has_moved(const RelaxationState& state, std::size_t block, double distance) const {
         const Motion& now = state.motion[block];
         const Motion& then = made_.end.unbroken[block];
-        return is_free(state, block) && std::hypot(now.x - then.x, now.y - then.y) > way;
+        return is_free(state, block) && std::hypot(now.x - then.x, now.y - then.y) > distance;
     }
 
     bool is_loose(const RelaxationState& state, std::size_t block) const {
-        return has_moved(state, block, reduction_.loose_way);
+        return has_moved(state, block, reduction_.loose_distance);
     }
 
     double moved_area(const RelaxationState& state) const {
         double area = 0;
         for (std::size_t block = 0; block < bodies_.size(); ++block) {
-            if (has_moved(state, block, failed_way_)) {
+            if (has_moved(state, block, failed_distance_)) {
                 area += bodies_.mass[block] / made_.end.scene.block[block].density;
             }
         }
@@ -148,16 +148,16 @@ class WeakeningSlope {
     }
 
     bool run_until_loose(Simulation& simulation) {
-        constexpr std::uint64_t steps_between_looks = 100;
+        constexpr std::uint64_t steps_between_checks = 100;
         // A slope that swings stands still for a moment now and then.
-        constexpr int calm_looks = 5;
+        constexpr int checks_before_rest = 5;
         const double scheduled = last_scheduled_time(made_.end.scene, settings_);
-        int calm = 0;
+        int checks_at_rest = 0;
         rests_ = false;
         while (simulation.running()) {
             simulation.step();
             const RelaxationState& state = simulation.state();
-            if (state.steps % steps_between_looks != 0) {
+            if (state.steps % steps_between_checks != 0) {
                 continue;
             }
             if (watch_ && !watch_()) {
@@ -175,9 +175,9 @@ class WeakeningSlope {
             const double speed_now = speed(state);
             double& fastest = state.time < late_ ? fastest_early_ : fastest_late_;
             fastest = std::max(fastest, speed_now);
-            calm = state.time > scheduled && speed_now < reduction_.rest_speed ? calm + 1 : 0;
-            if (calm == calm_looks) {
-                calm = 0;
+            checks_at_rest = state.time > scheduled && speed_now < reduction_.rest_speed ? checks_at_rest + 1 : 0;
+            if (checks_at_rest == checks_before_rest) {
+                checks_at_rest = 0;
                 if (!simulation.try_corners()) {
                     rests_ = true;
                     return false;
@@ -201,7 +201,7 @@ class WeakeningSlope {
     StrengthReduction reduction_;
     const std::function<bool()>& watch_;
     Bodies bodies_;
-    double failed_way_;  // m; of the unbroken slope, which also settles, more than of a slope that breaks
+    double failed_distance_;  // m; of the unbroken slope, which also settles, more than of a slope that breaks
     CriticalStrength made_ = {};
     ReducedSlope unbroken_ = {};
     bool begun_ = false;
@@ -241,7 +241,7 @@ bool begins(WeakeningSlope& slope, const StrengthReduction& reduction) {
 
 }  // namespace
 
-double ReducedSlope::way(std::size_t block) const {
+double ReducedSlope::displacement(std::size_t block) const {
     return std::hypot(state.motion[block].x - unbroken[block].x, state.motion[block].y - unbroken[block].y);
 }
 

@@ -7,9 +7,10 @@
 // bisection: a slope can fail at a strength and stand at a lower one, at which its columns go to pieces too small to
 // topple. What is found is the greatest strength of the row at which it fails.
 //
-// Failed: blocks that have moved by more than a given way since the unbroken slope came to rest make up more than a
-// given area, and have not come to rest; or the slope still moves when the longest run is over. A single block that
-// comes loose is no failure of the slope: once it has moved by more than `loose_way`, it is taken away, and counted.
+// Failed: blocks that have moved by more than a given distance since the unbroken slope came to rest make up more than
+// a given area, and have not come to rest; or the slope still moves when the longest run is over. A single block that
+// comes loose is no failure of the slope: once it has moved by more than `loose_distance`, it is taken away, and
+// counted.
 #pragma once
 
 #include "dynamic_relaxation/step/simulation.hpp"
@@ -26,13 +27,13 @@ namespace delabole {
 
 // Shares are of the strengths that the scene gives its bonds.
 struct StrengthReduction {
-    double strongest;    // share at which the slope first comes to rest: more than any bond needs
-    double weakest;      // share at which the search ends, more than 0
-    double ratio;        // of a share to the one before, 0 to 1
-    double failed_way;   // m
-    double failed_area;  // m2
-    double loose_way;    // m, more than failed_way
-    double rest_speed;   // m/s; a slope whose blocks move no faster, in the mean by their squares, rests
+    double strongest;        // share at which the slope first comes to rest: more than any bond needs
+    double weakest;          // share at which the search ends, more than 0
+    double ratio;            // of a share to the one before, 0 to 1
+    double failed_distance;  // m
+    double failed_area;      // m2
+    double loose_distance;   // m, more than failed_distance
+    double rest_speed;       // m/s; a slope whose blocks move no faster, in the mean by their squares, rests
     double longest_run;  // s of model time at one strength, half of it unbroken; who does not rest by then has failed
 };
 
@@ -52,10 +53,10 @@ constexpr std::array<std::string_view, 5> enum_names(StrengthStatus) {
 struct ReducedSlope {
     RelaxationScene scene;             // with the strengths of the last run, and without the loose blocks
     RelaxationState state;             // at the end of it
-    std::vector<Motion> unbroken;      // at rest before any bond broke; in the drawing where it never rested
+    std::vector<Motion> unbroken;      // at rest before any bond broke; in the initial geometry where it never rested
     std::vector<std::size_t> loose{};  // blocks taken away
 
-    double way(std::size_t block) const;  // m, since the unbroken slope was at rest
+    double displacement(std::size_t block) const;  // m, since the unbroken slope was at rest
 };
 
 struct CriticalStrength {
@@ -83,7 +84,7 @@ CriticalStrength run_at_strength(const RelaxationScene& scene, const RelaxationS
 struct CrackPath {
     std::size_t broken = 0;     // bonds
     double inclination = 0;     // rad; 0 with fewer than two
-    PlanePoint<> middle{0, 0};  // m, in the drawing
+    PlanePoint<> middle{0, 0};  // m, in the initial geometry
     double length = 0;          // m, between the outermost of the bonds that turned by more than a tenth of the most
 };
 

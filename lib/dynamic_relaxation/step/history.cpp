@@ -45,7 +45,7 @@ std::size_t most_frames(std::size_t blocks, FrameParts parts) {
 
 }  // namespace
 
-void MotionRecord::look(const Simulation& simulation, FrameParts parts) {
+void MotionRecord::record(const Simulation& simulation, FrameParts parts) {
     const RelaxationState& state = simulation.state();
     if (state.time < next) {
         return;

@@ -50,7 +50,8 @@ struct MonitoredBlock {
     double angular_velocity = 0;
 };
 
-// Sum over the corners between two blocks, on the first of them, in the drawing; spring forces without dashpots.
+// Sum over the corners between two blocks, on the first of them, in the initial geometry; spring forces without
+// dashpots.
 struct MonitoredContact {
     double horizontal = 0;  // N/m
     double vertical = 0;
@@ -75,7 +76,7 @@ HistoryLine history_line(const HistoryRequest& request, const Simulation& simula
 struct CornerForce {
     std::size_t block;
     std::size_t other;
-    PlanePoint<> at;     // in the drawing's frame, moved
+    PlanePoint<> at;     // in the frame of the initial geometry, moved
     PlanePoint<> force;  // N/m, on `block`
     double normal;       // N/m, pressing
     double shear;        // N/m, along the edge
@@ -104,7 +105,7 @@ struct MotionRecord {
     double next = 0;      // s, when the next frame is due
 
     // With as many frames as their parts leave room for: 8 to 120.
-    void look(const Simulation& simulation, FrameParts parts = FrameParts::all);
+    void record(const Simulation& simulation, FrameParts parts = FrameParts::all);
     void add_last(const Simulation& simulation);
 };
 

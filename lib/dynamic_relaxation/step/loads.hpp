@@ -12,7 +12,7 @@ namespace delabole {
 
 double tilt_at(const Gravity& gravity, double time);           // rad
 PlanePoint<> gravity_at(const Gravity& gravity, double time);  // m/s2
-// Of the ground, in the drawing, m/s2.
+// Of the ground, in the initial geometry, m/s2.
 PlanePoint<> shaking_at(const RelaxationScene& scene, double time);
 
 struct FaceForce {

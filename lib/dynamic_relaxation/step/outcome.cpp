@@ -117,7 +117,7 @@ void note_base_slip(const Bodies& bodies, const std::vector<Motion>& motion, con
     }
 }
 
-void book_base_slip(const Bodies& bodies, const PlanePoint<>& up, RelaxationState& state) {
+void account_for_base_slip(const Bodies& bodies, const PlanePoint<>& up, RelaxationState& state) {
     for_each_base_contact(bodies, state, [&](std::size_t index) {
         note_base_slip(bodies, state.motion, state.contacts.contact[index], state.contacts.memory[index], up,
                        state.dropped_slip);

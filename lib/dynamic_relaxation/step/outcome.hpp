@@ -83,7 +83,7 @@ struct ContactName {
 
 struct RelaxationCost {
     std::uint64_t steps = 0;
-    std::uint64_t looks = 0;  // at pairs of blocks, for contacts
+    std::uint64_t pair_checks = 0;  // at pairs of blocks, for contacts
     std::uint64_t contacts_evaluated = 0;
     double step = 0;  // s, the last one
 };
@@ -120,7 +120,7 @@ void note_base_slip(const Bodies& bodies, const std::vector<Motion>& motion, con
                     const ContactMemory& memory, const PlanePoint<>& up, std::vector<SlipOverFace>& noted);
 
 // Slip of contacts since the last time becomes part of `base_slip`.
-void book_base_slip(const Bodies& bodies, const PlanePoint<>& up, RelaxationState& state);
+void account_for_base_slip(const Bodies& bodies, const PlanePoint<>& up, RelaxationState& state);
 
 std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const PlanePoint<>& up, const RelaxationState& state,
                                          const RelaxationSettings& settings);

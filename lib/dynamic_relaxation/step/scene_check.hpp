@@ -12,7 +12,7 @@ SceneFault check_scene(const RelaxationScene& scene);
 // Ranges of settings.hpp.
 SceneFault check_settings(const RelaxationSettings& settings);
 
-// Overlaps of the drawing; the scene must have passed check_scene.
+// Overlaps of the initial geometry; the scene must have passed check_scene.
 SceneFault check_start(const RelaxationScene& scene);
 
 }  // namespace delabole

@@ -3,7 +3,7 @@
 #include "dynamic_relaxation/contact/contact_law.hpp"
 #include "dynamic_relaxation/contact/corner_choice.hpp"
 #include "dynamic_relaxation/contact/time_step.hpp"
-#include "dynamic_relaxation/statics/preload.hpp"
+#include "dynamic_relaxation/statics/static_solver.hpp"
 #include "dynamic_relaxation/step/base_friction.hpp"
 #include "dynamic_relaxation/step/loads.hpp"
 
@@ -69,7 +69,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
     state_.removed.resize(bodies_.size(), 0);
     state_.base_slip.resize(bodies_.size(), 0);
     state_.dropped_slip.resize(bodies_.size());
-    state_.calm.resize(bodies_.size(), 0);
+    state_.checks_at_rest.resize(bodies_.size(), 0);
     state_.bond.resize(scene_.bond.size());
     state_.noticed.resize(bodies_.size());
     ContactWatch::start(bodies_.size(), state_.watch);
@@ -122,7 +122,7 @@ void Simulation::prepare() {
         scales_.inverse_weight.push_back(1 / (bodies_.mass[block] * gravity));
     }
     for (const double mass : bodies_.inertial_mass) {
-        scales_.calm_speed.push_back(rest_ratio() * gravity * std::sqrt(mass / stiffest));
+        scales_.rest_speed.push_back(rest_ratio() * gravity * std::sqrt(mass / stiffest));
     }
     scales_.unnoticed = unnoticed_ways(scene_, bodies_);
     hold_blocks();
@@ -136,7 +136,7 @@ void Simulation::prepare() {
 
 void Simulation::begin(JointsAtStart joints) {
     if (is_preloaded(settings_.start)) {
-        preload_springs(joints);
+        start_in_equilibrium(joints);
     } else {
         state_.origin = state_.motion;
     }
@@ -152,7 +152,7 @@ void Simulation::begin(JointsAtStart joints) {
     state_.ledger.elastic_at_start = bonds_.elastic_energy(state_.motion, state_.bond);
     // Slip on the way to a balance is part of where the blocks begin, that of blocks that creep is not.
     const bool crept = settings_.creep && state_.start_balance &&
-                       state_.start_balance->unbalanced_ratio > preload_settings().tolerance;
+                       state_.start_balance->unbalanced_ratio > static_solve_settings().tolerance;
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
         const RelaxationContact contact = state_.contacts.contact[index];
         ContactMemory memory = state_.contacts.memory[index];
@@ -174,7 +174,7 @@ void Simulation::step() {
     apply_contact_forces();
     apply_loads();
     integrate();
-    look();
+    decide();
     audit();
 }
 
@@ -196,12 +196,12 @@ void Simulation::follow_schedules() {
     bool changed = consolidating() != held_for_consolidation_;
     for (const Removal& removal : scene_.removal) {
         if (state_.removed[removal.block] == 0 && state_.time >= removal.time) {
-            book_springs_of_removed(removal.block);
+            account_for_springs_of_removed(removal.block);
             state_.ledger.kinetic_damping += kinetic_energy_of(removal.block);
             state_.removed[removal.block] = 1;
             state_.motion[removal.block].vx = state_.motion[removal.block].vy = state_.motion[removal.block].spin = 0;
             fastest_.reset();
-            look_again_at(removal.block);
+            check_contacts_of(removal.block);
             changed = true;
         }
     }
@@ -219,7 +219,7 @@ void Simulation::follow_schedules() {
     }
 }
 
-void Simulation::book_springs_of_removed(std::size_t block) {
+void Simulation::account_for_springs_of_removed(std::size_t block) {
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
         const RelaxationContact contact = state_.contacts.contact[index];
         if (contact.block == block || contact.other == block) {
@@ -246,8 +246,8 @@ void Simulation::break_bonds() {
     just_broken_ = bonds_.stretch(state_.motion, state_.last_step, state_.time, state_.bond);
     for (const std::size_t bond : just_broken_) {
         state_.ledger.bonds += bonds_.elastic_energy(bond, state_.motion);
-        look_again_at(bonds_.list()[bond].face.block);
-        look_again_at(bonds_.list()[bond].face.other);
+        check_contacts_of(bonds_.list()[bond].face.block);
+        check_contacts_of(bonds_.list()[bond].face.other);
     }
 }
 
@@ -267,21 +267,21 @@ double Simulation::fastest() {
 }
 
 // For neighbours, contacts and the stable step.
-void Simulation::look_again_at(std::size_t block) {
+void Simulation::check_contacts_of(std::size_t block) {
     state_.watch.due[block] = state_.watch.neighbours_until[block] = state_.watch.step_until[block] =
         -std::numeric_limits<double>::infinity();
 }
 
 void Simulation::find_contacts_where_due() {
     const double last = state_.contacts.contact.empty() ? longest_step_ : std::min(state_.step, longest_step_);
-    if (!look_at_contacts()) {
+    if (!check_contacts()) {
         return;
     }
     choose_step(last);
     constexpr double room_to_grow = 1.25;
     while (state_.step > state_.watch.step) {
         contact_watch_.prepare_for(room_to_grow * state_.step, state_.motion, state_.watch);
-        look_at_contacts();
+        check_contacts();
         choose_step(last);
     }
     if (state_.step < state_.watch.step / 2) {
@@ -290,7 +290,7 @@ void Simulation::find_contacts_where_due() {
 }
 
 // Returns whether any were due.
-bool Simulation::look_at_contacts() {
+bool Simulation::check_contacts() {
     if (!contact_watch_.update({state_.motion, state_.removed}, bonds_, state_.bond, state_.watch, state_.contacts)) {
         return false;
     }
@@ -331,8 +331,8 @@ void Simulation::choose_step(double last) {
 }
 
 void Simulation::apply_contact_forces() {
-    state_.contacts_evaluated +=
-        contact_forces_.apply(state_.motion, state_.watch.way, state_.noticed.moved, state_.last_step, state_.contacts);
+    state_.contacts_evaluated += contact_forces_.apply(state_.motion, state_.watch.travelled, state_.noticed.moved,
+                                                       state_.last_step, state_.contacts);
 }
 
 void Simulation::apply_loads() {
@@ -359,10 +359,10 @@ void Simulation::integrate() {
                            (state_.last_step + state_.step) / 2,
                            state_.step,
                            rest_ratio(),
-                           looks_before_rest,
+                           checks_before_rest,
                            state_.motion.data(),
-                           state_.watch.way.data(),
-                           state_.calm.data(),
+                           state_.watch.travelled.data(),
+                           state_.checks_at_rest.data(),
                            state_.noticed,
                            bodies_.moved_base ? state_.motion[*bodies_.moved_base] : Motion{}};
     const auto move_groups = [&](std::size_t part) {

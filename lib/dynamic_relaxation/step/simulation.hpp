@@ -22,7 +22,7 @@
 
 namespace delabole {
 
-struct PreloadSettings;
+struct StaticSolveSettings;
 
 class Simulation {
   public:
@@ -58,11 +58,11 @@ class Simulation {
     // Whether joints that are closed in the initial geometry have their peak strengths, or what another run left them.
     enum class JointsAtStart { whole, as_left };
 
-    // A block that has been calm for some looks is at rest until the forces on it are out of balance by this share of
-    // its weight, far below the ratio that counts as equilibrium: it is not moved, and costs next to nothing.
+    // A block that nothing has moved for some checks is at rest until the forces on it are out of balance by this share
+    // of its weight, far below the ratio that counts as equilibrium: it is not moved, and costs next to nothing.
     double rest_ratio() const { return 1e-3 * settings_.equilibrium_ratio; }
-    static bool rests(std::uint32_t calm) { return calm >= looks_before_rest; }
-    static constexpr std::uint32_t looks_before_rest = 4;
+    static bool rests(std::uint32_t checks_at_rest) { return checks_at_rest >= checks_before_rest; }
+    static constexpr std::uint32_t checks_before_rest = 4;
 
     static RelaxationState begun_at(const RelaxationState& at_rest);
     bool out_of_time() const { return reached() >= settings_.duration || state_.steps >= settings_.most_steps; }
@@ -75,25 +75,25 @@ class Simulation {
     void hold_blocks();
     void follow_schedules();
     void break_bonds();
-    PreloadSettings preload_settings() const;
-    void preload_springs(JointsAtStart joints);
-    bool preload_under(double load_share, bool first, const PreloadSettings& limits);
-    void book_springs_of_removed(std::size_t block);
+    StaticSolveSettings static_solve_settings() const;
+    void start_in_equilibrium(JointsAtStart joints);
+    bool solve_under(double load_share, bool first, const StaticSolveSettings& limits);
+    void account_for_springs_of_removed(std::size_t block);
     double fastest();  // m/s, no point of any block is faster
     void find_contacts_where_due();
-    void preload_within(double margin, bool first);
-    bool look_at_contacts();
-    void look_again_at(std::size_t block);
+    void find_contacts_within(double margin, bool first);
+    bool check_contacts();
+    void check_contacts_of(std::size_t block);
     void choose_step(double last);
     void apply_contact_forces();
     void apply_loads();
     void integrate();
-    void look();
+    void decide();
     void audit();
-    void look_for_crack();
+    void detect_crack();
     bool holds_at_rest() const;
     bool carried_along();
-    void let_calm_blocks_rest();
+    void let_blocks_rest();
     void take_velocities_away_at_peaks();
 
     RelaxationScene scene_;

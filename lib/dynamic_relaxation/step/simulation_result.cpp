@@ -1,4 +1,4 @@
-// What a run tells: its books of energy and its result.
+// What a run tells: its energy balance and its result.
 #include "dynamic_relaxation/contact/contact_law.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
@@ -78,7 +78,7 @@ RelaxationResult Simulation::result() const {
     result.ledger = ledger();
     result.deepest = deepest_contact(bodies_, state_);
     result.overlap = state_.overlap;
-    result.cost = {state_.steps, state_.watch.looks, state_.contacts_evaluated, state_.step};
+    result.cost = {state_.steps, state_.watch.pair_checks, state_.contacts_evaluated, state_.step};
     result.block = block_outcomes();
     return result;
 }

@@ -1,6 +1,6 @@
 // The static start of a run, runs that begin from a state at rest, and blocks that are not there at the start.
 #include "dynamic_relaxation/contact/corner_choice.hpp"
-#include "dynamic_relaxation/statics/preload.hpp"
+#include "dynamic_relaxation/statics/static_solver.hpp"
 #include "dynamic_relaxation/step/loads.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
 
@@ -40,7 +40,7 @@ RelaxationState Simulation::begun_at(const RelaxationState& at_rest) {
     state.removed = at_rest.removed;
     state.base_slip.resize(blocks, 0);
     state.dropped_slip.resize(blocks);
-    state.calm.resize(blocks, 0);
+    state.checks_at_rest.resize(blocks, 0);
     state.noticed.resize(blocks);
     state.contacts = at_rest.contacts;
     for (std::size_t index = 0; index < state.contacts.memory.size(); ++index) {
@@ -70,8 +70,8 @@ void Simulation::take_away_what_is_not_there() {
     }
 }
 
-PreloadSettings Simulation::preload_settings() const {
-    PreloadSettings limits{};
+StaticSolveSettings Simulation::static_solve_settings() const {
+    StaticSolveSettings limits{};
     limits.tolerance = settings_.equilibrium_ratio / 10;
     limits.finest = rest_ratio() / 1000;
     // Blocks that only jam once they have leaned a little move farther here than between two searches of the run.
@@ -94,38 +94,38 @@ PreloadSettings Simulation::preload_settings() const {
     return limits;
 }
 
-void Simulation::preload_springs(JointsAtStart joints) {
-    const PreloadSettings limits = preload_settings();
+void Simulation::start_in_equilibrium(JointsAtStart joints) {
+    const StaticSolveSettings limits = static_solve_settings();
     apply_loads();
     bool first = joints == JointsAtStart::whole;
     if (settings_.start == RelaxationStart::stepped) {
         constexpr int steps = 10;
-        PreloadSettings on_the_way = limits;
+        StaticSolveSettings on_the_way = limits;
         on_the_way.creep_rotation = 0;
         on_the_way.leave_crept = false;
         // What is not in balance under a part of the loads is left to all of them.
         bool balanced = true;
         for (int step = 1; step < steps && balanced; ++step, first = false) {
-            balanced = preload_under(static_cast<double>(step) / steps, first, on_the_way);
+            balanced = solve_under(static_cast<double>(step) / steps, first, on_the_way);
         }
     }
-    preload_under(1, first, limits);
+    solve_under(1, first, limits);
 }
 
 // Bonds that cannot bear the loads break one after the other, the most overloaded first, while the rest finds its
 // balance; where it finds none, the run goes on with it. Returns whether it did.
-bool Simulation::preload_under(double load_share, bool first, const PreloadSettings& limits) {
+bool Simulation::solve_under(double load_share, bool first, const StaticSolveSettings& limits) {
     std::vector<Eigen::Vector3d> loads;
     for (const BlockForce& load : load_) {
         loads.emplace_back(load_share * load.x, load_share * load.y, load_share * load.moment);
     }
     constexpr int most_continuations = 100;
-    std::optional<Preloaded> creeping;
+    std::optional<StaticSolution> creeping;
     ContactList contacts_at_best;
     for (int continued = 0;; first = false) {
-        preload_within(2 * limits.farthest, first);
-        Preloaded found = preload(bodies_, held_, loads, limits, creeping ? &*creeping : nullptr, bonds_, state_.bond,
-                                  state_.motion, state_.contacts);
+        find_contacts_within(2 * limits.farthest, first);
+        StaticSolution found = solve_statically(bodies_, held_, loads, limits, creeping ? &*creeping : nullptr, bonds_,
+                                                state_.bond, state_.motion, state_.contacts);
         state_.origin = found.most_balanced;
         state_.start_balance = StartBalance{found.ratio, found.cut_short};
         state_.contacts_evaluated += found.contacts_evaluated;
@@ -152,7 +152,7 @@ bool Simulation::preload_under(double load_share, bool first, const PreloadSetti
     }
 }
 
-void Simulation::preload_within(double margin, bool first) {
+void Simulation::find_contacts_within(double margin, bool first) {
     const std::vector<BlockPair> bonded = bonds_.joined(state_.bond);
     state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
                                     {margin, settings_.viscous_damping, first, bonded}, state_.contacts);

@@ -39,15 +39,15 @@ struct EnergyLedger {
     double residual_share() const;
 };
 
-// Of two free blocks that were neighbours in the drawing.
+// Of two free blocks that were neighbours in the initial geometry.
 struct FirstCrack {
     double time = 0;  // s
-    double tilt = 0;  // rad, of gravity in the drawing and of the first moved base together
+    double tilt = 0;  // rad, of gravity in the initial geometry and of the first moved base together
     std::uint64_t block = 0;
     std::uint64_t other = 0;
 };
 
-// Of the most balanced state that preloading met: the run starts there, unless blocks have crept on.
+// Of the most balanced state that the static solve met: the run starts there, unless blocks have crept on.
 struct StartBalance {
     double unbalanced_ratio = 0;  // greatest unbalanced force on a block, with moment over radius, over its load
     bool cut_short = false;       // ended for lack of linear solutions: with more there may be balance
@@ -60,15 +60,16 @@ struct SlipOverFace {
 
 struct RelaxationState {
     double time = 0;       // s
-    double step = 0;       // s, chosen when contacts were last looked at
+    double step = 0;       // s, chosen when contacts were last checked
     double last_step = 0;  // s, that led here; 0 at the start and after velocities were taken away
     std::uint64_t steps = 0;
     std::uint64_t contacts_evaluated = 0;
     std::vector<Motion> motion = {};
-    std::vector<Motion> origin = {};                 // at the start, after preloading
+    std::vector<Motion> origin = {};                 // at the start, after the static solve
     std::optional<StartBalance> start_balance = {};  // absent where nothing was preloaded
     NoticedMotion noticed = {};
-    std::vector<std::uint32_t> calm = {};  // looks in a row without anything to move a block; see Simulation::rests
+    std::vector<std::uint32_t> checks_at_rest =
+        {};  // in a row, without anything to move a block; see Simulation::rests
     std::vector<char> removed = {};
     std::vector<double> base_slip = {};           // m, of each block over fixed ones up to when it was last booked
     std::vector<SlipOverFace> dropped_slip = {};  // of contacts that have been dropped since
@@ -78,9 +79,9 @@ struct RelaxationState {
     EnergyLedger ledger = {};           // sums; what is of the moment is filled in when asked for
 
     // For the decision.
-    double unbalanced = 0;       // greatest since the last look
-    double unbalanced_then = 0;  // greatest between the two looks before
-    double kinetic_then = 0;     // J/m, at the last look
+    double unbalanced = 0;       // greatest since the last check
+    double unbalanced_then = 0;  // greatest between the two checks before
+    double kinetic_then = 0;     // J/m, at the last check
     double kinetic_before = 0;   // J/m, a step ago; for kinetic damping
     bool kinetic_rising = false;
     double onset_time = -1;  // s; negative: none
@@ -90,7 +91,7 @@ struct RelaxationState {
 };
 
 // A state at rest for other runs to begin from: they have its motion, its springs, slip and what has broken, and its
-// time, by which everything scheduled has happened. Their books, steps and displacements begin anew.
+// time, by which everything scheduled has happened. Their energy balances, steps and displacements begin anew.
 struct ConsolidatedState {
     RelaxationState at_rest;
 };

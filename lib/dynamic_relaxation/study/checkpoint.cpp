@@ -24,8 +24,9 @@ std::uint64_t hash_of(const RelaxationScene& scene, const RelaxationSettings& se
 bool fits(const RelaxationState& state, const RelaxationScene& scene) {
     const std::size_t blocks = scene.block.size();
     if (state.motion.size() != blocks || state.origin.size() != blocks || state.removed.size() != blocks ||
-        state.base_slip.size() != blocks || state.dropped_slip.size() != blocks || state.calm.size() != blocks ||
-        state.noticed.moved.size() != blocks || state.bond.size() != scene.bond.size() ||
+        state.base_slip.size() != blocks || state.dropped_slip.size() != blocks ||
+        state.checks_at_rest.size() != blocks || state.noticed.moved.size() != blocks ||
+        state.bond.size() != scene.bond.size() ||
         (state.first_crack && (state.first_crack->block >= blocks || state.first_crack->other >= blocks))) {
         return false;
     }
@@ -40,7 +41,7 @@ bool fits(const RelaxationState& state, const RelaxationScene& scene) {
     const std::size_t contacts = list.contact.size();
     const WatchState& watch = state.watch;
     const NoticedMotion& noticed = state.noticed;
-    for (const auto* const each : {&watch.way, &watch.due, &watch.neighbours_until, &watch.step_until,
+    for (const auto* const each : {&watch.travelled, &watch.due, &watch.neighbours_until, &watch.step_until,
                                    &watch.stable_step, &noticed.x, &noticed.y, &noticed.angle}) {
         if (each->size() != blocks) {
             return false;

@@ -57,7 +57,8 @@ DELABOLE_MEMBERS(ContactList, contact, ends, joint, memory, force, open_until)
 DELABOLE_MEMBERS(PairPose, x, y, first_angle, second_angle)
 DELABOLE_MEMBERS(WatchedPair, first, second, begin, pose, distance, holds)
 DELABOLE_MEMBERS(BlockOverlap, block, other, depth, share, area)
-DELABOLE_MEMBERS(WatchState, pair, way, due, neighbours_until, step_until, stable_step, step, searches, looks)
+DELABOLE_MEMBERS(WatchState, pair, travelled, due, neighbours_until, step_until, stable_step, step, searches,
+                 pair_checks)
 DELABOLE_MEMBERS(NoticedMotion, moved, x, y, angle)
 DELABOLE_MEMBERS(BondMemory, state, time, damping, normal_drag, shear_drag, bending_drag)
 DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, bonds, dashpots, local_damping,
@@ -66,7 +67,7 @@ DELABOLE_MEMBERS(FirstCrack, time, tilt, block, other)
 DELABOLE_MEMBERS(StartBalance, unbalanced_ratio, cut_short)
 DELABOLE_MEMBERS(SlipOverFace, upward, slip)
 DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluated, motion, origin, start_balance,
-                 noticed, calm, removed, base_slip, dropped_slip, contacts, watch, bond, ledger, unbalanced,
+                 noticed, checks_at_rest, removed, base_slip, dropped_slip, contacts, watch, bond, ledger, unbalanced,
                  unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, overlap,
                  outcome)
 

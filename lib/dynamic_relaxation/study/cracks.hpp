@@ -12,7 +12,7 @@ namespace delabole {
 struct BrokenBond {
     std::size_t block;  // whose face it was
     double time;        // s
-    // The face's ends in the drawing; it goes where the block goes.
+    // The face's ends in the initial geometry; it goes where the block goes.
     PlanePoint<> from;
     PlanePoint<> to;
 };
@@ -21,8 +21,8 @@ struct BrokenBond {
 std::vector<BrokenBond> broken_bonds(const RelaxationScene& scene, const Bodies& bodies, const RelaxationState& state);
 
 // Where faces that lay on each other have parted by more than `least`, m, somewhere along them, and still lie side by
-// side: the face of one of the blocks, in the drawing's frame, moved. Faces with a bond of rock, whole or broken, and
-// those of fixed blocks are left out.
+// side: the face of one of the blocks, in the frame of the initial geometry, moved. Faces with a bond of rock, whole or
+// broken, and those of fixed blocks are left out.
 struct OpenJoint {
     PlanePoint<> from;
     PlanePoint<> to;
@@ -32,7 +32,7 @@ struct OpenJoint {
 std::vector<OpenJoint> open_joints(const RelaxationScene& scene, const Bodies& bodies, const RelaxationState& state,
                                    double least);
 
-// A line in the drawing that goes with a block.
+// A line in the initial geometry that goes with a block.
 PlanePoint<> carried(const Bodies& bodies, const std::vector<Motion>& motion, std::size_t block,
                      const PlanePoint<>& point);
 

@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t stations = 1000;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double share_of(double way, double limit) {
-    const double ratio = (way / limit) * (way / limit);
+double share_of(double moved_by, double limit) {
+    const double ratio = (moved_by / limit) * (moved_by / limit);
     // Without overflow for a block that has fallen far.
     return ratio > 1 ? 1 / (1 + 1 / (ratio * ratio)) : ratio * ratio / (1 + ratio * ratio);
 }
@@ -122,8 +122,9 @@ class Survey {
                 continue;
             }
             const CrestMovement moved = movement_of(block);
-            const double way = std::hypot(moved.horizontal, moved.vertical, moved.rotation * bodies_.radius[block]);
-            result_.share[block] = share_of(way, moved_limit_);
+            const double moved_by =
+                std::hypot(moved.horizontal, moved.vertical, moved.rotation * bodies_.radius[block]);
+            result_.share[block] = share_of(moved_by, moved_limit_);
             result_.answer.failed_area += result_.share[block] * area_[block];
         }
     }
@@ -276,14 +277,14 @@ class Survey {
         }
         for (const SharedFace& face : find_shared_faces(bodies_)) {
             if (slope_.removed[face.block] == 0 && slope_.removed[face.other] == 0) {
-                look_at(face);
+                add_face(face);
             }
         }
         std::sort(result_.crack.begin(), result_.crack.end(),
                   [](const CrestCrack& one, const CrestCrack& other) { return one.position < other.position; });
     }
 
-    void look_at(const SharedFace& face) {
+    void add_face(const SharedFace& face) {
         const double upwards = face.along.y() < 0 ? -1 : 1;
         const PlanePoint<> to_top = upwards * face.length / 2 * face.along;
         const PlanePoint<> top = bodies_.centroid[face.other] + face.other_arm + to_top;
@@ -291,11 +292,12 @@ class Survey {
         if (behind_crest(top.x()) < -near || std::abs(ground_at(top.x()) - top.y()) > near) {
             return;
         }
-        const auto way = [&](std::size_t block, const PlanePoint<>& arm) -> PlanePoint<> {
+        const auto moved_by = [&](std::size_t block, const PlanePoint<>& arm) -> PlanePoint<> {
             const Motion& now = slope_.now[block];
             return PlanePoint<>(now.x, now.y) + now.turned_by(arm);
         };
-        const PlanePoint<> parted = way(face.block, face.arm + to_top) - way(face.other, face.other_arm + to_top);
+        const PlanePoint<> parted =
+            moved_by(face.block, face.arm + to_top) - moved_by(face.other, face.other_arm + to_top);
         const PlanePoint<> normal = slope_.now[face.other].turned(PlanePoint<>(face.along.y(), -face.along.x()));
         const double opening = normal.dot(parted);
         const std::size_t material = bodies_.material[face.edge];

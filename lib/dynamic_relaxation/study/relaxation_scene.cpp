@@ -225,7 +225,7 @@ double extent_along(const PlanePoint<>& direction, const Polygon<>& outline) {
     return direction.dot(*greatest - *least);
 }
 
-// The direction of the edge that is nearest to level. It turns with the block, as no axis of the drawing does.
+// The direction of the edge that is nearest to level. It turns with the block, as no axis of the section does.
 PlanePoint<> most_level_edge(const Polygon<>& outline, const PlanePoint<>& up) {
     PlanePoint<> most_level(1, 0);
     double least_rise = std::numeric_limits<double>::infinity();

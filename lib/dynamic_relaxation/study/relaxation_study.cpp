@@ -31,9 +31,9 @@ RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& w
 
 bool go_on(Simulation& simulation, const StudyWork& work, const std::function<bool(double)>& watch,
            const std::function<void()>& keep, const std::function<void()>& seen) {
-    constexpr std::uint64_t block_steps_between_looks = 200000;
+    constexpr std::uint64_t block_steps_between_checks = 200000;
     const std::uint64_t between = std::clamp<std::uint64_t>(
-        block_steps_between_looks / std::max<std::uint64_t>(1, simulation.scene().block.size()), 1, 500);
+        block_steps_between_checks / std::max<std::uint64_t>(1, simulation.scene().block.size()), 1, 500);
     const double duration = simulation.settings().duration;
     while (simulation.running()) {
         if (simulation.state().steps % between == 0) {
@@ -198,10 +198,10 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProg
                 progress.next_line = (std::floor(simulation.reached() / interval) + 1) * interval;
             }
             if (work.frames == KeepFrames::yes) {
-                progress.record.look(simulation);
+                progress.record.record(simulation);
             }
             if (is_slope) {
-                progress.slope.look(simulation, FrameParts::motion);
+                progress.slope.record(simulation, FrameParts::motion);
             }
         });
     progress.state = simulation.state();

@@ -163,7 +163,7 @@ struct EnergyAnswer {
             number("local_damping", &E::local_damping, energy, any_number(), "dissipated by local damping"),
             number("kinetic_damping", &E::kinetic_damping, energy, any_number(),
                    "taken out at energy peaks, and with removed blocks"),
-            number("residual", &E::residual, energy, any_number(), "what the books lack"),
+            number("residual", &E::residual, energy, any_number(), "residual of the energy balance"),
             number("residual_share", &E::residual_share, Dimension::ratio, any_number(),
                    "residual over all energy turned over; 0 where it is rounding of what springs hold")};
     }
@@ -231,7 +231,7 @@ struct RelaxationAnswer {
                    "of a corner and an edge at the end"),
             number("overlap_area", &R::overlap_area, Dimension::area, any_number(),
                    "that two blocks have in common, of the two that lay deepest in each other"),
-            section("energy", &R::energy, "the books of energy"),
+            section("energy", &R::energy, "the energy balance"),
             number("steps", &R::steps, Dimension::ratio, any_number(), "time steps made"),
             number("time_step", &R::time_step, Dimension::time, any_number(), "the last one"),
             number("contacts_evaluated", &R::contacts_evaluated, Dimension::ratio, any_number(),

@@ -4,8 +4,8 @@ namespace delabole {
 
 namespace {
 
-// Rounds follow each other within microseconds: a thread looks this often before it goes to sleep.
-constexpr int looks_before_sleep = 2000;
+// Rounds follow each other within microseconds: a thread polls this often before it goes to sleep.
+constexpr int polls_before_sleep = 2000;
 
 }  // namespace
 
@@ -31,8 +31,8 @@ void Team::start(Function function, const void* context) {
     ++round_;
     round_.notify_all();
     function(context, 0);
-    for (int look = 0; busy_ != 0; ++look) {
-        if (look > looks_before_sleep) {
+    for (int poll = 0; busy_ != 0; ++poll) {
+        if (poll > polls_before_sleep) {
             std::this_thread::yield();
         }
     }
@@ -41,7 +41,7 @@ void Team::start(Function function, const void* context) {
 void Team::follow(std::size_t part) {
     std::size_t done = 0;
     while (true) {
-        for (int look = 0; round_ == done && look < looks_before_sleep; ++look) {
+        for (int poll = 0; round_ == done && poll < polls_before_sleep; ++poll) {
         }
         round_.wait(done);
         done = round_;

@@ -221,7 +221,7 @@ void append_history(const HistoryRequest& request, const RelaxationRun& made, co
         }
     };
     draw(curves(made.history, energy_columns(), "Energies", {.title = "energy since the start", .unit = unit}),
-         "energies", "The books of energy: applied work becomes all the others.");
+         "energies", "Energy balance: applied work becomes all the others.");
     draw(curves(made.history, rotations(made.scene), "Rotations", {.title = "rotation out of the slope", .unit = "°"}),
          "rotations", "How the blocks turn, anticlockwise positive.");
     draw(curves(made.history, monitored(request, Dimension::length, "block_"), "Displacements",

@@ -1,4 +1,4 @@
-// Dynamic relaxation as the program reports it: how the run ended, the books and each block.
+// Dynamic relaxation as the program reports it: how the run ended, its energy balance and each block.
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/models/relaxation/checkpoint_file.hpp"
 #include "cases/program/models/relaxation/critical_report.hpp"
@@ -148,35 +148,35 @@ bool any_free_block_left(const RelaxationRun& made) {
     return false;
 }
 
-// How the start of the run differs from the drawing.
+// How the start of the run differs from the initial geometry.
 void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
     const std::optional<StartBalance>& start = made.result.start_balance;
     if (start && start->cut_short && start->unbalanced_ratio > made.settings.equilibrium_ratio) {
-        analysis.warnings.push_back("preloading so many blocks was ended with one of them out of balance by " +
+        analysis.warnings.push_back("the static solve of the start was ended early, with a block out of balance by " +
                                     number_in_words(100 * start->unbalanced_ratio) +
                                     " % of its load: at first they settle, as if dropped");
     }
     if (!has_fixed_block(made.scene) && !made.scene.belt) {
         analysis.warnings.emplace_back("no block is fixed: all of them fall");
     }
-    // Of the block's radius: springs give way by less, and so do blocks that slide or turn while equilibrium is looked
-    // for.
+    // Of the block's radius: springs give way by less, and so do blocks that slide or turn while equilibrium is
+    // sought.
     constexpr double unexpected = 5e-3;
     std::size_t farthest = 0;
-    double way = 0;
+    double greatest = 0;
     const Bodies bodies = make_bodies(made.scene);
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         const Motion& origin = made.end->origin[block];
         const double share = std::hypot(origin.x, origin.y) / bodies.radius[block];
-        if (share > way) {
-            way = share;
+        if (share > greatest) {
+            greatest = share;
             farthest = block;
         }
     }
-    if (way > unexpected) {
+    if (greatest > unexpected) {
         analysis.warnings.push_back(
-            "preloading closed gaps of the drawing, or found equilibrium only elsewhere: " + block_name(farthest) +
-            " begins " + value_in_words(way * bodies.radius[farthest], Dimension::length) +
+            "the static solve of the start closed gaps of the initial geometry, or found equilibrium only elsewhere: " +
+            block_name(farthest) + " begins " + value_in_words(greatest * bodies.radius[farthest], Dimension::length) +
             " from where it is drawn; displacements count from there");
     }
 }
@@ -188,7 +188,7 @@ void append_run_warnings(const RelaxationRun& made, Analysis& analysis) {
     if (result.outcome == RelaxationOutcome::equilibrium && result.onset_time) {
         analysis.warnings.push_back("the blocks came to rest only after the onset of failure at " +
                                     value_in_words(*result.onset_time, Dimension::time) +
-                                    ": this is equilibrium of another shape than the one drawn");
+                                    ": this is equilibrium of another shape than the initial geometry");
     }
     if (result.outcome == RelaxationOutcome::equilibrium && !any_free_block_left(made)) {
         analysis.warnings.emplace_back("all free blocks have been taken away: nothing is left to move");
@@ -201,8 +201,8 @@ void append_run_warnings(const RelaxationRun& made, Analysis& analysis) {
     constexpr double large_residual = 0.02;
     const double residual = result.ledger.residual_share();
     if (std::abs(residual) > large_residual) {
-        analysis.warnings.push_back("the books of energy lack " + number_in_words(100 * residual) + " %" +
-                                    " of what was turned over: lower settings.step_fraction");
+        analysis.warnings.push_back("the energy balance is off by " + number_in_words(100 * residual) +
+                                    " % of the energy that was turned over: lower settings.step_fraction");
     }
 }
 

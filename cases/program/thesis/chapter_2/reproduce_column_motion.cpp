@@ -19,7 +19,7 @@ namespace delabole {
 namespace {
 
 // Mean movement of the column at which tests are compared.
-constexpr double compared_way = 0.003;  // m
+constexpr double compared_displacement = 0.003;  // m
 
 struct ColumnMotion {
     GroundwaterTest test;
@@ -33,7 +33,7 @@ double friction_of(const GroundwaterTest& test) {
 }
 
 struct Means {
-    double way = 0;
+    double displacement = 0;
     double rotation = 0;
 };
 
@@ -43,11 +43,11 @@ Means means_of(const Bodies& bodies, const MotionFrame& frame) {
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         if (bodies.fixed[block] == 0) {
             mass += bodies.mass[block];
-            means.way += bodies.mass[block] * frame.outcome[block].displacement;
+            means.displacement += bodies.mass[block] * frame.outcome[block].displacement;
             means.rotation += bodies.mass[block] * frame.outcome[block].rotation;
         }
     }
-    return {means.way / mass, means.rotation / mass};
+    return {means.displacement / mass, means.rotation / mass};
 }
 
 RelaxationStudy study_of(const GroundwaterTest& test) {
@@ -68,8 +68,9 @@ ColumnMotion move(const GroundwaterTest& test) {
     double time_before = 0;
     for (const MotionFrame& frame : motion.run.run.frames) {
         const Means now = means_of(bodies, frame);
-        if (now.way >= compared_way) {
-            const double share = (compared_way - before.way) / (now.way - before.way);
+        if (now.displacement >= compared_displacement) {
+            const double share =
+                (compared_displacement - before.displacement) / (now.displacement - before.displacement);
             motion.time = time_before + share * (frame.time - time_before);
             motion.rotation = before.rotation + share * (now.rotation - before.rotation);
             return motion;

@@ -251,9 +251,9 @@ Figure slope_figure(const std::string& title, const ReducedSlope& slope, const S
         for (std::size_t corner = bodies.range[index].begin; corner < bodies.range[index].end; ++corner) {
             block.outline.push_back(moved_corner(bodies, slope.state.motion, corner));
         }
-        block.mode = bodies.fixed[index] != 0                  ? DrawnMode::fixed
-                     : slope.way(index) > reduction.failed_way ? DrawnMode::topples
-                                                               : DrawnMode::stays;
+        block.mode = bodies.fixed[index] != 0                                ? DrawnMode::fixed
+                     : slope.displacement(index) > reduction.failed_distance ? DrawnMode::topples
+                                                                             : DrawnMode::stays;
         drawing.blocks.push_back(std::move(block));
     }
     for (const BrokenBond& bond : broken_bonds(slope.scene, bodies, slope.state)) {

@@ -19,7 +19,7 @@ struct CleanRun {
     // above its limit or the engine stops by itself. A block slides at a print edit where its base has slipped in the
     // cycle before it.
     HockingResult history = {};
-    double energy_error = 0;   // residual of the books over their turnover
+    double energy_error = 0;   // residual of the energy balance over its turnover
     double largest_speed = 0;  // m/s, of any corner of a free block, all run long
 };
 

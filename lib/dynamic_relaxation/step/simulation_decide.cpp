@@ -14,7 +14,7 @@ namespace delabole {
 namespace {
 
 // Steps between two looks at the balance of forces.
-constexpr std::uint64_t steps_between_looks = 50;
+constexpr std::uint64_t steps_between_checks = 50;
 // Between two measurements of how blocks lie in each other: together they cost less than a hundredth of the run.
 constexpr std::uint64_t steps_between_audits = 5000;
 
@@ -32,14 +32,14 @@ double energy_of_settlements(const RelaxationScene& scene, const Bodies& bodies)
 
 }  // namespace
 
-void Simulation::look() {
+void Simulation::decide() {
     const bool last = out_of_time();
-    if ((state_.steps % steps_between_looks != 0 && !last) || outcome() != RelaxationOutcome::undecided) {
+    if ((state_.steps % steps_between_checks != 0 && !last) || outcome() != RelaxationOutcome::undecided) {
         return;
     }
-    let_calm_blocks_rest();
-    look_for_crack();
-    book_base_slip(bodies_, up(), state_);
+    let_blocks_rest();
+    detect_crack();
+    account_for_base_slip(bodies_, up(), state_);
     const double kinetic = kinetic_energy();
     const bool growing = kinetic > state_.kinetic_then;
     state_.kinetic_then = kinetic;
@@ -86,7 +86,7 @@ bool Simulation::try_corners() {
         concerned = try_other_edges({bodies_, state_.motion}, weight, state_.contacts);
     }
     for (const std::uint32_t block : concerned) {
-        state_.calm[block] = 0;
+        state_.checks_at_rest[block] = 0;
         state_.noticed.notice(block, state_.motion[block]);
     }
     return !concerned.empty();
@@ -137,7 +137,7 @@ double Simulation::tilt_of_base() const {
     return tilt() + (scene_.motion.empty() ? 0 : state_.motion[scene_.motion.front().block].angle);
 }
 
-void Simulation::look_for_crack() {
+void Simulation::detect_crack() {
     if (state_.first_crack || watched_.empty()) {
         return;
     }
@@ -151,13 +151,13 @@ void Simulation::look_for_crack() {
     }
 }
 
-void Simulation::let_calm_blocks_rest() {
+void Simulation::let_blocks_rest() {
     if (state_.time < last_scheduled_time(scene_, settings_)) {
-        std::fill(state_.calm.begin(), state_.calm.end(), std::uint32_t{0});
+        std::fill(state_.checks_at_rest.begin(), state_.checks_at_rest.end(), std::uint32_t{0});
         return;
     }
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
-        if (held_[block] != 0 || rests(state_.calm[block]) || !rests(++state_.calm[block])) {
+        if (held_[block] != 0 || rests(state_.checks_at_rest[block]) || !rests(++state_.checks_at_rest[block])) {
             continue;
         }
         Motion& motion = state_.motion[block];

@@ -1,4 +1,5 @@
-// Equilibrium from which a preloaded run starts: without it a block falls onto its springs and overturns too early.
+// The static equilibrium from which a preloaded run starts: without it a block falls onto its springs and overturns too
+// early.
 #pragma once
 
 #include "dynamic_relaxation/contact/bonds.hpp"
@@ -11,7 +12,7 @@
 
 namespace delabole {
 
-struct PreloadSettings {
+struct StaticSolveSettings {
     double tolerance;  // greatest unbalanced force over the load of its block
     double finest;     // likewise; what is found is improved up to here as long as that takes few rounds
     double farthest;   // m; moves no point of any block by more than this
@@ -23,7 +24,7 @@ struct PreloadSettings {
     bool leave_crept;
 };
 
-struct Preloaded {
+struct StaticSolution {
     double ratio;                       // unbalanced, of the most balanced state met
     bool cut_short;                     // ended for lack of solutions: with more there may be an equilibrium
     bool at_farthest;                   // blocks still crept at the farthest that is allowed: they may go on from there
@@ -48,8 +49,10 @@ struct Preloaded {
 // before it, and what resists are not only the blocks themselves but also their contacts, open ones too, which do not
 // let them flutter; there are 2000 linear solutions at most. Where it finds no balance of bonded blocks, fewer than 400
 // and not left to creep, it tries again with loads that grow in eight steps.
-Preloaded preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
-                  const PreloadSettings& settings, const Preloaded* creeping, const Bonds& bonds,
-                  const std::vector<BondMemory>& bond_memory, std::vector<Motion>& motion, ContactList& list);
+StaticSolution solve_statically(const Bodies& bodies, const std::vector<char>& held,
+                                const std::vector<Eigen::Vector3d>& loads, const StaticSolveSettings& settings,
+                                const StaticSolution* creeping, const Bonds& bonds,
+                                const std::vector<BondMemory>& bond_memory, std::vector<Motion>& motion,
+                                ContactList& list);
 
 }  // namespace delabole

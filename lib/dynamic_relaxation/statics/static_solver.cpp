@@ -1,4 +1,4 @@
-#include "dynamic_relaxation/statics/preload.hpp"
+#include "dynamic_relaxation/statics/static_solver.hpp"
 
 #include "dynamic_relaxation/contact/contact_law.hpp"
 #include "dynamic_relaxation/contact/corner_choice.hpp"
@@ -17,10 +17,10 @@ namespace {
 // Above so many free blocks rounds go astray: too many contacts change in each of them.
 constexpr std::size_t few_blocks = 24;
 
-class Preload {
+class StaticSolver {
   public:
-    Preload(const Bodies& bodies, const PreloadSettings& settings, const Preloaded* creeping, const Bonds& bonds,
-            StaticEquations& equations)
+    StaticSolver(const Bodies& bodies, const StaticSolveSettings& settings, const StaticSolution* creeping,
+                 const Bonds& bonds, StaticEquations& equations)
         : bodies_(bodies),
           settings_(settings),
           creeping_(creeping),
@@ -28,14 +28,14 @@ class Preload {
           equations_(equations),
           is_small_(equations.free_blocks().size() < few_blocks) {}
 
-    Preloaded solve(std::vector<Motion>& motion, ContactList& list) {
+    StaticSolution solve(std::vector<Motion>& motion, ContactList& list) {
         if (equations_.free_blocks().empty()) {
             return {0, false, false, motion, list.memory, 0};
         }
         forget_tried(list.memory);
         const MemoryArray memory = list.memory;
         std::vector<Motion> start = motion;
-        Preloaded found = approach(start, motion, list);
+        StaticSolution found = approach(start, motion, list);
         constexpr std::size_t few_enough = 400;  // many settle in the run for less
         if (found.ratio > settings_.tolerance && !settings_.leave_crept && !bonds_.empty() &&
             equations_.free_blocks().size() < few_enough) {
@@ -61,13 +61,13 @@ class Preload {
     // Slender bonded columns lean far on each other before the full load is in balance, and rounds go astray on the
     // way. Under a load that grows they follow. (Without bonds it would not help: what friction cannot hold, it cannot
     // hold in part either.) Where this fails, too, all is left as it was.
-    void approach_in_steps(const std::vector<Motion>& start, const MemoryArray& memory, Preloaded& found,
+    void approach_in_steps(const std::vector<Motion>& start, const MemoryArray& memory, StaticSolution& found,
                            std::vector<Motion>& motion, ContactList& list) {
         constexpr int steps = 8;
         constexpr double astray = 0.3;  // of a load: not to be made good by the steps after it
         std::vector<Motion> stepped = start;
         MemoryArray memory_found = std::exchange(list.memory, memory);
-        Preloaded last{0, false, false, start, {}, 0};
+        StaticSolution last{0, false, false, start, {}, 0};
         for (int step = 1; step <= steps && last.ratio <= astray; ++step) {
             equations_.set_load_share(static_cast<double>(step) / steps);
             last = approach(start, stepped, list);
@@ -83,13 +83,13 @@ class Preload {
 
     // What corners on corners hold has to be held either way (corner_choice.hpp). Returns whether there was anything to
     // try.
-    bool try_corners(Preloaded& found, std::vector<Motion>& motion, ContactList& list) {
+    bool try_corners(StaticSolution& found, std::vector<Motion>& motion, ContactList& list) {
         MemoryArray memory_before = list.memory;
         if (try_other_edges({bodies_, motion}, equations_.weights(), list).empty()) {
             return false;
         }
         const std::vector<Motion> before = motion;
-        Preloaded other = approach(before, motion, list);
+        StaticSolution other = approach(before, motion, list);
         if (other.ratio > settings_.tolerance) {
             found = std::move(other);
             return true;
@@ -122,11 +122,12 @@ class Preload {
     }
 
     // `start`: where the limits of motion are measured from.
-    Preloaded approach(const std::vector<Motion>& start, std::vector<Motion>& motion, ContactList& list) {
+    StaticSolution approach(const std::vector<Motion>& start, std::vector<Motion>& motion, ContactList& list) {
         return is_small_ ? approach_in_rounds(start, motion, list) : approach_in_motion(start, motion, list);
     }
 
-    Preloaded approach_in_rounds(const std::vector<Motion>& start, std::vector<Motion>& motion, ContactList& list) {
+    StaticSolution approach_in_rounds(const std::vector<Motion>& start, std::vector<Motion>& motion,
+                                      ContactList& list) {
         // As stiff as the joints at first, so that no contact is left behind by a leap; then thinner as long as balance
         // does not get much worse. Blocks may lose balance for a while before they jam. Leaps to where it is far worse,
         // or over half of the way that is allowed, are not made: friction would keep what they leave behind, and could
@@ -138,7 +139,7 @@ class Preload {
         constexpr double half_way = 0.5;
         double resistance = 1;
         double ratio = evaluate(motion, list);
-        Preloaded best{ratio, false, false, motion, list.memory, 0};
+        StaticSolution best{ratio, false, false, motion, list.memory, 0};
         bool improves = true;
         for (int round = 0;; ++round) {
             if (best.ratio <= settings_.finest || (best.ratio <= settings_.tolerance && !improves)) {
@@ -261,7 +262,8 @@ class Preload {
         return step;
     }
 
-    Preloaded approach_in_motion(const std::vector<Motion>& start, std::vector<Motion>& motion, ContactList& list) {
+    StaticSolution approach_in_motion(const std::vector<Motion>& start, std::vector<Motion>& motion,
+                                      ContactList& list) {
         constexpr double thinner = 2;
         constexpr double thicker = 4;
         constexpr double thinnest = 1e-13;
@@ -273,7 +275,7 @@ class Preload {
         equations_.let_contacts_resist();
         double ratio = evaluate(motion, list);
         MemoryArray memory = list.memory;
-        Preloaded best{ratio, false, false, motion, list.memory, 0};
+        StaticSolution best{ratio, false, false, motion, list.memory, 0};
         bool improves = true;
         int solutions = 0;
         while (best.ratio > settings_.finest && (best.ratio > settings_.tolerance || improves) &&
@@ -344,7 +346,7 @@ class Preload {
     }
 
     // Up to 1 a motion is within the limits.
-    double share_of_limits(const std::vector<Motion>& start, const Preloaded& met,
+    double share_of_limits(const std::vector<Motion>& start, const StaticSolution& met,
                            const std::vector<Motion>& motion) const {
         double share = share_of_farthest(start, motion);
         if (!creeps()) {
@@ -363,8 +365,8 @@ class Preload {
     }
 
     const Bodies& bodies_;
-    const PreloadSettings& settings_;
-    const Preloaded* creeping_;
+    const StaticSolveSettings& settings_;
+    const StaticSolution* creeping_;
     const Bonds& bonds_;
     StaticEquations& equations_;
     bool is_small_;
@@ -372,11 +374,13 @@ class Preload {
 
 }  // namespace
 
-Preloaded preload(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
-                  const PreloadSettings& settings, const Preloaded* creeping, const Bonds& bonds,
-                  const std::vector<BondMemory>& bond_memory, std::vector<Motion>& motion, ContactList& list) {
+StaticSolution solve_statically(const Bodies& bodies, const std::vector<char>& held,
+                                const std::vector<Eigen::Vector3d>& loads, const StaticSolveSettings& settings,
+                                const StaticSolution* creeping, const Bonds& bonds,
+                                const std::vector<BondMemory>& bond_memory, std::vector<Motion>& motion,
+                                ContactList& list) {
     StaticEquations equations(bodies, held, loads, bonds, bond_memory, list);
-    return Preload(bodies, settings, creeping, bonds, equations).solve(motion, list);
+    return StaticSolver(bodies, settings, creeping, bonds, equations).solve(motion, list);
 }
 
 }  // namespace delabole
