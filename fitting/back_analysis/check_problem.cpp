@@ -167,10 +167,9 @@ void check_priors(const FitProblem& problem, Faults& faults) {
             for (const FreeParameter& parameter : mechanism.parameters) {
                 const std::string fault = fault_of_prior(parameter);
                 if (!fault.empty()) {
-                    faults.push_back(mechanism.name + ", parameter " + parameter.name + ": " + fault +
-                                     (variant == EvidenceVariant::as_given
-                                          ? ""
-                                          : ", with " + std::string(word_of(variant))));
+                    faults.push_back(
+                        mechanism.name + ", parameter " + parameter.name + ": " + fault +
+                        (variant == EvidenceVariant::as_given ? "" : ", with " + std::string(word_of(variant))));
                 }
             }
         }

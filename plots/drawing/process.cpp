@@ -1,5 +1,7 @@
 #include "plots/drawing/process.hpp"
 
+#include "plots/drawing/atomic_file.hpp"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>

@@ -162,8 +162,8 @@ TEST(Delabole1967, TheConclusionsOfTheThesisAsFarAsLimitEquilibriumHasASay) {
         EXPECT_NE(found, conclusions.end()) << label;
         return findings[static_cast<std::size_t>(found - conclusions.begin())];
     };
-    // Toppling has less than the probability asked for, and less than half of what moves topples at more than half of the
-    // draws; but the wedge drives.
+    // Toppling has less than the probability asked for, and less than half of what moves topples at more than half of
+    // the draws; but the wedge drives.
     EXPECT_EQ(finding("(i)").verdict, ConclusionVerdict::partly);
     EXPECT_EQ(finding("(ii)").verdict, ConclusionVerdict::not_tested);
     EXPECT_EQ(finding("(vi)").verdict, ConclusionVerdict::not_tested);

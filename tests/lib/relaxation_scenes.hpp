@@ -4,7 +4,11 @@
 #include "dynamic_relaxation/step/simulation.hpp"
 #include "parameters/fields.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
+#include <functional>
+#include <string>
 
 namespace delabole::relaxation_scenes {
 
@@ -71,10 +75,29 @@ inline bool ends_as_blocks_do(RelaxationOutcome outcome) {
            outcome == RelaxationOutcome::onset || outcome == RelaxationOutcome::collapse;
 }
 
-// Share of the energy turned over that the books cannot account for. A start in equilibrium turns over next to nothing:
-// below `scale`, J/m, it is all rounding.
+// Share of the energy turned over that the energy balance cannot account for. A start in equilibrium turns over next to
+// nothing: below `scale`, J/m, it is all rounding.
 inline double energy_error(const RelaxationResult& result, double scale) {
     return std::abs(result.ledger.residual()) / (result.ledger.turnover() + scale);
+}
+
+// A flat block: its corners bear the same to a hundredth, and reach their strengths together.
+inline OnPlane flat(double friction, double tilt = 0) {
+    OnPlane plane;
+    plane.height_to_width = 0.01;
+    plane.friction = degrees(friction);
+    plane.tilt = tilt;
+    plane.stiffness_ratio = 1e6;
+    return plane;
+}
+
+// Stands at 0.99 times the load or tilt of limit equilibrium, fails at 1.01.
+inline void expect_threshold(const std::function<RelaxationScene(double)>& scene_at, const std::string& what,
+                             const RelaxationSettings& settings = until_onset()) {
+    EXPECT_EQ(relax(scene_at(0.99), settings).outcome, RelaxationOutcome::equilibrium) << what;
+    const RelaxationResult fails = relax(scene_at(1.01), settings);
+    EXPECT_EQ(fails.outcome, RelaxationOutcome::onset) << what;
+    EXPECT_LT(energy_error(fails, 1e-6 * density * gravity), 0.02) << what;
 }
 
 }  // namespace delabole::relaxation_scenes

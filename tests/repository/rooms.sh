@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Usage: rooms.sh ROOT
 # Holds the sources below ROOT to the plan of the house: each third-party library stays in its room, rooms and their
-# sub-rooms include only downwards, lib/ neither reads nor prints, no folder holds more sources than a reader takes in.
+# sub-rooms include only downwards, lib/ neither reads nor prints, no folder holds more sources, and no source more
+# lines, than a reader takes in.
 # Prints every include that breaks a rule as file:line:text; exit code 1 if there is one.
 set -euo pipefail
 cd "$1"
@@ -42,6 +43,7 @@ declare -A sub_rooms=(
     [cases/program]='reader case terminal results reports models thesis commands'
 )
 most_sources=25
+most_lines=500
 forbidden_in_lib='^(iostream|fstream|ostream|istream|iomanip|cstdio|stdio\.h|filesystem|syncstream|print)$'
 
 broken=0
@@ -124,5 +126,11 @@ while read -r count folder; do
         report "$folder" "holds $count sources, more than $most_sources"
     fi
 done < <(find "${rooms[@]}" -name '*.[ch]pp' 2>/dev/null | sed 's#/[^/]*$##' | sort | uniq -c)
+
+while read -r count file; do
+    if [[ $file != total ]] && ((count > most_lines)); then
+        report "$file" "has $count lines, more than $most_lines"
+    fi
+done < <(find "${rooms[@]}" -name '*.[ch]pp' -exec wc -l {} + 2>/dev/null)
 
 exit "$broken"

@@ -69,4 +69,7 @@ for number in {1..26}; do
     printf '#include <cmath>\n' >"$house/lib/water/water_$number.cpp"
 done
 expect_house_broken "more sources than a reader takes in"
+build_house
+yes '// a line' | head -n 501 >>"$house/lib/water/water.hpp" || true
+expect_house_broken "a source of too many lines"
 exit "$failed"
