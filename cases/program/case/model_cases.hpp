@@ -1,5 +1,5 @@
 // What the reader needs of each model beyond its table of fields. Each model has these functions in its own
-// <model>_case.cpp.
+// models/<model>/case.cpp.
 #pragma once
 
 #include "cases/program/case/model_list.hpp"

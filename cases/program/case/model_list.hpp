@@ -1,4 +1,4 @@
-// The models a case may name. A new one is added here, and gets a <model>_case.cpp and a <model>_report.cpp: see
+// The models a case may name. A new one is added here, and gets a models/<model>/case.cpp and report.cpp: see
 // model_cases.hpp and model_reports.hpp for what they hold.
 #pragma once
 

@@ -1,5 +1,5 @@
 // What the program needs of each model beyond its table of fields: its answers, its figures, and words for what is
-// impossible. Each model has these functions in its own <model>_report.cpp.
+// impossible. Each model has these functions in its own models/<model>/report.cpp.
 #pragma once
 
 #include "cases/program/results/analysis.hpp"
