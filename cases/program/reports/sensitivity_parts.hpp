@@ -1,4 +1,4 @@
-// What the parts of the report of a sensitivity study share; used by sensitivity_*report.cpp only.
+// What the parts of the report of a sensitivity study share; some of it serves fits and recoveries as well.
 #pragma once
 
 #include "cases/program/results/result_folder.hpp"

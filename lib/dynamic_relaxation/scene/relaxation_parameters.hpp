@@ -1,6 +1,6 @@
 // Dynamic relaxation as a case file has it: a scene of blocks with their joints, and what loads them.
 //
-// Section axes, per metre run: x into the slope, y up in the initial geometry, which dips towards -x by the scene's
+// Section axes, per metre run: x into the slope, y up in the section, which dips towards -x by the scene's
 // tilt. Blocks are counted from 1: in a row and on a stepped base from the toe up, then the fixed blocks below. SI
 // units and radians.
 #pragma once
@@ -272,7 +272,7 @@ struct Tilting {
     static constexpr auto fields() {
         using T = Tilting;
         return std::tuple{
-            section("turned", &T::turned, "gravity in the initial geometry, or the fixed blocks under it"),
+            section("turned", &T::turned, "gravity in the section, or the fixed blocks under it"),
             number("final_tilt", &T::final_tilt, Dimension::angle, between(degrees(-90), degrees(90)), "tilt reached"),
             number("rate", &T::rate, Dimension::angular_speed, more_than(0), "speed of tilting"),
             number("interval", &T::interval, Dimension::time, at_least(0),
@@ -359,7 +359,7 @@ struct ShakingPoint {
         return std::tuple{number("time", &S::time, Dimension::time, at_least(0), "of the record, increasing"),
                           number("horizontal", &S::horizontal, Dimension::acceleration, any_number(),
                                  "of the ground into the slope, truly horizontal: normal to gravity, which a tilt "
-                                 "turns in the initial geometry"),
+                                 "turns in the section"),
                           number("vertical", &S::vertical, Dimension::acceleration, any_number(),
                                  "of the ground, upward against gravity")};
     }

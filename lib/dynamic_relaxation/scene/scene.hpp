@@ -107,10 +107,9 @@ struct TimedVector {
 };
 
 struct PrescribedMotion {
-    std::size_t block;  // a fixed one
-    std::vector<TimedVector>
-        velocity;  // m/s, of the centroid in the initial geometry; zero before the first, the last one kept
-    double angular_velocity = 0;  // rad/s about `pivot`, from `start` for `duration`
+    std::size_t block;                  // a fixed one
+    std::vector<TimedVector> velocity;  // m/s, of the centroid, section axes; zero before the first, the last one kept
+    double angular_velocity = 0;        // rad/s about `pivot`, from `start` for `duration`
     PlanePoint<> pivot = {0, 0};
     double start = 0;
     double duration = 0;

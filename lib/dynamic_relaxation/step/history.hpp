@@ -50,7 +50,7 @@ struct MonitoredBlock {
     double angular_velocity = 0;
 };
 
-// Sum over the corners between two blocks, on the first of them, in the initial geometry; spring forces without
+// Sum over the corners between two blocks, on the first of them, in section axes; spring forces without
 // dashpots.
 struct MonitoredContact {
     double horizontal = 0;  // N/m

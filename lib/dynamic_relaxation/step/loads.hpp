@@ -12,7 +12,7 @@ namespace delabole {
 
 double tilt_at(const Gravity& gravity, double time);           // rad
 PlanePoint<> gravity_at(const Gravity& gravity, double time);  // m/s2
-// Of the ground, in the initial geometry, m/s2.
+// The acceleration of the ground, in section axes, m/s2.
 PlanePoint<> shaking_at(const RelaxationScene& scene, double time);
 
 struct FaceForce {

@@ -42,7 +42,7 @@ struct EnergyLedger {
 // Of two free blocks that were neighbours in the initial geometry.
 struct FirstCrack {
     double time = 0;  // s
-    double tilt = 0;  // rad, of gravity in the initial geometry and of the first moved base together
+    double tilt = 0;  // rad, of gravity in the section and of the first moved base together
     std::uint64_t block = 0;
     std::uint64_t other = 0;
 };

@@ -11,7 +11,7 @@
 // line between them, as the level of 425 ft at Delabole, where the stepped lower surface meets the upper one. A slope
 // that has not failed has its own foot and top for that.
 //
-// Section axes in the initial geometry: x into the slope, y up, metres and radians; a tilt of gravity is not taken out.
+// Section axes: x into the slope, y up, metres and radians; a tilt of gravity is not taken out.
 #pragma once
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
