@@ -47,6 +47,16 @@ struct Samples {
     std::size_t count() const { return planes.front().size(); }
 };
 
+std::vector<std::vector<Orientation>> sampled_sets(const KinematicsStudy& study) {
+    const OrientationSampling sampling = sampling_of(study);
+    std::vector<std::vector<Orientation>> planes;
+    for (const JointSet& set : study.model.joint_set) {
+        planes.push_back(sampled_planes(set, static_cast<std::size_t>(*sampling.sample_count),
+                                        static_cast<std::uint64_t>(*sampling.seed), planes.size()));
+    }
+    return planes;
+}
+
 Samples samples_of(const KinematicsStudy& study) {
     const Kinematics& model = study.model;
     const auto base = [&](const Orientation& plane) {
@@ -186,22 +196,12 @@ KinematicsCheck check_input(const KinematicsStudy& study) {
     return KinematicsCheck::valid;
 }
 
-std::vector<std::vector<Orientation>> sampled_sets(const KinematicsStudy& study) {
-    const OrientationSampling sampling = sampling_of(study);
-    std::vector<std::vector<Orientation>> planes;
-    for (const JointSet& set : study.model.joint_set) {
-        planes.push_back(sampled_planes(set, static_cast<std::size_t>(*sampling.sample_count),
-                                        static_cast<std::uint64_t>(*sampling.seed), planes.size()));
-    }
-    return planes;
-}
-
 KinematicsResult analyse(const KinematicsStudy& study) {
     KinematicsResult result{.check = check_input(study)};
     if (result.check != KinematicsCheck::valid) {
         return result;
     }
-    const Samples samples = samples_of(study);
+    Samples samples = samples_of(study);
     const std::size_t sets = study.model.joint_set.size();
     for (std::size_t set = 0; set < sets; ++set) {
         result.joint_set.push_back(set_feasibility(study.model, samples, set));
@@ -211,6 +211,7 @@ KinematicsResult analyse(const KinematicsStudy& study) {
             result.pair.push_back(pair_feasibility(study.model, samples, first, second));
         }
     }
+    result.sampled = std::move(samples.planes);
     return result;
 }
 

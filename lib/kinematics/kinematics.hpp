@@ -113,6 +113,7 @@ struct KinematicsResult {
     KinematicsCheck check = KinematicsCheck::input_out_of_range;  // the rest is empty unless valid
     std::vector<JointSetFeasibility> joint_set{};                 // in the order of the input
     std::vector<PairFeasibility> pair{};                          // 1-2, 1-3, ... 2-3, ...
+    std::vector<std::vector<Orientation>> sampled{};              // the planes drawn from each set
     static constexpr auto fields() {
         using R = KinematicsResult;
         return std::tuple{section("joint_set", &R::joint_set, "every joint set"),
@@ -124,9 +125,6 @@ KinematicsCheck check_input(const KinematicsStudy& study);
 
 // Time grows with samples times pairs.
 KinematicsResult analyse(const KinematicsStudy& study);
-
-// The planes a study draws from its sets, set by set. The study is valid.
-std::vector<std::vector<Orientation>> sampled_sets(const KinematicsStudy& study);
 
 // Inputs: every number of the model, "joint_set[1].upper_dip". Outputs: every number of KinematicsResult,
 // "joint_set[1].planar_sliding.feasible_share", "pair[2].wedge_sliding.critical_friction_angle".

@@ -211,10 +211,10 @@ Polyline profile_after_failure(const PlaneFailure<>& problem) {
 
 ResolvedStudy resolve(const PlaneFailureStudy<>& study) {
     if (!study.critical) {
-        return {check_ranges(study.model), study.model, false};
+        return {check_ranges(study.model), study.model, false, 0};
     }
     const CriticalGeometry critical = find_critical_geometry(study.model, *study.critical);
-    return {critical.check, critical.problem, critical.at_boundary};
+    return {critical.check, critical.problem, critical.at_boundary, critical.factor_of_safety};
 }
 
 namespace {

@@ -113,7 +113,8 @@ Polyline profile_after_failure(const PlaneFailure<>& problem);
 struct ResolvedStudy {
     PlaneFailureCheck check;
     PlaneFailure<> problem;
-    bool critical_at_boundary;  // the least factor of safety lies at the edge of the searched range
+    bool critical_at_boundary;      // the least factor of safety lies at the edge of the searched range
+    double least_factor_of_safety;  // that, under the condition of the search; 0 without one
 };
 ResolvedStudy resolve(const PlaneFailureStudy<>& study);
 

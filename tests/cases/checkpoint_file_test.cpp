@@ -1,7 +1,7 @@
 // A checkpoint on the disk: taken up again, replaced, and refused by name.
 #include "cases/program/models/relaxation/checkpoint_file.hpp"
 
-#include "dynamic_relaxation/study/study_checkpoint.hpp"
+#include "dynamic_relaxation/checkpoint/study_checkpoint.hpp"
 #include "plots/drawing/atomic_file.hpp"
 #include "tests/plots/scratch_folder.hpp"
 

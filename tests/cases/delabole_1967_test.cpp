@@ -57,11 +57,11 @@ TEST(Delabole1967, FrictionAndWaterAreNotDeterminedSeparately) {
 TEST(Delabole1967, StructuralSlidingNeedsWaterFarAboveTheSeepageLevels) {
     const MechanismFit& fit = mechanism("structural_sliding");
     // A regression of the compromise between data and priors; three digits are what the README shows.
-    EXPECT_NEAR(fit.best[0], degrees(15.44), degrees(0.05));
-    EXPECT_NEAR(fit.best[1], 157.9, 0.1);
+    EXPECT_NEAR(fit.best[0], degrees(11.6), degrees(0.05));
+    EXPECT_NEAR(fit.best[1], 154, 0.5);
     EXPECT_GT(fit.best[1], 475 * foot);  // the upper seepage level
     EXPECT_TRUE(leaves_unexplained(fit, "water.water_elevation"));
-    EXPECT_LT(fit.data_misfit, 1);  // its geometry is the observed one
+    EXPECT_TRUE(leaves_unexplained(fit, "strength.friction_angle"));
 }
 
 TEST(Delabole1967, CriticalSlidingCannotPlaceTheCrack) {
@@ -71,9 +71,9 @@ TEST(Delabole1967, CriticalSlidingCannotPlaceTheCrack) {
     EXPECT_EQ(fit.identifiability.rank, 3);
     EXPECT_EQ(data_alone(fit, "water.water_elevation").determination, Determination::undetermined);
     EXPECT_NE(fit.identifiability.verdict.find("the data alone close no 95 % interval"), std::string::npos);
-    EXPECT_NEAR(fit.best[0], degrees(21.8), degrees(0.1));
-    EXPECT_NEAR(fit.best[1], 139, 0.5);
-    EXPECT_NEAR(fit.best[2], 359e3, 1e3);
+    EXPECT_NEAR(fit.best[0], degrees(23.5), degrees(0.1));
+    EXPECT_NEAR(fit.best[1], 129, 0.5);
+    EXPECT_NEAR(fit.best[2], 276e3, 1e3);
     ASSERT_GE(fit.prediction.profile.size(), 2U);
     const double crack_base = fit.prediction.profile[1].y();  // toe, bottom of the crack, ...
     EXPECT_LT(crack_base, 75 * foot - 4);
@@ -100,14 +100,14 @@ TEST(Delabole1967, LimitEquilibriumPredictsOneCrackAtTheCrestAndNoMore) {
 TEST(Delabole1967, TopplingRanksFirstAndNeedsNoHighWater) {
     ASSERT_EQ(result_of_1967().mechanisms.size(), 3U);
     EXPECT_EQ(result_of_1967().mechanisms[0].name, "slide_head_toppling");
-    EXPECT_EQ(result_of_1967().mechanisms[1].name, "structural_sliding");
+    EXPECT_EQ(result_of_1967().mechanisms[1].name, "critical_sliding");
     const MechanismFit& fit = mechanism("slide_head_toppling");
     ASSERT_EQ(fit.status, FitStatus::converged);
     EXPECT_FALSE(leaves_unexplained(fit, "water.water_elevation"));
     // Regressions of the compromise between data and priors; three digits are what the README shows.
-    EXPECT_NEAR(fit.best[0], degrees(35.4), degrees(0.1));
-    EXPECT_NEAR(fit.best[1], 137, 0.5);
-    EXPECT_NEAR(fit.best[2], 10.7, 0.05);
+    EXPECT_NEAR(fit.best[0], degrees(29.5), degrees(0.1));
+    EXPECT_NEAR(fit.best[1], 129, 0.5);
+    EXPECT_NEAR(fit.best[2], 11.8, 0.1);
     EXPECT_LT(fit.best[1], 475 * foot);  // the upper seepage level
     EXPECT_LT(fit.identifiability.rank, 4);
     for (const std::string parameter : {"joints.friction_angle", "water.water_elevation", "columns.spacing"}) {
@@ -115,8 +115,8 @@ TEST(Delabole1967, TopplingRanksFirstAndNeedsNoHighWater) {
     }
 }
 
-// What the README says of the probabilities, and that the priors decide it.
-TEST(Delabole1967, TopplingIsFirstByEvidenceUnlessPriorsAreNarrowedOrLowered) {
+// What the README says of the probabilities, and that it does not hang on the widths and means of the priors.
+TEST(Delabole1967, TopplingIsFirstByEvidenceWhateverThePriors) {
     const auto& mechanisms = result_of_1967().mechanisms;
     for (const MechanismFit& fit : mechanisms) {
         ASSERT_TRUE(fit.posterior) << fit.name;
@@ -132,23 +132,16 @@ TEST(Delabole1967, TopplingIsFirstByEvidenceUnlessPriorsAreNarrowedOrLowered) {
                                  fit.posterior->evidence().standard_error});
         }
         // Three standard errors of the computation. No mechanism has more of the field evidence than another.
-        EXPECT_NEAR(weigh(evidences)[0].probability, 0.832, 0.003) << field;
+        EXPECT_NEAR(weigh(evidences)[0].probability, 0.909, 0.003) << field;
     }
     for (std::size_t index = 0; index < mechanisms[0].posterior->evidences.size(); ++index) {
-        const EvidenceVariant variant = mechanisms[0].posterior->evidences[index].variant;
         const auto log_evidence = [&](std::size_t mechanism) {
             const MechanismPosterior& posterior = *mechanisms[mechanism].posterior;
             return posterior.log_evidence(posterior.evidences[index].evidence, true);
         };
         const double lead = log_evidence(0) - std::max(log_evidence(1), log_evidence(2));
         // Errors of the evidences are below 0.05.
-        if (variant == EvidenceVariant::priors_halved || variant == EvidenceVariant::prior_means_lower) {
-            EXPECT_LT(lead, -0.5) << word_of(variant);
-        } else if (variant == EvidenceVariant::priors_flat) {
-            EXPECT_NEAR(lead, 0, 0.2) << "a tie";
-        } else {
-            EXPECT_GT(lead, 0.3) << word_of(variant);
-        }
+        EXPECT_GT(lead, 0.3) << word_of(mechanisms[0].posterior->evidences[index].variant);
     }
 }
 
@@ -162,9 +155,9 @@ TEST(Delabole1967, TheConclusionsOfTheThesisAsFarAsLimitEquilibriumHasASay) {
         EXPECT_NE(found, conclusions.end()) << label;
         return findings[static_cast<std::size_t>(found - conclusions.begin())];
     };
-    // Toppling has less than the probability asked for, and less than half of what moves topples at more than half of
-    // the draws; but the wedge drives.
-    EXPECT_EQ(finding("(i)").verdict, ConclusionVerdict::partly);
+    // Toppling has the probability asked for, and the wedge drives; but the share of what moves that topples is more
+    // than half at some draws and less at others.
+    EXPECT_EQ(finding("(i)").verdict, ConclusionVerdict::undecided);
     EXPECT_EQ(finding("(ii)").verdict, ConclusionVerdict::not_tested);
     EXPECT_EQ(finding("(vi)").verdict, ConclusionVerdict::not_tested);
     const std::vector<TestFinding> water = finding("(iv)").tests;

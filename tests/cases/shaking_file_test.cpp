@@ -2,7 +2,7 @@
 #include "cases/program/models/relaxation/shaking_file.hpp"
 
 #include "cases/program/case/case_writer.hpp"
-#include "dynamic_relaxation/study/study_checkpoint.hpp"
+#include "dynamic_relaxation/checkpoint/study_checkpoint.hpp"
 #include "tests/plots/scratch_folder.hpp"
 
 #include "example_case.hpp"

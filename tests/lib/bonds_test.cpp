@@ -1,7 +1,7 @@
 // Bonds are elastic, objective and honest in their books, make beams of rows of blocks, and break where beams crack.
 #include "dynamic_relaxation/contact/bonds.hpp"
+#include "dynamic_relaxation/checkpoint/checkpoint.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
-#include "dynamic_relaxation/study/checkpoint.hpp"
 #include "relaxation_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 #include "dynamic_relaxation/contact/contact_watch.hpp"
 
 #include "dynamic_relaxation/blocks/neighbours.hpp"
+#include "dynamic_relaxation/checkpoint/checkpoint.hpp"
 #include "dynamic_relaxation/contact/contact_law.hpp"
-#include "dynamic_relaxation/study/checkpoint.hpp"
 #include "relaxation_scenes.hpp"
 
 #include <gtest/gtest.h>

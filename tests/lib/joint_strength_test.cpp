@@ -1,8 +1,8 @@
 // Cohesion and tensile strength of joints without rock across them: spread over the face, not at its two corners.
 #include "relaxation_scenes.hpp"
 
+#include "dynamic_relaxation/checkpoint/checkpoint.hpp"
 #include "dynamic_relaxation/contact/bonds.hpp"
-#include "dynamic_relaxation/study/checkpoint.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include "tests/support/jointed_slopes.hpp"

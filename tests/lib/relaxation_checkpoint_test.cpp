@@ -1,7 +1,7 @@
 // A run goes on from a checkpoint to the last bit, and nothing else passes for one.
+#include "dynamic_relaxation/checkpoint/checkpoint.hpp"
 #include "dynamic_relaxation/scene/scenes.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
-#include "dynamic_relaxation/study/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Dynamic relaxation against equations of motion, limit equilibrium, and the balances of energy and momentum.
+#include "dynamic_relaxation/checkpoint/checkpoint.hpp"
 #include "dynamic_relaxation/scene/scenes.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
-#include "dynamic_relaxation/study/checkpoint.hpp"
 #include "parameters/fields.hpp"
 #include "relaxation_scenes.hpp"
 #include "tests/support/brick_pack.hpp"

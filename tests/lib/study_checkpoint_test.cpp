@@ -1,5 +1,5 @@
 // A study stopped anywhere, in its run or in its search, ends with the same answers to the last bit.
-#include "dynamic_relaxation/study/study_checkpoint.hpp"
+#include "dynamic_relaxation/checkpoint/study_checkpoint.hpp"
 
 #include <gtest/gtest.h>
 

@@ -37,7 +37,7 @@ declare -A only_file=([glpk.h]=lib/limit_equilibrium/bound/lp_bound.cpp [klu.h]=
 # has no other folders, and no sources beside them.
 declare -A sub_rooms=(
     [lib/limit_equilibrium]='columns bound block_row stepped_base'
-    [lib/dynamic_relaxation]='wide scene blocks contact statics step study'
+    [lib/dynamic_relaxation]='wide scene blocks contact statics step study checkpoint'
     [fitting]='work probability search posterior mechanism back_analysis studies sensitivity'
     [plots]='drawing figures report'
     [cases/program]='reader case terminal results reports models thesis commands'

@@ -20,7 +20,7 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 74> examples{{
+constexpr std::array<ExampleNumber, 75> examples{{
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -60,6 +60,7 @@ constexpr std::array<ExampleNumber, 74> examples{{
     {"block", 2.0},
     {"other", 1.0},
     {"fixed_block", 3.0},
+    {"runs", 8.0},
     {"height", 2.0},
     {"depth_behind", 2.0},
     {"depth_in_front", 0.5},

@@ -83,7 +83,7 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     ResultFolder folder(options, stem_of(file), OnInterrupt::stop);
     const std::filesystem::path checkpoint = folder.path() / "relaxation.checkpoint";
     refuse_link(checkpoint);
-    const Analysis analysis = [&] {
+    const CaseAnswer answer = [&] {
         Progress progress(options.quiet);
         AnalysisWork work;
         work.watch = [&](double share, const std::string& what) {
@@ -96,8 +96,9 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
         work.threads = static_cast<unsigned>(options.threads);
         work.checkpoint = checkpoint;
         work.between_checkpoints = std::chrono::duration<double>(options.seconds_between_checkpoints);
-        return analyse_model(file.model, work);
+        return analyse_case(file.model, work);
     }();
+    const Analysis analysis = named_outputs(file.model, answer);
     if (!analysis.failure.empty()) {
         throw CaseError({impossible(file, analysis.failure)});
     }
@@ -124,15 +125,7 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     }
     report.blocks.emplace_back(Heading{"Results"});
     report.blocks.emplace_back(output_table(analysis));
-    std::visit(
-        [&](const auto& parameters) {
-            if constexpr (requires { append_case_figures(parameters, analysis, folder, report); }) {
-                append_case_figures(parameters, analysis, folder, report);
-            } else {
-                append_case_figures(parameters, folder, report);
-            }
-        },
-        file.model);
+    append_case_figures(file.model, answer, folder, report);
     report.blocks.emplace_back(Heading{"Inputs"});
     report.blocks.emplace_back(inputs_table(file));
     report.blocks.emplace_back(Heading{"Provenance"});

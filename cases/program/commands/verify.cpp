@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <optional>
+#include <map>
+#include <tuple>
+#include <vector>
 
 namespace delabole {
 
@@ -151,14 +153,17 @@ ExitCode verify_command(const Paths& cases, const Options& options) {
             continue;
         }
         rows.push_back({path.string()});
-        std::optional<Analysis> at_base;
+        const auto in_order = [](const std::vector<Condition>& first, const std::vector<Condition>& second) {
+            const auto key = [](const Condition& condition) { return std::tie(condition.input, condition.value); };
+            return std::ranges::lexicographical_compare(first, second, {}, key, key);
+        };
+        std::map<std::vector<Condition>, Analysis, decltype(in_order)> analyses(in_order);
         for (const Expectation& expected : file.expectations) {
-            if (expected.conditions.empty() && !at_base) {
-                at_base = analysis_of(file, {});
+            const auto [found, is_new] = analyses.try_emplace(expected.conditions);
+            if (is_new) {
+                found->second = analysis_of(file, expected.conditions);
             }
-            const Comparison row = expected.conditions.empty()
-                                       ? compare(file, expected, *at_base)
-                                       : compare(file, expected, analysis_of(file, expected.conditions));
+            const Comparison row = compare(file, expected, found->second);
             if (interrupt_flag()) {
                 std::cerr << "delabole: interrupted in " << path.string() << '\n';
                 return ExitCode::not_converged;

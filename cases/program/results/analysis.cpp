@@ -2,16 +2,20 @@
 
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
-#include "kinematics/kinematics.hpp"
-#include "limit_equilibrium/block_row/block_row.hpp"
-#include "limit_equilibrium/stepped_base/stepped_base_study.hpp"
-#include "plane_failure/plane_failure.hpp"
-#include "water/column_tilt.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
 namespace delabole {
+
+namespace {
+
+template <class Study>
+const AnswerTo<Study>& own_answer(const Study&, const CaseAnswer& answer) {
+    return std::get<AnswerTo<Study>>(answer);
+}
+
+}  // namespace
 
 const NamedOutput* Analysis::find(std::string_view name) const {
     const auto found =
@@ -83,16 +87,21 @@ ModelInterface interface_of(const CaseModel& model) {
     return std::visit([](const auto& parameters) { return model_interface(parameters); }, model);
 }
 
+CaseAnswer analyse_case(const CaseModel& model, const AnalysisWork& work) {
+    return std::visit([&](const auto& study) -> CaseAnswer { return analyse_case(study, work); }, model);
+}
+
+Analysis named_outputs(const CaseModel& model, const CaseAnswer& answer) {
+    return std::visit([&](const auto& study) { return named_outputs(study, own_answer(study, answer)); }, model);
+}
+
+void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report) {
+    std::visit([&](const auto& study) { append_case_figures(study, own_answer(study, answer), folder, report); },
+               model);
+}
+
 Analysis analyse_model(const CaseModel& model, const AnalysisWork& work) {
-    return std::visit(
-        [&](const auto& parameters) {
-            if constexpr (requires { analyse_case(parameters, work); }) {
-                return analyse_case(parameters, work);
-            } else {
-                return analyse_case(parameters);
-            }
-        },
-        model);
+    return named_outputs(model, analyse_case(model, work));
 }
 
 std::string failure_of(const CaseModel& model) {
@@ -101,7 +110,7 @@ std::string failure_of(const CaseModel& model) {
             if constexpr (requires { failure_without_run(parameters); }) {
                 return failure_without_run(parameters);
             } else {
-                return analyse_case(parameters).failure;
+                return named_outputs(parameters, analyse_case(parameters)).failure;
             }
         },
         model);

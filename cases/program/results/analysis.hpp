@@ -1,11 +1,11 @@
-// One case analysed: every model behind the same few functions, so that run, verify and the loops need not know which.
+// One case analysed, in names and numbers: every model behind the same few functions, so that verify and the loops need
+// not know which. The model's own answer, which its figures take too, is in model_reports.hpp.
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
 #include "numerics/required_value.hpp"
 #include "parameters/model_interface.hpp"
 
-#include <any>
 #include <chrono>
 #include <concepts>
 #include <cstddef>
@@ -36,7 +36,6 @@ struct Analysis {
     std::vector<std::string> warnings;
     std::string status = "ok";  // otherwise the word for what ended the work before it had a final answer,
     std::string unfinished;     // and why, in words
-    std::any drawn_from;        // what the model's figures are made of, where making it again would take long
 
     const NamedOutput* find(std::string_view name) const;
 };

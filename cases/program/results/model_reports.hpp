@@ -1,40 +1,77 @@
-// What the program needs of each model beyond its table of fields: its answers, its figures, and words for what is
-// impossible. Each model has these functions in its own models/<model>/report.cpp.
+// What the program needs of each model beyond its table of fields: its answer, names and figures for that, and words
+// for what is impossible. Each model has these functions in its own models/<model>/report.cpp.
 #pragma once
 
 #include "cases/program/results/analysis.hpp"
+#include "cases/program/results/plane_failure_answer.hpp"
+#include "cases/program/results/relaxation_answer.hpp"
 #include "cases/program/results/result_folder.hpp"
+#include "cases/program/results/stepped_base_answer.hpp"
 #include "fitting/mechanism/fit_result.hpp"
+#include "kinematics/kinematics.hpp"
+#include "limit_equilibrium/block_row/block_row.hpp"
+#include "water/column_tilt.hpp"
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace delabole {
 
-// Answers, warnings, or the name of the check that failed.
-Analysis analyse_case(const PlaneFailureStudy<>& study);
-Analysis analyse_case(const SteppedBaseStudy<>& study);
-Analysis analyse_case(const SingleBlock<>& problem);
-Analysis analyse_case(const BlockRow<>& row);
-Analysis analyse_case(const TiltedColumn<>& column);
-Analysis analyse_case(const KinematicsStudy& study);
-Analysis analyse_case(const FlexuralSlope& slope);
-// The one model whose analysis takes long: it reports how far it has come, and can be ended and gone on with.
-Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work);
+// All that is computed of a case, once; its check says whether there is an answer. Only relaxation takes long: it alone
+// heeds `work`, reports how far it has come, and can be ended and gone on with.
+PlaneFailureAnswer analyse_case(const PlaneFailureStudy<>& study, const AnalysisWork& work = {});
+SteppedBaseAnswer analyse_case(const SteppedBaseStudy<>& study, const AnalysisWork& work = {});
+SingleBlockResult analyse_case(const SingleBlock<>& problem, const AnalysisWork& work = {});
+BlockRowResult analyse_case(const BlockRow<>& row, const AnalysisWork& work = {});
+ColumnTilt analyse_case(const TiltedColumn<>& column, const AnalysisWork& work = {});
+KinematicsResult analyse_case(const KinematicsStudy& study, const AnalysisWork& work = {});
+FlexuralStability analyse_case(const FlexuralSlope& slope, const AnalysisWork& work = {});
+RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisWork& work = {});
 // Its failure alone, without the run.
 std::string failure_without_run(const RelaxationStudy& study);
 
-// Figures and tables that only this model has, in the report of `delabole run`. Called after analyse_case gave answers.
-void append_case_figures(const PlaneFailureStudy<>& study, const ResultFolder& folder, Report& report);
-void append_case_figures(const SteppedBaseStudy<>& study, const ResultFolder& folder, Report& report);
-void append_case_figures(const SingleBlock<>& problem, const ResultFolder& folder, Report& report);
-void append_case_figures(const BlockRow<>& row, const ResultFolder& folder, Report& report);
-void append_case_figures(const TiltedColumn<>& column, const ResultFolder& folder, Report& report);
-void append_case_figures(const KinematicsStudy& study, const ResultFolder& folder, Report& report);
-void append_case_figures(const FlexuralSlope& slope, const ResultFolder& folder, Report& report);
-void append_case_figures(const RelaxationStudy& study, const Analysis& analysis, const ResultFolder& folder,
+// The answer in names, numbers and warnings, or the name of the check that failed.
+Analysis named_outputs(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer);
+Analysis named_outputs(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer);
+Analysis named_outputs(const SingleBlock<>& problem, const SingleBlockResult& result);
+Analysis named_outputs(const BlockRow<>& row, const BlockRowResult& result);
+Analysis named_outputs(const TiltedColumn<>& column, const ColumnTilt& tilt);
+Analysis named_outputs(const KinematicsStudy& study, const KinematicsResult& result);
+Analysis named_outputs(const FlexuralSlope& slope, const FlexuralStability& result);
+Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer& answer);
+
+// Figures and tables that only this model has, in the report of `delabole run`. The answer's check is valid.
+void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer, const ResultFolder& folder,
                          Report& report);
+void append_case_figures(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer, const ResultFolder& folder,
+                         Report& report);
+void append_case_figures(const SingleBlock<>& problem, const SingleBlockResult& result, const ResultFolder& folder,
+                         Report& report);
+void append_case_figures(const BlockRow<>& row, const BlockRowResult& result, const ResultFolder& folder,
+                         Report& report);
+void append_case_figures(const TiltedColumn<>& column, const ColumnTilt& tilt, const ResultFolder& folder,
+                         Report& report);
+void append_case_figures(const KinematicsStudy& study, const KinematicsResult& result, const ResultFolder& folder,
+                         Report& report);
+void append_case_figures(const FlexuralSlope& slope, const FlexuralStability& result, const ResultFolder& folder,
+                         Report& report);
+void append_case_figures(const RelaxationStudy& study, const RelaxationStudyAnswer& answer, const ResultFolder& folder,
+                         Report& report);
+
+template <class Study>
+using AnswerTo = decltype(analyse_case(std::declval<const Study&>()));
+
+template <class... Studies>
+std::variant<AnswerTo<Studies>...> answers_to(const std::variant<Studies...>& model);
+
+// The answer of whatever model the case has, and the functions above for it.
+using CaseAnswer = decltype(answers_to(std::declval<const CaseModel&>()));
+CaseAnswer analyse_case(const CaseModel& model, const AnalysisWork& work = {});
+Analysis named_outputs(const CaseModel& model, const CaseAnswer& answer);
+void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report);
 
 // The same in the report of `delabole fit`, for a mechanism at its best point.
 void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,

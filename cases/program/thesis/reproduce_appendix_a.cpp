@@ -175,9 +175,9 @@ Reproduction reproduce_limiting_friction(const ResultFolder& folder, Report& rep
                   "from the top and takes the greater of what each column needs. In limiting equilibrium both are the "
                   "same set of forces. The program presumes where the tension crack is (the first column behind the "
                   "crest that would not topple by itself); going down, the crack is found."});
-    report.blocks.emplace_back(
-        folder.draw(block_figure(column_drawing(problem, columns, 1, "Appendix A in limiting equilibrium, 41.14 deg")),
-                    "appendix_a_section", "Modes and forces, to be compared with the thesis's Figs 4.11 and 5.17."));
+    report.blocks.emplace_back(folder.draw(
+        block_figure(column_drawing(problem, slope, columns, 1, "Appendix A in limiting equilibrium, 41.14 deg")),
+        "appendix_a_section", "Modes and forces, to be compared with the thesis's Figs 4.11 and 5.17."));
     report.blocks.emplace_back(
         folder.draw(force_along_slope_figure(force_along_columns(columns, "Forces between columns, 41.14 deg")),
                     "appendix_a_forces", "Normal force that each column needs from the one below it."));

@@ -126,4 +126,12 @@ inline PlanePoint<> moved_corner(const Bodies& bodies, const std::vector<Motion>
     return bodies.centroid[block] + PlanePoint<>(moved.x, moved.y) + moved.turned(bodies.corner[corner]);
 }
 
+// In the scene's materials: of two edges that lie on each other, the joint with less friction decides.
+inline std::size_t weaker_joint(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,
+                                std::size_t other_edge) {
+    const std::size_t one = bodies.material[edge];
+    const std::size_t two = bodies.material[other_edge];
+    return scene.material[one].friction_angle < scene.material[two].friction_angle ? one : two;
+}
+
 }  // namespace delabole

@@ -34,9 +34,7 @@ FaceStiffness greater_of(const FaceStiffness& one, const FaceStiffness& other) {
 }
 
 const JointMaterial& joint_of(const RelaxationScene& scene, const Bodies& bodies, const SharedFace& face) {
-    const JointMaterial& one = scene.material[bodies.material[face.edge]];
-    const JointMaterial& two = scene.material[bodies.material[face.other_edge]];
-    return one.friction_angle < two.friction_angle ? one : two;
+    return scene.material[weaker_joint(scene, bodies, face.edge, face.other_edge)];
 }
 
 Bond make_bond(const SharedFace& face, const BondMaterial& material, const JointMaterial& joint, const Bodies& bodies,
@@ -363,8 +361,7 @@ double hand_over_joint(const Bond& bond, BondState state, const Bodies& bodies, 
         memory.touching = place.gap < 0 || keeps_cohesion;
         memory.place = place.slide;
         const double pressing = law.normal_stiffness * std::max(-place.gap, 0.0);
-        const double most = memory.broken ? pressing * law.residual_friction + law.residual_cohesion
-                                          : pressing * law.friction + law.cohesion;
+        const double most = shear_strength(law, pressing, memory.broken);
         memory.shear =
             memory.touching ? std::clamp(place.slide, -most / law.shear_stiffness, most / law.shear_stiffness) : 0;
         held += elastic_energy(law, contact, memory, motion[contact.block], motion[contact.other]);
@@ -432,7 +429,7 @@ double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const 
         memory.place = place.slide;
         if (memory.touching) {
             const double share = shear * pressing[taker.end] / (pressing[0] + pressing[1]) / weights[taker.end];
-            const double most = force * law.residual_friction + law.residual_cohesion;
+            const double most = shear_strength(law, force, true);
             // Both ways of naming the pair reverse edge and force: the sign is the same.
             memory.shear = -std::clamp(share, -most, most) / law.shear_stiffness;
             held += elastic_energy(law, contact, memory, motion[contact.block], motion[contact.other]);

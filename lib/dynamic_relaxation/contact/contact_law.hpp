@@ -10,6 +10,7 @@
 // enters the memory of the shear spring, as it did in the thesis's program.
 #pragma once
 
+#include "dynamic_relaxation/contact/contact_transition.hpp"
 #include "dynamic_relaxation/contact/contacts.hpp"
 #include "dynamic_relaxation/wide/lanes.hpp"
 
@@ -167,9 +168,9 @@ DELABOLE_INLINED ForceOnCornerOf<Number> bear(const JointLawOf<Number>& law, con
     const Number normal = law.normal_stiffness * overlap;
     const Number pressing = greater(normal, Number{});
     const Number residual = pressing * law.residual_friction + residual_cohesion;
-    const Number strength = select(memory.broken, residual, pressing * law.friction + law.cohesion);
+    const Number strength = shear_strength<Number>(law, residual_cohesion, pressing, memory.broken);
     const Number held_by_spring = -law.shear_stiffness * memory.shear;
-    memory.sliding = absolute(held_by_spring) > strength;
+    memory.sliding = slips(held_by_spring, strength);
     const Number held_with_dashpot = law.shear_dashpot * velocity.shearing;
     Number shear = held_by_spring - held_with_dashpot;
     Number shear_drag = -weight * held_with_dashpot;
@@ -207,11 +208,17 @@ DELABOLE_INLINED Number damping_until_now(const ContactNumbersOf<Number>& memory
 }
 
 // A corner that leaves its edge. What the springs held is lost: of the shear spring much, where friction is great.
-DELABOLE_INLINED void let_go(const JointLaw& law, double weight, double damping, ContactNumbersOf<double>& memory) {
+// `beneath`: it has left over the edge's end.
+DELABOLE_INLINED void let_go(const JointLaw& law, double weight, double damping, bool beneath,
+                             ContactMemoryOf<double>& memory) {
     memory.friction += weight * law.shear_stiffness * memory.shear * memory.shear / 2;
     memory.shear = 0;
     memory.damping = damping;
     memory.normal_drag = memory.shear_drag = 0;
+    memory.touching = memory.sliding = memory.yields = false;
+    memory.insists = memory.insists && weight > 0;
+    memory.broken = true;
+    memory.beneath = beneath;
 }
 
 // A twin that touches, as a contact finds it that begins to.
@@ -234,31 +241,28 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
                                                double& open_by) {
     const ContactPosition at = locate(contact, block, other);
     const double overlap = -at.gap;
+    const bool apart = overlap <= 0;
+    if (!memory.touching && apart) {
+        memory.beneath = false;
+        open_by = at.gap;
+        return {};
+    }
+    if (!holds_of_one(over_edge({.touching = memory.touching,
+                                 .beneath = memory.beneath,
+                                 .yields = memory.yields,
+                                 .apart = apart,
+                                 .handed_over = twin && twin_hands_over(overlap, twin->overlap),
+                                 .taken_over = memory.yields && takes_over(law, contact, at)}))) {
+        return {};
+    }
     if (!memory.touching) {
-        if (overlap <= 0) {
-            memory.beneath = false;
-            open_by = at.gap;
-            return {};
-        }
-        if (memory.yields ? !takes_over(law, contact, at)
-                          : memory.beneath && !(twin && twin_hands_over(overlap, twin->overlap))) {
-            return {};
-        }
         memory.beneath = memory.yields = false;
     }
     const ContactVelocity<double> velocity = velocity_of<double>(at, block, other);
     const double damping = damping_until_now<double>(memory, velocity, step / 2);
-    const bool bonded = law.tension > 0 && !memory.broken;
     const double weight = contact_weight(law, contact, at, memory.insists);
-    const auto open = [&] {
-        let_go(law, weight, damping, memory);
-        memory.touching = memory.sliding = false;
-        memory.insists = memory.insists && weight > 0;
-        memory.broken = true;
-    };
-    if (weight == 0 || (overlap <= 0 && !bonded)) {
-        open();
-        memory.beneath = overlap > 0 && law.rival == 0;
+    if (!holds_of_one(bearing_of(1, apart, law.tension > 0 && !memory.broken, weight == 0))) {
+        let_go(law, weight, damping, !apart && law.rival == 0, memory);
         return {};
     }
     const double force_before = law.shear_stiffness * std::abs(memory.shear);
@@ -272,7 +276,7 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
     if (normal < -law.tension) {
         memory.place = at.slide;
         memory.friction += weight * normal * overlap / 2;
-        open();
+        let_go(law, weight, damping, false, memory);
         return {};
     }
     return bear<double>(law, law.residual_cohesion, at, velocity, weight, force_before, damping, step / 2, memory);

@@ -144,6 +144,16 @@ DELABOLE_INLINED RelaxationContact contact_of(const ContactSweep& sweep, std::si
             taken_from(sweep.shape[index / packed_size], index % packed_size)};
 }
 
+DELABOLE_INLINED ContactMemoryOf<double> memory_of(const ContactSweep& sweep, std::size_t index) {
+    return {taken_from(sweep.numbers[index / packed_size], index % packed_size),
+            taken_from(sweep.flags[index / packed_size], index % packed_size)};
+}
+
+DELABOLE_INLINED void keep_memory(const ContactSweep& sweep, std::size_t index, const ContactMemoryOf<double>& memory) {
+    put_into<ContactNumbersOf>(sweep.numbers[index / packed_size], index % packed_size, memory);
+    put_into<ContactFlagsOf>(sweep.flags[index / packed_size], index % packed_size, memory);
+}
+
 // As advance_contact leaves a contact that does not touch yet.
 DELABOLE_INLINED void stay_open(const ContactSweep& sweep, std::size_t index, double gap) {
     sweep.force[index] = {};
@@ -152,48 +162,37 @@ DELABOLE_INLINED void stay_open(const ContactSweep& sweep, std::size_t index, do
 
 // As advance_contact leaves a contact that opens.
 void open_up(const ContactSweep& sweep, std::size_t index, double weight, double damping, bool beneath) {
-    const std::size_t place = index % packed_size;
-    ContactNumbersOf<NumberGroup>& numbers = sweep.numbers[index / packed_size];
-    ContactFlagsOf<FlagGroup>& flags = sweep.flags[index / packed_size];
-    ContactNumbersOf<double> kept = taken_from(numbers, place);
-    let_go(sweep.joint[sweep.contact[index].joint], weight, damping, kept);
-    put_into<ContactNumbersOf>(numbers, place, kept);
-    put_into<ContactFlagsOf>(
-        flags, place, {false, false, true, beneath, false, flags.insists[place] && weight > 0, flags.tried[place]});
+    ContactMemoryOf<double> memory = memory_of(sweep, index);
+    let_go(sweep.joint[sweep.contact[index].joint], weight, damping, beneath, memory);
+    keep_memory(sweep, index, memory);
     sweep.force[index] = {};
     sweep.open_until[index] = not_open;
 }
 
-// Of contacts that begin to touch. Those in none of these take over what another has, if it then touches.
-struct Beginning {
-    unsigned simply = 0;   // with nothing to take over
-    unsigned not_yet = 0;  // they are beneath their edges, or yield
-    unsigned before = 0;   // they take over what another of the part has before it is evaluated
+// Contacts no longer apart whose twin, if it then touches, decides what they take over.
+struct AfterTwin {
+    unsigned at_once = 0;  // the twin is evaluated after them in the same part
+    unsigned later = 0;    // before them
 };
 
 template <IsLanes Lanes>
-DELABOLE_INLINED Beginning beginning_of(const ContactSweep& sweep, const Part<Lanes>& part, unsigned begins,
-                                        unsigned yields) {
-    Beginning beginning;
-    const unsigned beneath = part.of(part.flags.beneath);
-    beginning.not_yet = begins & yields;
-    for (unsigned left = begins & ~beginning.not_yet; left != 0; left &= left - 1) {
+DELABOLE_INLINED AfterTwin after_twin(const ContactSweep& sweep, const Part<Lanes>& part, unsigned meeting) {
+    AfterTwin after;
+    for (unsigned left = meeting; left != 0; left &= left - 1) {
         const unsigned lane = left & -left;
         const std::uint32_t twin = part.contact[std::countr_zero(left)].twin;
-        if (twin != no_twin) {
-            const unsigned of_twin = twin - part.first < lane_count<Lanes> ? 1U << (twin - part.first) : 0;
-            const bool touching = touches(sweep, twin);
-            if (touching && of_twin > lane) {
-                beginning.before |= lane;
-                continue;
-            }
-            if (touching || ((begins & of_twin) != 0 && of_twin < lane)) {
-                continue;
-            }
+        if (twin == no_twin) {
+            continue;
         }
-        ((beneath & lane) != 0 ? beginning.not_yet : beginning.simply) |= lane;
+        const unsigned of_twin = twin - part.first < lane_count<Lanes> ? 1U << (twin - part.first) : 0;
+        const bool touching = touches(sweep, twin);
+        if (touching && of_twin > lane) {
+            after.at_once |= lane;
+        } else if (touching || ((meeting & of_twin) != 0 && of_twin < lane)) {
+            after.later |= lane;
+        }
     }
-    return beginning;
+    return after;
 }
 
 // Contacts of a part, all at once except those that take something over or are held by a bond. Returns which are left.
@@ -214,37 +213,47 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     const ContactPositionOf<Lanes> at = locate<Lanes>(shape, block, other);
     meanwhile();
     const unsigned apart = bits(at.gap >= 0.0);
-    Beginning begins;
-    unsigned take_over = 0;
+    unsigned over = duty.bear;
+    unsigned one_by_one = 0;
     if (duty.may_begin != 0) {
-        const unsigned yields = part.of(part.flags.yields) & duty.may_begin & ~apart;
-        if (yields != 0) {
-            take_over = yields & bits(takes_over<Lanes>(ends_of<Lanes>(sweep, part), shape.to_end, at));
-        }
-        begins = beginning_of<Lanes>(sweep, part, duty.may_begin & ~apart & ~take_over, yields);
+        const unsigned meeting = duty.may_begin & ~apart;
+        const unsigned yields = part.of(part.flags.yields) & meeting;
+        one_by_one = yields == 0 ? 0 : yields & bits(takes_over<Lanes>(ends_of<Lanes>(sweep, part), shape.to_end, at));
+        const AfterTwin after = after_twin<Lanes>(sweep, part, meeting & ~yields);
+        one_by_one |= after.later;
         // Before what they take over changes below.
-        for (unsigned left = begins.before; left != 0; left &= left - 1) {
+        for (unsigned left = after.at_once; left != 0; left &= left - 1) {
             evaluate_contact(sweep, part.first + static_cast<std::size_t>(std::countr_zero(left)));
         }
-        for (unsigned left = (duty.may_begin & apart) | begins.not_yet; left != 0; left &= left - 1) {
+        const unsigned together = duty.may_begin & ~one_by_one & ~after.at_once;
+        const unsigned beneath = part.of(part.flags.beneath);
+        over |= together & over_edge({.touching = 0,
+                                      .beneath = beneath,
+                                      .yields = yields,
+                                      .apart = apart,
+                                      .handed_over = 0,
+                                      .taken_over = 0});
+        for (unsigned left = together & ~over; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             stay_open(sweep, part.first + lane, at.gap[lane]);
         }
-        part.keep(part.of(part.flags.beneath) & ~(duty.may_begin & apart), part.flags.beneath);
+        part.keep(beneath & ~(duty.may_begin & apart), part.flags.beneath);
     }
-    unsigned one_by_one = duty.may_begin & ~apart & ~begins.simply & ~begins.not_yet & ~begins.before;
-    const unsigned acting = duty.bear | begins.simply;
-    if (acting == 0) {
+    if (over == 0) {
         return one_by_one;
     }
+    const unsigned begin = over & ~duty.bear;
     const EdgeEndsOf<Lanes> ends = ends_of<Lanes>(sweep, part);
     const Lanes weight = contact_weight<Lanes>(ends, shape.to_end, at, mask_of<Lanes>(part.of(part.flags.insists)));
-    const unsigned without_weight = bits(weight == 0.0);
-    const unsigned bearing = acting & ~apart & ~without_weight;
-    const unsigned opening = acting & ~bearing;
+    const JointLawOf<Lanes> joint = gather_joint<Lanes>(sweep, part.contact);
+    const unsigned broken = part.of(part.flags.broken);
+    const unsigned pulls = (over & apart) == 0 ? 0 : ~broken & bits(joint.tension > 0.0);
+    const unsigned bear_or_pull = bearing_of(over, apart, pulls, bits(weight == 0.0));
+    const unsigned bearing = bear_or_pull & ~apart;
+    const unsigned opening = over & ~bear_or_pull;
+    one_by_one |= bear_or_pull & apart;
     const ContactVelocity<Lanes> velocity = velocity_of<Lanes>(at, block, other);
     ContactNumbersOf<NumberGroup>& kept = part.numbers;
-    const unsigned broken = part.of(part.flags.broken);
     const ContactMemoryOf<Lanes> before{
         {part.of(kept.shear), part.of(kept.place), part.of(kept.damping), part.of(kept.normal_drag),
          part.of(kept.shear_drag), part.of(kept.slip), part.of(kept.friction)},
@@ -252,11 +261,10 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     ContactMemoryOf<Lanes> memory = before;
     const double half_step = sweep.step / 2;
     const Lanes damping = damping_until_now<Lanes>(memory, velocity, half_step);
-    const JointLawOf<Lanes> joint = gather_joint<Lanes>(sweep, part.contact);
     const Lanes force_before = joint.shear_stiffness * absolute(memory.shear);
     memory.shear += at.slide - memory.place;
-    if (begins.simply != 0) {
-        memory.shear = select(mask_of<Lanes>(begins.simply), Lanes{}, memory.shear);
+    if (begin != 0) {
+        memory.shear = select(mask_of<Lanes>(begin), Lanes{}, memory.shear);
     }
     const ForceOnCornerOf<Lanes> force =
         bear<Lanes>(joint, ends.residual_cohesion, at, velocity, weight, force_before, damping, half_step, memory);
@@ -271,13 +279,13 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     keep(memory.shear_drag, before.shear_drag, kept.shear_drag);
     const unsigned sliding = bits(memory.sliding) & bearing;
     const unsigned slid = part.of(part.flags.sliding);
-    if ((sliding | begins.simply | (slid & bearing)) != 0) {
+    if ((sliding | begin | (slid & bearing)) != 0) {
         keep(memory.slip, before.slip, kept.slip);
         keep(memory.friction, before.friction, kept.friction);
         part.keep(broken | sliding, part.flags.broken);
         part.keep((slid & ~bearing) | sliding, part.flags.sliding);
-        part.keep(part.of(part.flags.touching) | begins.simply, part.flags.touching);
-        for (unsigned left = begins.simply; left != 0; left &= left - 1) {
+        part.keep(part.of(part.flags.touching) | begin, part.flags.touching);
+        for (unsigned left = begin; left != 0; left &= left - 1) {
             sweep.open_until[part.first + static_cast<std::size_t>(std::countr_zero(left))] = not_open;
         }
     }
@@ -294,13 +302,11 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
         }
     }
     if (opening != 0) {
-        const unsigned bonded = opening & ~without_weight & ~broken & bits(joint.tension > 0.0);
-        const unsigned beneath = bits(at.gap < 0.0) & ~bits(ends.rival != 0.0);
-        for (unsigned left = opening & ~bonded; left != 0; left &= left - 1) {
+        const unsigned beneath = ~apart & bits(ends.rival == 0.0);
+        for (unsigned left = opening; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
             open_up(sweep, part.first + lane, weight[lane], damping[lane], (beneath >> lane & 1U) != 0);
         }
-        one_by_one |= bonded;
     }
     return one_by_one;
 }
@@ -455,9 +461,7 @@ ContactSweep sweep_of(const std::vector<Motion>& motion, const std::vector<doubl
 
 void evaluate_contact(const ContactSweep& sweep, std::size_t index) {
     const RelaxationContact contact = contact_of(sweep, index);
-    const std::size_t group = index / packed_size;
-    const std::size_t place = index % packed_size;
-    ContactMemoryOf<double> memory{taken_from(sweep.numbers[group], place), taken_from(sweep.flags[group], place)};
+    ContactMemoryOf<double> memory = memory_of(sweep, index);
     std::optional<TwinThatTouches> twin;
     if (!memory.touching && contact.twin != no_twin && touches(sweep, contact.twin)) {
         const RelaxationContact other = contact_of(sweep, contact.twin);
@@ -468,8 +472,7 @@ void evaluate_contact(const ContactSweep& sweep, std::size_t index) {
     sweep.force[index] =
         advance_contact({sweep.ends[contact.ends], sweep.joint[contact.joint]}, contact, twin,
                         sweep.motion[contact.block], sweep.motion[contact.other], sweep.step, memory, open_by);
-    put_into<ContactNumbersOf>(sweep.numbers[group], place, memory);
-    put_into<ContactFlagsOf>(sweep.flags[group], place, memory);
+    keep_memory(sweep, index, memory);
     note_opening(sweep, index, open_by);
 }
 

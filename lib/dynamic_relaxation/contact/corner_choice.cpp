@@ -30,6 +30,9 @@ PlanePoint<> parting(const RelaxationContact& contact, const ContactPosition& at
     return sense * PlanePoint<>(at.normal_x, at.normal_y);
 }
 
+// What a contact at a corner on a corner does in a trial, if there is one.
+enum class InTrial { no, yields, insists };
+
 class Corners {
   public:
     Corners(const CornerMotion& blocks, ContactList& list)
@@ -67,28 +70,29 @@ class Corners {
             (same ? same_face : other_face).push_back(other);
         }
         for (const std::size_t one : same_face) {
-            set_trial(one, true, false);
+            set_trial(one, InTrial::yields);
         }
         for (const std::size_t one : other_face) {
-            set_trial(one, false, true);
+            set_trial(one, InTrial::insists);
         }
     }
 
-    void set_trial(std::size_t index, bool yields, bool insists) {
+    void set_trial(std::size_t index, InTrial now) {
         const RelaxationContact contact = list_.contact[index];
         const ContactLaw law = law_of(index);
         ContactMemory memory = list_.memory[index];
         const Motion& block = blocks_.motion[contact.block];
         const Motion& other = blocks_.motion[contact.other];
         memory.friction += elastic_energy(law, contact, memory, block, other);
-        memory.tried |= yields;
-        memory.yields = yields;
-        memory.insists = insists;
+        memory.yields = now == InTrial::yields;
+        memory.insists = now == InTrial::insists;
+        memory.tried |= memory.yields;
         memory.shear = memory.normal_drag = memory.shear_drag = 0;
         memory.sliding = false;
         const ContactPosition at = position_of(index);
-        memory.beneath = memory.beneath && !insists;
-        memory.touching = at.gap < 0 && !yields && !memory.beneath && contact_weight(law, contact, at, insists) > 0;
+        memory.beneath = memory.beneath && !memory.insists;
+        memory.touching =
+            at.gap < 0 && !memory.yields && !memory.beneath && contact_weight(law, contact, at, memory.insists) > 0;
         memory.place = at.slide;
         memory.friction -= elastic_energy(law, contact, memory, block, other);
         list_.memory.set(index, memory);
@@ -141,7 +145,7 @@ std::vector<std::uint32_t> end_trial(const CornerMotion& blocks, ContactList& li
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         const ContactMemory memory = list.memory[index];
         if (memory.yields || memory.insists) {
-            corners.set_trial(index, false, false);
+            corners.set_trial(index, InTrial::no);
         }
     }
     return corners.concerned([&](std::uint32_t block) { return blocks.bodies.fixed[block] != 0; });

@@ -320,10 +320,7 @@ ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const 
     law.start_weight = std::max(next, previous) > lean ? 0.5 : -0.5;
     law.end_weight = -std::min(next, previous) > lean ? 0.5 : -0.5;
     law.inverse_blend = 1 / (2 * (blend_way * shortest_));
-    const std::size_t of_face = bodies_.material[block.begin + face];
-    const std::size_t of_edge = bodies_.material[other.begin + edge];
-    const std::size_t weaker =
-        scene_.material[of_face].friction_angle < scene_.material[of_edge].friction_angle ? of_face : of_edge;
+    const std::size_t weaker = weaker_joint(scene_, bodies_, block.begin + face, other.begin + edge);
     const JointMaterial& joint = scene_.material[weaker];
     law.normal_stiffness = joint.normal_stiffness;
     law.shear_stiffness = joint.shear_stiffness;

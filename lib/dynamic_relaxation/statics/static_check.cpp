@@ -39,9 +39,7 @@ StaticCheck check_statics(const Bodies& bodies, const std::vector<char>& held, s
         const double weight = contact_weight(law, contact, at, memory.insists);
         const double pressing = -law.normal_stiffness * at.gap;
         const double along = -law.shear_stiffness * memory.shear;
-        const double friction = memory.broken ? law.residual_friction : law.friction;
-        const double strength =
-            std::max(pressing, 0.0) * friction + (memory.broken ? law.residual_cohesion : law.cohesion);
+        const double strength = shear_strength(law, std::max(pressing, 0.0), memory.broken);
         const double tension = memory.broken ? 0 : law.tension;
         const double share = weight * share_of_lighter(contact.block, contact.other);
         check.beyond_tension = std::max(check.beyond_tension, share * (-pressing - tension));

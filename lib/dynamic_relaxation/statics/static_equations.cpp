@@ -1,6 +1,7 @@
 #include "dynamic_relaxation/statics/static_equations.hpp"
 
 #include "dynamic_relaxation/contact/contact_law.hpp"
+#include "dynamic_relaxation/contact/contact_transition.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,10 +51,18 @@ std::optional<Response> respond(const ContactLaw& law, const RelaxationContact& 
     memory.shear += at.slide - memory.place;
     memory.place = at.slide;
     memory.insists = memory.insists && (weight > 0 || !memory.touching);
-    memory.touching = (overlap > 0 && !memory.beneath && !memory.yields) || bonded;
+    const bool idle = !memory.touching && (memory.beneath || memory.yields);
+    const bool apart = overlap <= 0;
+    const unsigned over = over_edge({.touching = memory.touching,
+                                     .beneath = memory.beneath,
+                                     .yields = memory.yields,
+                                     .apart = apart,
+                                     .handed_over = 0,
+                                     .taken_over = 0});
+    // One without weight goes on touching: it only has no force.
+    memory.touching = holds_of_one(bearing_of(over, apart, bonded, 0));
     memory.sliding = false;
     const bool open = overlap < -hair && !bonded;
-    const bool idle = memory.beneath || memory.yields;
     if (idle || open) {
         memory.shear = 0;
         if (idle || !resists) {
@@ -71,15 +80,15 @@ std::optional<Response> respond(const ContactLaw& law, const RelaxationContact& 
         }
     }
     const double pressing = law.normal_stiffness * std::max(overlap, 0.0);
-    const double friction = memory.broken ? law.residual_friction : law.friction;
-    const double strength = pressing * friction + (memory.broken ? law.residual_cohesion : law.cohesion);
+    const double strength = shear_strength(law, pressing, memory.broken);
     response.stiffness = weight * law.normal_stiffness * normal * normal.transpose();
     const double trial = -law.shear_stiffness * memory.shear;
     const double shear = std::clamp(trial, -strength, strength);
-    memory.sliding = std::abs(trial) > strength;
+    memory.sliding = slips(trial, strength);
     memory.slip += (shear - trial) / law.shear_stiffness;
     memory.shear = -shear / law.shear_stiffness;
     if (memory.sliding) {
+        const double friction = memory.broken ? law.residual_friction : law.friction;
         response.stiffness +=
             weight * law.normal_stiffness * std::copysign(friction, trial) * along * normal.transpose();
     } else {

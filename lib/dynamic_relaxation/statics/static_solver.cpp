@@ -113,7 +113,7 @@ class StaticSolver {
                 continue;
             }
             const double overlap = -locate(contact, motion[contact.block], motion[contact.other]).gap;
-            const double strength = law.normal_stiffness * std::max(overlap, 0.0) * law.friction + law.cohesion;
+            const double strength = shear_strength(law, law.normal_stiffness * std::max(overlap, 0.0), false);
             memory.broken = law.shear_stiffness * std::abs(memory.shear) >= nearly * strength;
             list.memory.set(index, memory);
             any |= memory.broken;

@@ -115,6 +115,9 @@ class Survey {
         return {now.x - start.x, now.y - start.y, now.angle - start.angle};
     }
 
+    bool has_failed(std::size_t block) const { return !slope_.failed.empty() && slope_.failed[block] != 0; }
+    bool is_there(std::size_t block) const { return slope_.removed[block] == 0 && !has_failed(block); }
+
     void weigh_blocks() {
         result_.share.assign(bodies_.size(), 0);
         for (std::size_t block = 0; block < bodies_.size(); ++block) {
@@ -124,7 +127,7 @@ class Survey {
             const CrestMovement moved = movement_of(block);
             const double moved_by =
                 std::hypot(moved.horizontal, moved.vertical, moved.rotation * bodies_.radius[block]);
-            result_.share[block] = share_of(moved_by, moved_limit_);
+            result_.share[block] = has_failed(block) ? 1 : share_of(moved_by, moved_limit_);
             result_.answer.failed_area += result_.share[block] * area_[block];
         }
     }
@@ -276,7 +279,7 @@ class Survey {
             result_.answer.joint.push_back({joint, 0, 0, 0});
         }
         for (const SharedFace& face : find_shared_faces(bodies_)) {
-            if (slope_.removed[face.block] == 0 && slope_.removed[face.other] == 0) {
+            if (is_there(face.block) && is_there(face.other)) {
                 add_face(face);
             }
         }
@@ -318,7 +321,7 @@ class Survey {
 
     void follow_crest_blocks() {
         for (const Station& station : line_) {
-            if (station.x <= result_.crest.x()) {
+            if (station.x <= result_.crest.x() || !is_there(station.top_block)) {
                 continue;
             }
             if (result_.block.empty() || result_.block.back().block != station.top_block) {

@@ -3,7 +3,7 @@
 // A block's movement is m = sqrt(displacement^2 + (rotation times radius)^2) since the start. It counts as failed by
 // the share m^4 / (m^4 + limit^4): half at the limit, a ten-thousandth at a tenth of it. Areas and levels add such
 // shares, so that they change smoothly with the motion and a fit can use them. What is taken away in a stage counts as
-// gone, not as failed.
+// gone, not as failed; what is taken away because it has failed, as wholly failed (retrogression.hpp).
 //
 // The level left standing at x is that of the ground at the start, less the share-weighted height of the blocks on the
 // upright line there. Of an overhang the sum alone is right. The failure's foot and top are where more than a hundredth
@@ -136,6 +136,7 @@ struct MovedSlope {
     const std::vector<Motion>& now;
     const std::vector<char>& removed;        // by stages
     const std::vector<std::string>& joints;  // names, one for each material
+    std::vector<char> failed = {};           // and taken away for it; empty: none
 };
 
 // At least one block must be free. Where stages have taken all away, everything is empty and zero.

@@ -2,6 +2,7 @@
 
 #include "dynamic_relaxation/scene/slope_scene.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
+#include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "dynamic_relaxation/study/study_run.hpp"
 
 #include <algorithm>
@@ -80,19 +81,34 @@ std::string_view failure_of(const RelaxationRun& made) {
     }
 }
 
-// The blocks of a slope have no lasting numbers: another spacing makes others.
+// The blocks of a slope have no lasting numbers: another spacing makes others. Nor have stages.
 RelaxationAnswer without_blocks_of_slope(RelaxationAnswer answer, const RelaxationStudy& study) {
     if (std::holds_alternative<RelaxationSlope>(study.model.scene)) {
         answer.block.clear();
     }
+    if (answer.retrogression) {
+        answer.retrogression->stage.clear();
+    }
     return answer;
 }
 
-Prediction predict(RelaxationStudy study, std::span<const Assignment> assignments) {
-    assign(study.model, assignments);
-    if (!in_range(study.model)) {
-        return {"input_out_of_range", {}, {}};
+// Of a run and a search that have an answer.
+Prediction prediction_of(const RelaxationStudy& study, const RelaxationRun& made,
+                         const std::optional<CriticalAnswer>& critical) {
+    std::vector<double> outputs = output_values(without_blocks_of_slope(answer_of(made), study));
+    if (critical) {
+        outputs.push_back(critical->value());
+        for (const PathValue& other : critical->other) {
+            outputs.push_back(other.value());
+        }
+        if (!critical->other.empty()) {
+            outputs.push_back(critical->spread());
+        }
     }
+    return {{}, std::move(outputs), made.post_failure ? made.post_failure->left_standing : Polyline{}};
+}
+
+Prediction predict(const RelaxationStudy& study) {
     if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
         const SlopeScene made = slope_scene(*slope);
         if (made.check != SlopeCheck::valid) {
@@ -103,21 +119,20 @@ Prediction predict(RelaxationStudy study, std::span<const Assignment> assignment
     if (const std::string_view failure = failure_of(made); !failure.empty()) {
         return {failure, {}, {}};
     }
-    std::vector<double> outputs = output_values(without_blocks_of_slope(answer_of(made), study));
+    std::optional<CriticalAnswer> critical;
     if (study.critical) {
-        const CriticalAnswer critical = find_critical(study);
-        if (critical.worst_status() != CriticalStatus::found) {
-            return {word_of(critical.worst_status()), {}, {}};
-        }
-        outputs.push_back(critical.value());
-        for (const PathValue& other : critical.other) {
-            outputs.push_back(other.value());
-        }
-        if (!critical.other.empty()) {
-            outputs.push_back(critical.spread());
+        critical = find_critical(study);
+        if (critical->worst_status() != CriticalStatus::found) {
+            return {word_of(critical->worst_status()), {}, {}};
         }
     }
-    return {{}, std::move(outputs), made.post_failure ? made.post_failure->left_standing : Polyline{}};
+    return study.ensemble ? prediction_of(run_ensemble(study, made, critical, {}))
+                          : prediction_of(study, made, critical);
+}
+
+Prediction predict(RelaxationStudy study, std::span<const Assignment> assignments) {
+    assign(study.model, assignments);
+    return in_range(study.model) ? predict(study) : Prediction{"input_out_of_range", {}, {}};
 }
 
 RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
@@ -127,6 +142,9 @@ RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
         shape.post_failure.emplace();
         shape.post_failure->joint.resize(slope->joint.size());
         shape.early_failure = shape.post_failure;
+    }
+    if (study.retrogression) {
+        shape.retrogression.emplace();
     }
     return shape;
 }
@@ -176,6 +194,9 @@ SceneFault check(const RelaxationStudy& study) {
 }
 
 RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress) {
+    if (study.retrogression) {
+        return run_in_stages(study, work, progress);
+    }
     RelaxationRun made{relaxation_scene(study), {}, {}, {}};
     made.settings = settings_for(study, work, made.scene);
     made.ends_with_duration = ends_with_duration(study);
@@ -254,6 +275,7 @@ RelaxationAnswer answer_of(const RelaxationResult& result) {
         static_cast<double>(result.cost.contacts_evaluated),
         {},
         {},
+        {},
         {}};
     for (const BlockOutcome& block : result.block) {
         answer.block.push_back({block.movement, block.rotation, block.displacement, block.base_slip});
@@ -267,22 +289,27 @@ RelaxationAnswer answer_of(const RelaxationRun& run) {
         answer.post_failure = run.post_failure->answer;
         answer.early_failure = run.early_failure.value_or(*run.post_failure).answer;
     }
+    if (run.in_stages) {
+        answer.retrogression = answer_of(make_bodies(run.scene), run.stage);
+    }
     return answer;
 }
 
 std::optional<PostFailure> post_failure_of(const RelaxationStudy& study, const RelaxationRun& run,
                                            const std::vector<Motion>& motion, const std::vector<char>& removed) {
-    const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene);
-    if (slope == nullptr || !run.end) {
+    if (!std::holds_alternative<RelaxationSlope>(study.model.scene) || !run.end) {
         return {};
     }
-    std::vector<std::string> joints;
-    for (const SlopeJoint& joint : slope->joint) {
-        joints.push_back(joint.name);
-    }
     const Bodies bodies = make_bodies(run.scene);
-    return post_failure({bodies, run.end->origin, motion, removed, joints},
+    return post_failure({bodies, run.end->origin, motion, removed, joint_names(study.model.scene)},
                         study.post_failure.value_or(PostFailureRequest{}));
+}
+
+EnsemblePrediction run_ensemble(const RelaxationStudy& study, const RelaxationRun& made,
+                                const std::optional<CriticalAnswer>& critical, const RelaxationWatch& watch) {
+    return predict_ensemble(
+        study, prediction_of(study, made, critical), [](const RelaxationStudy& member) { return predict(member); },
+        watch);
 }
 
 std::vector<Quantity> outputs_of_run(const RelaxationStudy& study) {
@@ -290,7 +317,7 @@ std::vector<Quantity> outputs_of_run(const RelaxationStudy& study) {
     if (study.critical) {
         std::ranges::move(outputs_of_search(critical_plan(study)), std::back_inserter(outputs));
     }
-    return outputs;
+    return study.ensemble ? outputs_of_ensemble(outputs) : outputs;
 }
 
 ModelInterface model_interface(const RelaxationStudy& study) {
@@ -301,6 +328,9 @@ ModelInterface model_interface(const RelaxationStudy& study) {
         const CriticalPlan plan = critical_plan(study);
         model.bounds = bounds_of(plan, model.outputs.size());
         std::ranges::move(outputs_of_search(plan), std::back_inserter(model.outputs));
+    }
+    if (study.ensemble) {
+        model.outputs = outputs_of_ensemble(model.outputs);
     }
     model.predict = [study](std::span<const Assignment> assignments) { return predict(study, assignments); };
     model.costly = true;

@@ -7,7 +7,9 @@
 #include "dynamic_relaxation/step/simulation.hpp"
 #include "dynamic_relaxation/study/critical.hpp"
 #include "dynamic_relaxation/study/critical_request.hpp"
+#include "dynamic_relaxation/study/ensemble.hpp"
 #include "dynamic_relaxation/study/post_failure.hpp"
+#include "dynamic_relaxation/study/retrogression.hpp"
 #include "parameters/model_interface.hpp"
 
 #include <array>
@@ -115,6 +117,8 @@ struct RelaxationStudy {
     std::optional<CriticalRequest> critical;
     std::optional<HistoryRequest> history;
     std::optional<PostFailureRequest> post_failure;
+    std::optional<RetrogressionRequest> retrogression;
+    std::optional<EnsembleRequest> ensemble;
 
     static constexpr std::string_view kind = "relaxation";
     static constexpr auto fields() {
@@ -124,7 +128,12 @@ struct RelaxationStudy {
                           section("critical", &S::critical, "value between standing and failing"),
                           section("history", &S::history, "tables over time"),
                           section("post_failure", &S::post_failure,
-                                  "when a block of a jointed slope counts as failed, and a joint as open")};
+                                  "when a block of a jointed slope counts as failed, and a joint as open"),
+                          section("retrogression", &S::retrogression,
+                                  "of a jointed slope: what fails is taken away until the rest stands; absent: the "
+                                  "blocks are followed as they move"),
+                          section("ensemble", &S::ensemble,
+                                  "of a jointed slope: numbers are means over several that differ by chance")};
     }
 };
 
@@ -202,8 +211,9 @@ struct RelaxationAnswer {
     double steps;
     double time_step;
     double contacts_evaluated;
-    std::optional<PostFailureAnswer> post_failure;   // of a jointed slope
-    std::optional<PostFailureAnswer> early_failure;  // likewise
+    std::optional<PostFailureAnswer> post_failure;     // of a jointed slope
+    std::optional<PostFailureAnswer> early_failure;    // likewise
+    std::optional<RetrogressionAnswer> retrogression;  // where it is asked for
     std::vector<BlockAnswer> block;
     static constexpr auto fields() {
         using R = RelaxationAnswer;
@@ -240,6 +250,7 @@ struct RelaxationAnswer {
             section("early_failure", &R::early_failure,
                     "the same while no more than half of that area had failed: crest cracks and movements before the "
                     "crest itself goes"),
+            section("retrogression", &R::retrogression, "masses that failed one after the other"),
             section("block", &R::block, "each block at the end")};
     }
 };
@@ -262,6 +273,7 @@ struct StudyProgress {
     RelaxationHistory history = {};
     MotionRecord record = {};
     MotionRecord slope = {};                  // motion of a jointed slope
+    std::vector<FailureStage> stage = {};     // of retrogression, finished ones; `state` is of the one after them
     std::vector<SearchProgress> search = {};  // on the paths of the plan, as far as they were begun
 };
 
@@ -288,8 +300,10 @@ struct RelaxationRun {
     // The last of some dozens of moments spread evenly over the run at which no more than half of the area that has
     // failed in the end had.
     std::optional<PostFailure> early_failure{};
-    double early_time = 0;            // s
-    bool ends_with_duration = false;  // what has not been decided by then was not to be
+    double early_time = 0;              // s
+    bool ends_with_duration = false;    // what has not been decided by then was not to be
+    bool in_stages = false;             // by retrogression
+    std::vector<FailureStage> stage{};  // of it, those that failed; `end` and `result` are then of the run after them
 
     // Out of time or steps before the end that was asked for.
     bool unfinished() const {
@@ -348,10 +362,15 @@ std::vector<Quantity> outputs_of_run(const RelaxationStudy& study);
 // the others ("factor_of_safety_gravity") and the spread ("factor_of_safety_spread").
 std::vector<Quantity> outputs_of_search(const CriticalPlan& plan);
 
+// The ensemble of the study, which must have one, of whose first member the run and the search have been made; they
+// must have an answer. `watch` is told the share done.
+EnsemblePrediction run_ensemble(const RelaxationStudy& study, const RelaxationRun& made,
+                                const std::optional<CriticalAnswer>& critical, const RelaxationWatch& watch);
+
 // Inputs: every number of the study's model. Outputs: every number of RelaxationAnswer and, where it is asked for, what
 // the search adds; of a jointed slope the ground left standing is the predicted profile. A run that was stopped, or
 // stayed undecided though it was to find equilibrium, is a failed prediction under the name of its outcome; so is a
-// critical value that was not found, under that of its status.
+// critical value that was not found, under that of its status. With an ensemble as outputs_of_ensemble says.
 ModelInterface model_interface(const RelaxationStudy& study);
 
 }  // namespace delabole

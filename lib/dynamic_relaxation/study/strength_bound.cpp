@@ -24,11 +24,9 @@ struct FaceStrength {
     double tensile_strength;
 };
 
-// The weaker joint of two faces decides, as in motion. Rock across it adds to its strength no more than it has itself.
+// Rock across a joint adds to its strength no more than it has itself.
 FaceStrength strength_of(const RelaxationScene& scene, const Bodies& bodies, const SharedFace& face) {
-    const JointMaterial& one = scene.material[bodies.material[face.edge]];
-    const JointMaterial& two = scene.material[bodies.material[face.other_edge]];
-    const JointMaterial& joint = one.friction_angle < two.friction_angle ? one : two;
+    const JointMaterial& joint = scene.material[weaker_joint(scene, bodies, face.edge, face.other_edge)];
     FaceStrength strength{joint.friction_angle, joint.cohesion, joint.tensile_strength};
     for (const FaceBond& bond : scene.bond) {
         const bool here = bond.block == face.block && bond.other == face.other;

@@ -182,9 +182,12 @@ std::string mode_in_words(const std::string& roles) {
 
 }  // namespace
 
-Analysis analyse_case(const BlockRow<>& row) {
+BlockRowResult analyse_case(const BlockRow<>& row, const AnalysisWork&) {
+    return analyse(row);
+}
+
+Analysis named_outputs(const BlockRow<>& row, const BlockRowResult& result) {
     Analysis analysis;
-    const BlockRowResult result = analyse(row);
     if (result.check != BlockRowCheck::valid) {
         analysis.failure = word_of(result.check);
         return analysis;
@@ -220,8 +223,8 @@ Analysis analyse_case(const BlockRow<>& row) {
     return analysis;
 }
 
-void append_case_figures(const BlockRow<>& row, const ResultFolder& folder, Report& report) {
-    const BlockRowResult result = analyse(row);
+void append_case_figures(const BlockRow<>& row, const BlockRowResult& result, const ResultFolder& folder,
+                         Report& report) {
     const std::string roles = mode_in_words(result.answer.mode);
     report.blocks.emplace_back(Paragraph{
         "A mode gives every block a letter, from the lowest up: S slides; F, P and B turn forward about the toe, which "

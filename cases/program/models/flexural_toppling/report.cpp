@@ -66,9 +66,12 @@ Table column_table(const FlexuralStability& result) {
 
 }  // namespace
 
-Analysis analyse_case(const FlexuralSlope& slope) {
+FlexuralStability analyse_case(const FlexuralSlope& slope, const AnalysisWork&) {
+    return analyse(slope);
+}
+
+Analysis named_outputs(const FlexuralSlope&, const FlexuralStability& result) {
     Analysis analysis;
-    const FlexuralStability result = analyse(slope);
     if (result.check != FlexuralCheck::valid) {
         analysis.failure = word_of(result.check);
         return analysis;
@@ -77,8 +80,8 @@ Analysis analyse_case(const FlexuralSlope& slope) {
     return analysis;
 }
 
-void append_case_figures(const FlexuralSlope& slope, const ResultFolder& folder, Report& report) {
-    const FlexuralStability result = analyse(slope);
+void append_case_figures(const FlexuralSlope& slope, const FlexuralStability& result, const ResultFolder& folder,
+                         Report& report) {
     report.blocks.emplace_back(Heading{"The columns"});
     report.blocks.emplace_back(column_table(result));
     report.blocks.emplace_back(folder.draw(columns_figure(slope, result), "columns",

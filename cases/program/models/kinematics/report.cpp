@@ -218,15 +218,13 @@ std::string pairs_csv(const KinematicsResult& result) {
     return csv.text();
 }
 
-StereonetDrawing stereonet_drawing(const KinematicsStudy& study, const KinematicsResult& result) {
-    const Kinematics& model = study.model;
+StereonetDrawing stereonet_drawing(const Kinematics& model, const KinematicsResult& result) {
     StereonetDrawing drawing{.title = "Joint sets",
                              .slope = model.slope,
                              .friction_angle = model.strength.friction_angle,
                              .lateral_limit = model.lateral_limit};
-    std::vector<std::vector<Orientation>> planes = sampled_sets(study);
-    for (std::size_t set = 0; set < planes.size(); ++set) {
-        drawing.joint_set.push_back({model.joint_set[set].name, result.joint_set[set].mean, std::move(planes[set])});
+    for (std::size_t set = 0; set < result.sampled.size(); ++set) {
+        drawing.joint_set.push_back({model.joint_set[set].name, result.joint_set[set].mean, result.sampled[set]});
     }
     for (std::size_t pair = 0; pair < result.pair.size(); ++pair) {
         if (result.pair[pair].wedge_sliding.at_mean != Feasibility::planes_parallel) {
@@ -238,9 +236,12 @@ StereonetDrawing stereonet_drawing(const KinematicsStudy& study, const Kinematic
 
 }  // namespace
 
-Analysis analyse_case(const KinematicsStudy& study) {
+KinematicsResult analyse_case(const KinematicsStudy& study, const AnalysisWork&) {
+    return analyse(study);
+}
+
+Analysis named_outputs(const KinematicsStudy&, const KinematicsResult& result) {
     Analysis analysis;
-    const KinematicsResult result = analyse(study);
     if (result.check != KinematicsCheck::valid) {
         analysis.failure = word_of(result.check);
         return analysis;
@@ -255,9 +256,9 @@ Analysis analyse_case(const KinematicsStudy& study) {
     return analysis;
 }
 
-void append_case_figures(const KinematicsStudy& study, const ResultFolder& folder, Report& report) {
-    const KinematicsResult result = analyse(study);
-    const StereonetDrawing drawing = stereonet_drawing(study, result);
+void append_case_figures(const KinematicsStudy& study, const KinematicsResult& result, const ResultFolder& folder,
+                         Report& report) {
+    const StereonetDrawing drawing = stereonet_drawing(study.model, result);
     const std::string ground = study.model.slope.upper_surface
                                    ? " The zones are drawn for level ground behind the crest; the verdicts below know "
                                      "the ground that the case gives."

@@ -149,11 +149,11 @@ FailureLoci failure_loci(const PlaneFailure<>& problem) {
     return loci;
 }
 
-std::vector<SensitivityBar> sensitivity_bars(const PlaneFailure<>& problem) {
+std::vector<SensitivityBar> sensitivity_bars(const PlaneFailure<>& problem, const SensitivityResult& sensitivities) {
     const double height = problem.slope.height;
     const double overburden = problem.rock.unit_weight * height;
     std::vector<SensitivityBar> bars;
-    for (const Sensitivity& input : sensitivities(problem).derivatives) {
+    for (const Sensitivity& input : sensitivities.derivatives) {
         const SensitivityStep step = sensitivity_step(input.dimension, input.value, height, overburden);
         const double effect = input.derivative * step.size;
         if (effect != 0) {
@@ -163,16 +163,16 @@ std::vector<SensitivityBar> sensitivity_bars(const PlaneFailure<>& problem) {
     return bars;
 }
 
-std::optional<CriticalSearchDrawing> critical_plane_drawing(const PlaneFailureStudy<>& study) {
+std::optional<CriticalSearchDrawing> critical_plane_drawing(const PlaneFailureStudy<>& study,
+                                                            const ResolvedStudy& best) {
     if (!study.critical || study.critical->find == CriticalFeature::tension_crack) {
         return std::nullopt;
     }
-    const CriticalGeometry best = find_critical_geometry(study.model, *study.critical);
     CriticalSearchDrawing drawing;
     drawing.title = "Search for the critical plane";
     drawing.quantity = "failure_plane.dip";
     drawing.dimension = Dimension::angle;
-    drawing.critical = Point(best.problem.failure_plane.dip, best.factor_of_safety);
+    drawing.critical = Point(best.problem.failure_plane.dip, best.least_factor_of_safety);
     NamedCurve curve;
     curve.legend =
         study.critical->find == CriticalFeature::both ? "crack at its critical place" : "least factor of safety";
@@ -186,7 +186,7 @@ std::optional<CriticalSearchDrawing> critical_plane_drawing(const PlaneFailureSt
         problem.failure_plane.dip = lower + (upper - lower) * index / (curve_points - 1);
         const double factor = least_factor(problem, this_plane, study.critical->find);
         // Near both ends the factor of safety grows without limit; the valley is what the figure is for.
-        if (factor < 4 * best.factor_of_safety) {
+        if (factor < 4 * best.least_factor_of_safety) {
             curve.points.emplace_back(problem.failure_plane.dip, factor);
         }
     }

@@ -23,9 +23,11 @@ FailureLoci failure_loci(const PlaneFailure<>& problem);
 
 // Change of the factor of safety to first order, for 1 deg of an angle, 0.05 of a ratio, a length of 2 % of the slope
 // height, a stress of 2 % of unit weight times height, and 2 % of any force or unit weight.
-std::vector<SensitivityBar> sensitivity_bars(const PlaneFailure<>& problem);
+std::vector<SensitivityBar> sensitivity_bars(const PlaneFailure<>& problem, const SensitivityResult& sensitivities);
 
 // Factor of safety against plane dip, the crack at its critical place for each, with the critical plane marked.
-std::optional<CriticalSearchDrawing> critical_plane_drawing(const PlaneFailureStudy<>& study);
+// `best` is what the study's search has found.
+std::optional<CriticalSearchDrawing> critical_plane_drawing(const PlaneFailureStudy<>& study,
+                                                            const ResolvedStudy& best);
 
 }  // namespace delabole

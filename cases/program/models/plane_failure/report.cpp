@@ -2,7 +2,6 @@
 #include "cases/program/models/plane_failure/figures.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
-#include "plane_failure/required.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,18 +11,7 @@ namespace delabole {
 
 namespace {
 
-void append_required(Analysis& analysis, const PlaneFailure<>& problem, const std::vector<RequiredValue<>>& requests) {
-    for (const RequiredValue<>& request : requests) {
-        append_required_value(analysis, request.parameter, request.factor_of_safety,
-                              required_value(problem, request.parameter, request.factor_of_safety));
-    }
-}
-
-void append_optimum_bolt(Analysis& analysis, const PlaneFailure<>& problem) {
-    if (problem.bolt.empty()) {
-        return;
-    }
-    const OptimumBolt optimum = optimum_bolt_plunge(problem);
+void append_optimum_bolt(Analysis& analysis, const OptimumBolt& optimum) {
     analysis.outputs.push_back({"optimum_bolt_plunge", "plunge of bolt[1] that makes the factor of safety largest",
                                 Dimension::angle, optimum.plunge});
     analysis.outputs.push_back({"optimum_bolt_factor_of_safety", "factor of safety at that plunge", Dimension::ratio,
@@ -95,32 +83,54 @@ LaboratoryRange prior_range(const MechanismFit& fit, const PlaneFailure<>& slope
 
 }  // namespace
 
-Analysis analyse_case(const PlaneFailureStudy<>& study) {
+PlaneFailureAnswer analyse_case(const PlaneFailureStudy<>& study, const AnalysisWork&) {
+    PlaneFailureAnswer answer{resolve(study)};
+    const PlaneFailure<>& problem = answer.resolved.problem;
+    if (answer.resolved.check != PlaneFailureCheck::valid) {
+        answer.result.check = answer.resolved.check;
+        return answer;
+    }
+    answer.result = analyse(problem);
+    if (answer.result.check != PlaneFailureCheck::valid) {
+        return answer;
+    }
+    for (const RequiredValue<>& request : study.required) {
+        answer.required.push_back(required_value(problem, request.parameter, request.factor_of_safety));
+    }
+    if (!problem.bolt.empty()) {
+        answer.optimum_bolt = optimum_bolt_plunge(problem);
+    }
+    return answer;
+}
+
+Analysis named_outputs(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer) {
     Analysis analysis;
-    const ResolvedStudy resolved = resolve(study);
-    const PlaneFailureResult result =
-        resolved.check == PlaneFailureCheck::valid ? analyse(resolved.problem) : PlaneFailureResult{};
-    const PlaneFailureCheck check = resolved.check == PlaneFailureCheck::valid ? result.check : resolved.check;
-    if (check != PlaneFailureCheck::valid) {
-        analysis.failure = word_of(check);
+    if (answer.result.check != PlaneFailureCheck::valid) {
+        analysis.failure = word_of(answer.result.check);
         return analysis;
     }
-    append_outputs(analysis, result);
-    append_required(analysis, resolved.problem, study.required);
-    append_optimum_bolt(analysis, resolved.problem);
-    warn(analysis, result, resolved.critical_at_boundary);
+    append_outputs(analysis, answer.result);
+    for (std::size_t index = 0; index < study.required.size(); ++index) {
+        append_required_value(analysis, study.required[index].parameter, study.required[index].factor_of_safety,
+                              answer.required[index]);
+    }
+    if (answer.optimum_bolt) {
+        append_optimum_bolt(analysis, *answer.optimum_bolt);
+    }
+    warn(analysis, answer.result, answer.resolved.critical_at_boundary);
     return analysis;
 }
 
-void append_case_figures(const PlaneFailureStudy<>& study, const ResultFolder& folder, Report& report) {
-    const PlaneFailure<> problem = resolve(study).problem;
+void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer, const ResultFolder& folder,
+                         Report& report) {
+    const PlaneFailure<>& problem = answer.resolved.problem;
     report.blocks.emplace_back(Heading{"Section"});
     SectionDrawing section = section_drawing(problem, "Slope, failure plane, crack and water");
     section.predicted_profile = profile_after_failure(problem);
     report.blocks.emplace_back(folder.draw(section_figure(section), "section",
                                            "The slope, what slides, and the water pressure on it (not to the scale "
                                            "of the section)."));
-    if (const auto critical = critical_plane_drawing(study)) {
+    if (const auto critical = critical_plane_drawing(study, answer.resolved)) {
         report.blocks.emplace_back(folder.draw(critical_figure(*critical), "critical_plane",
                                                "Least factor of safety for each dip of the failure plane."));
     }
@@ -134,8 +144,9 @@ void append_case_figures(const PlaneFailureStudy<>& study, const ResultFolder& f
     const SensitivityResult derivatives = sensitivities(problem);
     CsvTable csv({"input", "value", "unit", "derivative_per_unit"});
     report.blocks.emplace_back(Heading{"Sensitivity"});
-    report.blocks.emplace_back(folder.draw(tornado_figure("Change of the factor of safety", sensitivity_bars(problem)),
-                                           "sensitivity", "To first order, from exact derivatives."));
+    report.blocks.emplace_back(
+        folder.draw(tornado_figure("Change of the factor of safety", sensitivity_bars(problem, derivatives)),
+                    "sensitivity", "To first order, from exact derivatives."));
     report.blocks.emplace_back(sensitivity_table(derivatives, csv));
     folder.write("sensitivities.csv", csv.text());
 }
@@ -143,8 +154,9 @@ void append_case_figures(const PlaneFailureStudy<>& study, const ResultFolder& f
 // Sections, loci and sensitivities of the best point.
 void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report) {
-    const PlaneFailure<> slope = resolve(at_best).problem;
-    const std::vector<std::string> warnings = analyse_case(PlaneFailureStudy<>{slope, std::nullopt, {}}).warnings;
+    const PlaneFailureStudy<> best{resolve(at_best).problem, std::nullopt, {}};
+    const PlaneFailure<>& slope = best.model;
+    const std::vector<std::string> warnings = named_outputs(best, analyse_case(best)).warnings;
     if (!warnings.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "The mass at the best point", warnings});
     }
@@ -167,8 +179,8 @@ void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const Mechanis
                                                "Factor of safety against the filled ratio of the crack."));
     }
     report.blocks.emplace_back(folder.draw(
-        tornado_figure("Change of the factor of safety", sensitivity_bars(slope)), fit.name + "_sensitivity",
-        "To first order, from exact derivatives at the best point, the geometry held."));
+        tornado_figure("Change of the factor of safety", sensitivity_bars(slope, sensitivities(slope))),
+        fit.name + "_sensitivity", "To first order, from exact derivatives at the best point, the geometry held."));
 }
 
 }  // namespace delabole

@@ -203,6 +203,29 @@ void check_critical(Checker& checker, const RelaxationStudy& study) {
     }
 }
 
+// Each stage of retrogression is a run of its own, to equilibrium or onset.
+void check_retrogression(Checker& checker, const RelaxationStudy& study) {
+    check_whole(checker, "retrogression.most_stages", study.retrogression->most_stages);
+    const auto refuse = [&](const std::string& key, bool there, const std::string& why) {
+        if (there) {
+            checker.complain(key, "does not go with retrogression: " + why);
+        }
+    };
+    const RelaxationNumerics settings = study.settings.value_or(RelaxationNumerics{});
+    refuse("scene.kind", !std::holds_alternative<RelaxationSlope>(study.model.scene), "only a jointed_slope retreats");
+    refuse("settings.stop", settings.stop.has_value(), "each stage ends at equilibrium or at onset");
+    refuse("history", study.history.has_value(), "its stages have no common time");
+    refuse(study.model.removal.empty() ? "scene.stage" : "removal", has_stages(study),
+           "draw the slope as it is after excavation");
+}
+
+void check_ensemble(Checker& checker, const RelaxationStudy& study) {
+    check_whole(checker, "ensemble.runs", study.ensemble->runs);
+    if (!std::holds_alternative<RelaxationSlope>(study.model.scene)) {
+        checker.complain("ensemble", "needs scene.kind = \"jointed_slope\", whose joints it moves");
+    }
+}
+
 RelaxationStudy example_relaxation() {
     RelaxationStudy study{};
     RelaxationRow row{};
@@ -249,6 +272,12 @@ void check_case(Checker& checker, const RelaxationStudy& study) {
     check_settings(checker, settings, scene);
     if (study.critical) {
         check_critical(checker, study);
+    }
+    if (study.retrogression) {
+        check_retrogression(checker, study);
+    }
+    if (study.ensemble) {
+        check_ensemble(checker, study);
     }
     if (study.history) {
         for (std::size_t index = 0; index < study.history->block.size(); ++index) {

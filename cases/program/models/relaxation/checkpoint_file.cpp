@@ -1,7 +1,7 @@
 #include "cases/program/models/relaxation/checkpoint_file.hpp"
 
 #include "cases/program/reader/ordinary_file.hpp"
-#include "dynamic_relaxation/study/study_checkpoint.hpp"
+#include "dynamic_relaxation/checkpoint/study_checkpoint.hpp"
 #include "plots/drawing/atomic_file.hpp"
 
 #include <string>

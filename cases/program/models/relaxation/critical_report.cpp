@@ -219,9 +219,8 @@ std::string search_in_words(const CriticalPlan& plan, const CriticalAnswer& crit
     return {};
 }
 
-void append_critical_figures(const RelaxationStudy& study, const CriticalAnswer& critical, const ResultFolder& folder,
+void append_critical_figures(const CriticalPlan& plan, const CriticalAnswer& critical, const ResultFolder& folder,
                              Report& report) {
-    const CriticalPlan plan = critical_plan(study);
     report.blocks.emplace_back(Heading{human_name(name_of_critical(plan.parameter))});
     append_paths(plan, critical, folder, report);
     append_failure(plan, critical, folder, report);

@@ -16,7 +16,7 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
 std::string search_in_words(const CriticalPlan& plan, const CriticalAnswer& critical);
 
 // The value on each path, the blocks at failure as table and figure, failing_blocks.csv and paths.csv.
-void append_critical_figures(const RelaxationStudy& study, const CriticalAnswer& critical, const ResultFolder& folder,
+void append_critical_figures(const CriticalPlan& plan, const CriticalAnswer& critical, const ResultFolder& folder,
                              Report& report);
 
 }  // namespace delabole

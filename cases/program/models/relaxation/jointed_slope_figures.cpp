@@ -2,7 +2,6 @@
 
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/models/relaxation/figures.hpp"
-#include "dynamic_relaxation/scene/slope_scene.hpp"
 #include "dynamic_relaxation/scene/water_table.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
@@ -56,8 +55,7 @@ Table cut_table(const RelaxationSlope& slope, const JointedSection& section) {
 
 }  // namespace
 
-void append_cutting_warnings(const RelaxationSlope& slope, Analysis& analysis) {
-    const JointedSection section = slope_scene(slope).section;
+void append_cutting_warnings(const RelaxationSlope& slope, const JointedSection& section, Analysis& analysis) {
     for (std::size_t index = 0; index < section.cut.size(); ++index) {
         if (section.cut[index].made == 0) {
             analysis.warnings.push_back(indexed("scene.cut", index) + " (" + slope.geometry.cut[index].name +
@@ -73,8 +71,8 @@ void append_cutting_warnings(const RelaxationSlope& slope, Analysis& analysis) {
     }
 }
 
-void append_section_figure(const RelaxationSlope& slope, const ResultFolder& folder, Report& report) {
-    const SlopeScene made = slope_scene(slope);
+void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made, const ResultFolder& folder,
+                           Report& report) {
     const JointedSection& section = made.section;
     report.blocks.emplace_back(Heading{"The section"});
     report.blocks.emplace_back(cut_table(slope, section));

@@ -68,6 +68,42 @@ void write_tables(const PostFailure& failure, const ResultFolder& folder) {
     folder.write("crest_blocks.csv", crest.text());
 }
 
+// Stages in shades of their own.
+constexpr std::size_t most_shades = 4;
+
+// Of retrogression, counted from 1; 0: the block has not failed.
+std::vector<std::size_t> stages_of_blocks(const RelaxationRun& made) {
+    std::vector<std::size_t> stages(made.scene.block.size(), 0);
+    for (std::size_t stage = 0; stage < made.stage.size(); ++stage) {
+        for (const std::uint64_t block : made.stage[stage].block) {
+            stages[block] = stage + 1;
+        }
+    }
+    return stages;
+}
+
+Table stage_table(const RelaxationRun& made) {
+    Table table{
+        "Masses that failed one after the other, with the shares of their area in blocks that topple out of the "
+        "slope, turn into it, and slide.",
+        {{"stage", true},
+         {"blocks", true},
+         {"area, m²", true},
+         {"topples, %", true},
+         {"turns back, %", true},
+         {"slides, %", true}},
+        {}};
+    const RetrogressionAnswer answer = answer_of(make_bodies(made.scene), made.stage);
+    constexpr double percent = 100;
+    for (const RetrogressionStage& stage : answer.stage) {
+        table.rows.push_back({std::to_string(table.rows.size() + 1), human_number(stage.blocks, 6),
+                              human_number(stage.area, 4), human_number(percent * stage.toppling_share, 3),
+                              human_number(percent * stage.backward_share, 3),
+                              human_number(percent * stage.sliding_share, 3)});
+    }
+    return table;
+}
+
 BlockDrawing slope_drawing(const RelaxationRun& made, const std::vector<Motion>& motion, double tilt,
                            const PostFailure& failure, const std::string& title,
                            const std::function<bool(std::size_t block)>& gone) {
@@ -75,7 +111,17 @@ BlockDrawing slope_drawing(const RelaxationRun& made, const std::vector<Motion>&
     const Upright upright(tilt);
     BlockDrawing drawing;
     drawing.title = title;
-    drawing.rocks = {"left standing", "failed"};
+    drawing.rocks = {"left standing"};
+    const std::vector<std::size_t> stage = stages_of_blocks(made);
+    const std::size_t stages = std::min(made.stage.size(), most_shades);
+    for (std::size_t shade = 1; shade <= stages; ++shade) {
+        drawing.rocks.push_back(
+            (shade < stages || made.stage.size() == stages ? "failed in stage " : "failed in later stages, from ") +
+            std::to_string(shade));
+    }
+    if (stages == 0) {
+        drawing.rocks.emplace_back("failed");
+    }
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         if (gone(block)) {
             continue;
@@ -87,7 +133,7 @@ BlockDrawing slope_drawing(const RelaxationRun& made, const std::vector<Motion>&
         constexpr double half = 0.5;
         shown.mode = bodies.fixed[block] != 0 ? DrawnMode::fixed : DrawnMode::plain;
         if (bodies.fixed[block] == 0) {
-            shown.rock = failure.share[block] >= half ? 1 : 0;
+            shown.rock = stage[block] > 0 ? std::min(stage[block], most_shades) : failure.share[block] >= half ? 1 : 0;
         }
         drawing.blocks.push_back(std::move(shown));
     }
@@ -145,10 +191,15 @@ void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, 
     const PostFailure& failure = *made.post_failure;
     report.blocks.emplace_back(Heading{"What failed and what is left standing"});
     if (made.scene.block.size() <= most_drawn_blocks) {
-        report.blocks.emplace_back(
-            folder.draw(left_standing_figure(made, failure, "Left standing"), "left_standing",
-                        "The blocks in the drawing, those that failed in the course of the run marked; the level left "
-                        "standing is that of the ground less the share of what failed below it."));
+        report.blocks.emplace_back(folder.draw(
+            left_standing_figure(made, failure, "Left standing"), "left_standing",
+            made.in_stages ? "The blocks in the initial geometry, those that failed marked by the stage in which they "
+                             "did: each mass is taken away before the rest has to stand by itself."
+                           : "The blocks in the initial geometry, those that failed in the course of the run marked; "
+                             "the level left standing is that of the ground less the share of what failed below it."));
+    }
+    if (made.in_stages) {
+        report.blocks.emplace_back(stage_table(made));
     }
     report.blocks.emplace_back(crack_table(failure));
     report.blocks.emplace_back(crest_table(failure));

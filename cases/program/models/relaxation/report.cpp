@@ -7,7 +7,6 @@
 #include "cases/program/reader/units.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "cases/program/terminal/interrupt.hpp"
-#include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "dynamic_relaxation/study/strength_bound.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/atomic_file.hpp"
@@ -21,12 +20,6 @@
 namespace delabole {
 
 namespace {
-
-// What the figures are drawn from.
-struct StudyAnswers {
-    RelaxationRun run;
-    std::optional<CriticalAnswer> critical = {};
-};
 
 // What a run took against what a search takes, as far as progress is concerned.
 constexpr double share_of_run = 0.2;
@@ -219,32 +212,47 @@ constexpr std::string_view corners_bear =
     "Where a joint ends in a corner of other blocks, as at the toe of a slope with level ground in front of it, blocks "
     "cannot slide out: lower that ground a little if this is not meant";
 
-void append_corner_warning(const RelaxationRun& made, Analysis& analysis) {
-    if (made.result.outcome == RelaxationOutcome::equilibrium && is_small_enough(made.scene) &&
-        stands_on_faces(made.scene, &interrupt_flag()) == false) {
-        analysis.warnings.push_back("the blocks stand " + std::string(corners_bear));
-    }
+bool stands_on_corners(const RelaxationRun& made) {
+    return made.result.outcome == RelaxationOutcome::equilibrium && is_small_enough(made.scene) &&
+           stands_on_faces(made.scene, &interrupt_flag()) == false;
 }
 
 // Only where all joints lose strength alike is the bound one of what was searched.
-void append_bound_of_statics(const CriticalPlan& plan, const CriticalAnswer& critical, const RelaxationScene& scene,
-                             Analysis& analysis) {
+std::optional<double> bound_of_statics(const CriticalPlan& plan, const RelaxationScene& scene) {
     if (plan.parameter != CriticalParameter::strength_reduction || plan.material.size() < scene.material.size() ||
         !is_small_enough(scene)) {
-        return;
+        return std::nullopt;
     }
     const std::optional<double> bound = greatest_strength_reduction(scene, &interrupt_flag());
     answer_interrupt();
-    if (!bound) {
-        return;
-    }
+    return bound;
+}
+
+void append_bound_of_statics(double bound, const CriticalAnswer& critical, Analysis& analysis) {
     analysis.outputs.push_back({"critical.bound_of_statics",
                                 "greatest factor at which faces can take forces in equilibrium, on whatever path",
-                                Dimension::ratio, *bound, false});
+                                Dimension::ratio, bound, false});
     constexpr double model_error = 0.01;  // blocks turn and joints give way before they fail
-    if (critical.status == CriticalStatus::found && critical.value() > (1 + model_error) * *bound) {
-        analysis.warnings.push_back("beyond a factor of " + number_in_words(*bound) + " the blocks stand " +
+    if (critical.status == CriticalStatus::found && critical.value() > (1 + model_error) * bound) {
+        analysis.warnings.push_back("beyond a factor of " + number_in_words(bound) + " the blocks stand " +
                                     std::string(corners_bear));
+    }
+}
+
+// With an ensemble numbers are means over it; words, tables and figures are of the slope as drawn.
+void take_means(const RelaxationStudy& study, const Prediction& mean, Analysis& analysis) {
+    const std::vector<Quantity> quantities = model_interface(study).outputs;
+    for (std::size_t index = 0; index < quantities.size(); ++index) {
+        const Quantity& quantity = quantities[index];
+        const auto known = std::ranges::find(analysis.outputs, quantity.name, &NamedOutput::name);
+        if (known != analysis.outputs.end()) {
+            known->value = mean.outputs[index];
+        } else {
+            const bool told =
+                quantity.name.ends_with(".profile") || quantity.name.ends_with("post_failure.failed_area");
+            analysis.outputs.push_back(
+                {quantity.name, quantity.meaning, quantity.dimension, mean.outputs[index], !told});
+        }
     }
 }
 
@@ -263,26 +271,57 @@ std::string failure_without_run(const RelaxationStudy& study) {
     return fault.check == SceneCheck::valid ? "" : std::string(word_of(fault.check));
 }
 
-Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
-    Analysis analysis;
-    const double share = study.critical ? share_of_run : 1;
+RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
+    RelaxationStudyAnswer answer;
+    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
+        answer.slope = slope_scene(*slope);
+    }
+    const std::size_t blocks = answer.slope ? answer.slope->block.size() : number_of_blocks(study);
+    const double of_first = study.ensemble ? 1 / study.ensemble->runs : 1;
+    const double share = of_first * (study.critical ? share_of_run : 1);
     StudyWork how;
-    how.frames = relaxation_scene(study).block.size() <= most_drawn_blocks ? KeepFrames::yes : KeepFrames::no;
+    how.frames = blocks <= most_drawn_blocks && !study.retrogression ? KeepFrames::yes : KeepFrames::no;
     how.threads = work.threads;
     Keeper keeper(work, study, how.frames);
     how.watch = [&](double done) { return keeper.goes_on(share * done, "dynamic relaxation"); };
     how.keep_due = [&] { return keeper.due(); };
     how.keep = [&](const StudyProgress& now) { keeper.keep(now); };
     StudyProgress progress = keeper.take_up();
-    StudyAnswers answers{run(study, how, progress), {}};
-    const RelaxationRun& made = answers.run;
+    answer.run = run(study, how, progress);
+    const RelaxationOutcome outcome = answer.run.result.outcome;
+    if (outcome == RelaxationOutcome::scene_not_valid) {
+        return answer;
+    }
+    if (study.critical && outcome != RelaxationOutcome::interrupted) {
+        how.watch = [&](double done) {
+            return keeper.goes_on(share + (of_first - share) * done,
+                                  human_name(name_of_critical(parameter_of(*study.critical))));
+        };
+        answer.plan = critical_plan(study);
+        answer.critical = find_critical(study, how, progress);
+        answer.bound_of_statics = bound_of_statics(*answer.plan, answer.run.scene);
+    }
+    answer.stands_on_corners = stands_on_corners(answer.run);
+    const bool has_answer = outcome != RelaxationOutcome::interrupted && run_in_words(answer.run).empty() &&
+                            (!answer.critical || answer.critical->worst_status() == CriticalStatus::found);
+    if (study.ensemble && has_answer) {
+        answer.mean = prediction_of(run_ensemble(study, answer.run, answer.critical, [&](double done) {
+            return keeper.goes_on(done, "the slopes of the ensemble");
+        }));
+    }
+    return answer;
+}
+
+Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer& answer) {
+    Analysis analysis;
+    const RelaxationRun& made = answer.run;
     if (made.result.outcome == RelaxationOutcome::scene_not_valid) {
         analysis.failure = word_of(made.result.fault.check);
         return analysis;
     }
     append_outputs(analysis, answer_of(made));
-    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
-        append_cutting_warnings(*slope, analysis);
+    if (answer.slope) {
+        append_cutting_warnings(std::get<RelaxationSlope>(study.model.scene), answer.slope->section, analysis);
     }
     const auto leave_unfinished = [&](std::string_view status, std::string why) {
         if (analysis.unfinished.empty() && !why.empty()) {
@@ -291,32 +330,34 @@ Analysis analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
         }
     };
     leave_unfinished(word_of(made.result.outcome), run_in_words(made));
-    if (study.critical && made.result.outcome != RelaxationOutcome::interrupted) {
-        how.watch = [&](double done) {
-            return keeper.goes_on(share + (1 - share) * done,
-                                  human_name(name_of_critical(parameter_of(*study.critical))));
-        };
-        const CriticalPlan plan = critical_plan(study);
-        answers.critical = find_critical(study, how, progress);
-        append_critical(analysis, plan, *answers.critical);
-        append_bound_of_statics(plan, *answers.critical, made.scene, analysis);
-        leave_unfinished(word_of(answers.critical->worst_status()), search_in_words(plan, *answers.critical));
+    if (answer.critical) {
+        append_critical(analysis, *answer.plan, *answer.critical);
+        if (answer.bound_of_statics) {
+            append_bound_of_statics(*answer.bound_of_statics, *answer.critical, analysis);
+        }
+        leave_unfinished(word_of(answer.critical->worst_status()), search_in_words(*answer.plan, *answer.critical));
     }
     append_run_warnings(made, analysis);
-    append_corner_warning(made, analysis);
-    analysis.drawn_from = std::move(answers);
+    if (answer.stands_on_corners) {
+        analysis.warnings.push_back("the blocks stand " + std::string(corners_bear));
+    }
+    if (answer.mean && answer.mean->failure.empty()) {
+        take_means(study, *answer.mean, analysis);
+    } else if (answer.mean) {
+        leave_unfinished(answer.mean->failure,
+                         "a slope of the ensemble has no answer: " + human_name(answer.mean->failure));
+    }
     return analysis;
 }
 
-void append_case_figures(const RelaxationStudy& study, const Analysis& analysis, const ResultFolder& folder,
+void append_case_figures(const RelaxationStudy& study, const RelaxationStudyAnswer& answer, const ResultFolder& folder,
                          Report& report) {
-    const auto& answers = std::any_cast<const StudyAnswers&>(analysis.drawn_from);
-    const RelaxationRun& made = answers.run;
-    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
-        append_section_figure(*slope, folder, report);
+    const RelaxationRun& made = answer.run;
+    if (answer.slope) {
+        append_section_figure(std::get<RelaxationSlope>(study.model.scene), *answer.slope, folder, report);
     }
-    if (answers.critical) {
-        append_critical_figures(study, *answers.critical, folder, report);
+    if (answer.critical) {
+        append_critical_figures(*answer.plan, *answer.critical, folder, report);
     }
     append_block_figures(made, folder, report);
     append_post_failure(made, folder, report);

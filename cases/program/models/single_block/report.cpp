@@ -59,9 +59,12 @@ bool dry_and_at_rest(const SingleBlock<>& problem) {
 
 }  // namespace
 
-Analysis analyse_case(const SingleBlock<>& problem) {
+SingleBlockResult analyse_case(const SingleBlock<>& problem, const AnalysisWork&) {
+    return analyse(problem);
+}
+
+Analysis named_outputs(const SingleBlock<>&, const SingleBlockResult& result) {
     Analysis analysis;
-    const SingleBlockResult result = analyse(problem);
     if (result.check != SingleBlockCheck::valid) {
         analysis.failure = word_of(result.check);
         return analysis;
@@ -75,8 +78,8 @@ Analysis analyse_case(const SingleBlock<>& problem) {
     return analysis;
 }
 
-void append_case_figures(const SingleBlock<>& problem, const ResultFolder& folder, Report& report) {
-    const SingleBlockResult result = analyse(problem);
+void append_case_figures(const SingleBlock<>& problem, const SingleBlockResult& result, const ResultFolder& folder,
+                         Report& report) {
     report.blocks.emplace_back(Heading{"The block"});
     report.blocks.emplace_back(folder.draw(
         block_figure(block_drawing(problem, result)), "block",

@@ -3,6 +3,7 @@
 #include "cases/program/models/stepped_base/drawing.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/result_folder.hpp"
+#include "cases/program/results/stepped_base_answer.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "fitting/work/words.hpp"
 
@@ -47,14 +48,8 @@ std::string why_not(const BoundResult& result, const std::string& what) {
 }
 
 // Programmes of a few hundred bodies take seconds.
-BoundState columns_or_stop(const ColumnSlope<>& slope, const SteppedBase<>& problem, double upper_part) {
-    BoundState state = bound_of_columns(slope, problem, upper_part, &interrupt_flag());
-    stop_if_interrupted();
-    return state;
-}
-
-BoundState blocks_or_stop(const ColumnSlope<>& slope, const SteppedBase<>& problem, const CrossJoints& cross_joints) {
-    BoundState state = bound_of_blocks(slope, problem, cross_joints, &interrupt_flag());
+BoundState columns_or_stop(const SteppedBaseAnswer& answer, double upper_part) {
+    BoundState state = bound_of_columns(answer.slope, answer.resolved.problem, upper_part, &interrupt_flag());
     stop_if_interrupted();
     return state;
 }
@@ -122,13 +117,13 @@ std::vector<DrawnBlock> block_outlines(const Assembly& assembly) {
     return blocks;
 }
 
-void append_state(const SteppedBase<>& problem, const ColumnSlope<>& slope, const BoundState& state, bool cut,
-                  const std::string& name, const ResultFolder& folder, Report& report) {
+void append_state(const SteppedBaseAnswer& answer, const BoundState& state, bool cut, const std::string& name,
+                  const ResultFolder& folder, Report& report) {
     if (state.result.status != LpStatus::optimal || state.assembly.bodies.size() > most_drawn_blocks) {
         return;
     }
     const std::string what = cut ? "Blocks" : "Columns";
-    BlockDrawing drawing = column_drawing(problem, column_results(slope, strength_of(problem)), 1,
+    BlockDrawing drawing = column_drawing(answer.resolved.problem, answer.slope, answer.as_given.columns, 1,
                                           what + ": forces and mechanism of the linear programme");
     drawing.forces.clear();
     if (cut) {
@@ -138,7 +133,7 @@ void append_state(const SteppedBase<>& problem, const ColumnSlope<>& slope, cons
         block.mode = DrawnMode::plain;
     }
     add_contact_forces(drawing, state);
-    add_mechanism(drawing, state, 0.3 * slope.columns.front().width);
+    add_mechanism(drawing, state, 0.3 * answer.slope.columns.front().width);
     report.blocks.emplace_back(folder.draw(
         block_figure(drawing), name,
         what + " with the least strength for which forces exist that keep them in equilibrium, one choice of such "
@@ -150,10 +145,12 @@ double reduced_friction(const SteppedBase<>& problem, double factor) {
     return std::atan(std::tan(problem.joints.friction_angle) / factor);
 }
 
-void append_bracket(const SteppedBase<>& problem, const ColumnSlope<>& slope, const SteppedBaseResult& recursion,
-                    const ResultFolder& folder, Report& report) {
+void append_bracket(const SteppedBaseAnswer& answer, double bound_upper_part, const ResultFolder& folder,
+                    Report& report) {
+    const SteppedBase<>& problem = answer.resolved.problem;
+    const SteppedBaseResult& recursion = answer.result;
     if (recursion.limit != LimitState::found || !(problem.joints.friction_angle > 0) ||
-        slope.columns.size() > most_bracketed_columns) {
+        answer.slope.columns.size() > most_bracketed_columns) {
         return;
     }
     constexpr int decades = 4;
@@ -167,7 +164,9 @@ void append_bracket(const SteppedBase<>& problem, const ColumnSlope<>& slope, co
     line.width = 4;
     for (int index = 0; index <= decades * steps; ++index) {
         const double exponent = -static_cast<double>(index) / steps;
-        const BoundResult result = columns_or_stop(slope, problem, std::pow(10, exponent)).result;
+        const double upper_part = std::pow(10, exponent);
+        const BoundResult result =
+            upper_part == bound_upper_part ? answer.bound->result : columns_or_stop(answer, upper_part).result;
         line.points.emplace_back(exponent, result.status == LpStatus::optimal && result.factor_of_safety > 0
                                                ? shown(result.factor_of_safety)
                                                : std::nan(""));
@@ -193,8 +192,7 @@ void append_bracket(const SteppedBase<>& problem, const ColumnSlope<>& slope, co
 }  // namespace
 
 std::string announcement(const SteppedBaseStudy<>& study) {
-    // On one core of 2020; twice, for the answer and for its picture.
-    constexpr double seconds_for_460 = 20;
+    constexpr double seconds_for_460 = 10;  // on one core of 2020
     constexpr double worth_telling = 2;
     if (!study.linear_programming_bound) {
         return {};
@@ -211,33 +209,38 @@ std::string announcement(const SteppedBaseStudy<>& study) {
                      number_in_words(seconds) + " s; Ctrl-C ends it";
 }
 
-void append_bound(Analysis& analysis, const SteppedBase<>& problem, const LinearProgrammingBound& request) {
-    const ColumnSlope<> slope = make_columns(problem.scene);
-    if (!can_bound(slope)) {
+void find_bounds(SteppedBaseAnswer& answer, const LinearProgrammingBound& request) {
+    if (can_bound(answer.slope)) {
+        answer.bound = columns_or_stop(answer, request.upper_part);
+    }
+    if (request.cross_joints && can_bound(answer.slope, *request.cross_joints)) {
+        answer.bound_of_blocks =
+            bound_of_blocks(answer.slope, answer.resolved.problem, *request.cross_joints, &interrupt_flag());
+        stop_if_interrupted();
+    }
+}
+
+void append_bounds(Analysis& analysis, const SteppedBaseAnswer& answer, const LinearProgrammingBound& request) {
+    if (answer.bound) {
+        append_result(analysis, answer.bound->result, bound_prefix, "the columns");
+    } else {
         append_no_bound(analysis, bound_prefix,
                         "too many columns for the linear programme, at most " + number_in_words(most_bound_columns) +
                             ": there is no bound");
-    } else {
-        append_result(analysis, columns_or_stop(slope, problem, request.upper_part).result, bound_prefix,
-                      "the columns");
     }
-    if (!request.cross_joints) {
-        return;
-    }
-    if (!can_bound(slope, *request.cross_joints)) {
+    if (answer.bound_of_blocks) {
+        append_result(analysis, answer.bound_of_blocks->result, bound_of_blocks_prefix,
+                      "the blocks between cross joints");
+    } else if (request.cross_joints) {
         append_no_bound(analysis, bound_of_blocks_prefix,
                         "too many blocks for the linear programme, at most " + number_in_words(most_bound_blocks) +
                             ": the cut columns have no bound");
-        return;
     }
-    append_result(analysis, blocks_or_stop(slope, problem, *request.cross_joints).result, bound_of_blocks_prefix,
-                  "the blocks between cross joints");
 }
 
-void append_bound_figures(const SteppedBase<>& problem, const SteppedBaseResult& recursion,
-                          const LinearProgrammingBound& request, const ResultFolder& folder, Report& report) {
-    const ColumnSlope<> slope = make_columns(problem.scene);
-    if (!can_bound(slope)) {
+void append_bound_figures(const SteppedBaseAnswer& answer, const LinearProgrammingBound& request,
+                          const ResultFolder& folder, Report& report) {
+    if (!answer.bound) {
         return;
     }
     report.blocks.emplace_back(Heading{"Bound by linear programming"});
@@ -245,12 +248,11 @@ void append_bound_figures(const SteppedBase<>& problem, const SteppedBaseResult&
         "The factor of safety of the linear programme is a bound from the unsafe side: no strength below its limit can "
         "keep the slope, but with real joints, which slip without opening, the slope may fail with more. Forces that "
         "would hold it exist; nothing makes them arise."});
-    append_state(problem, slope, columns_or_stop(slope, problem, request.upper_part), false, "bound", folder, report);
-    if (request.cross_joints && can_bound(slope, *request.cross_joints)) {
-        append_state(problem, slope, blocks_or_stop(slope, problem, *request.cross_joints), true, "bound_blocks",
-                     folder, report);
+    append_state(answer, *answer.bound, false, "bound", folder, report);
+    if (answer.bound_of_blocks) {
+        append_state(answer, *answer.bound_of_blocks, true, "bound_blocks", folder, report);
     }
-    append_bracket(problem, slope, recursion, folder, report);
+    append_bracket(answer, request.upper_part, folder, report);
 }
 
 }  // namespace delabole

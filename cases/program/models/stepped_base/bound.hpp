@@ -10,6 +10,7 @@ namespace delabole {
 
 struct Analysis;
 struct Report;
+struct SteppedBaseAnswer;
 class ResultFolder;
 
 // "bound.factor_of_safety", "bound.blocks.factor_of_safety"
@@ -19,11 +20,14 @@ constexpr std::string_view bound_of_blocks_prefix = "bound.blocks";
 // What to tell the user before a bound that takes long; empty otherwise.
 std::string announcement(const SteppedBaseStudy<>& study);
 
-// Ends by Interrupted; so do the figures.
-void append_bound(Analysis& analysis, const SteppedBase<>& problem, const LinearProgrammingBound& request);
+// Adds the bounds to an answer that has its columns. Ends by Interrupted; so do
+// the figures.
+void find_bounds(SteppedBaseAnswer& answer, const LinearProgrammingBound& request);
+
+void append_bounds(Analysis& analysis, const SteppedBaseAnswer& answer, const LinearProgrammingBound& request);
 
 // Forces and mechanism of columns and blocks, and the way from the bound to the recursion.
-void append_bound_figures(const SteppedBase<>& problem, const SteppedBaseResult& recursion,
-                          const LinearProgrammingBound& request, const ResultFolder& folder, Report& report);
+void append_bound_figures(const SteppedBaseAnswer& answer, const LinearProgrammingBound& request,
+                          const ResultFolder& folder, Report& report);
 
 }  // namespace delabole

@@ -157,14 +157,10 @@ DrawnMode drawn(ColumnMode mode) {
     return DrawnMode::stays;
 }
 
-BlockDrawing column_drawing(const SteppedBase<>& problem, const std::vector<ColumnResult>& columns, double factor,
-                            const std::string& title) {
+BlockDrawing column_drawing(const SteppedBase<>& problem, const ColumnSlope<>& slope,
+                            const std::vector<ColumnResult>& columns, double factor, const std::string& title) {
     BlockDrawing drawing;
     drawing.title = title;
-    const ColumnSlope<> slope = make_columns(problem.scene);
-    if (slope.check != ColumnCheck::valid) {
-        return drawing;
-    }
     const Axes axes(slope.base_dip);
     double end = 0;
     const std::vector<Polyline> outlines = column_outlines(problem.scene);

@@ -15,9 +15,10 @@ constexpr std::size_t most_drawn_columns = 1000;  // more are no picture
 DrawnMode drawn(ColumnMode mode);
 
 // Columns with their modes and forces, the wedge above them, ground and water. Of more than 30 columns the forces of
-// one in so many are drawn. `columns` as column_results gives them for the strength divided by `factor`.
-BlockDrawing column_drawing(const SteppedBase<>& problem, const std::vector<ColumnResult>& columns, double factor,
-                            const std::string& title);
+// one in so many are drawn. `slope` is the problem's, and valid; `columns` as column_results gives them for the
+// strength divided by `factor`.
+BlockDrawing column_drawing(const SteppedBase<>& problem, const ColumnSlope<>& slope,
+                            const std::vector<ColumnResult>& columns, double factor, const std::string& title);
 
 // Force that each column needs from the one below it.
 ForceAlongSlope force_along_columns(const std::vector<ColumnResult>& columns, const std::string& title);

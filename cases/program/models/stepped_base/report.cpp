@@ -5,7 +5,6 @@
 #include "cases/program/models/stepped_base/sweeps.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
-#include "limit_equilibrium/stepped_base/stepped_base_study.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -22,18 +21,14 @@ double friction_product_at_limit(const SteppedBase<>& problem, double factor) {
     return strength.joint_friction * strength.base_friction;
 }
 
-// No where a cable names a place that does not exist.
-bool append_required(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseStudy<>& study) {
-    for (const RequiredValue<>& request : study.required) {
-        append_required_value(analysis, request.parameter, request.factor_of_safety,
-                              required_value(problem, request.parameter, request.factor_of_safety));
+void append_required(Analysis& analysis, const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer) {
+    for (std::size_t index = 0; index < study.required.size(); ++index) {
+        append_required_value(analysis, study.required[index].parameter, study.required[index].factor_of_safety,
+                              answer.required[index]);
     }
     for (std::size_t index = 0; index < study.required_cable.size(); ++index) {
         const RequiredCable<>& request = study.required_cable[index];
-        const CableForce cable = required_cable(problem, request);
-        if (cable.state == CableState::no_such_place) {
-            return false;
-        }
+        const CableForce& cable = answer.required_cable[index];
         const std::string name = "required_cable[" + std::to_string(index + 1) + "].force";
         const std::string meaning = "tension in column " + number_in_words(request.block) +
                                     " for a factor of safety of " + number_in_words(request.factor_of_safety);
@@ -43,7 +38,6 @@ bool append_required(Analysis& analysis, const SteppedBase<>& problem, const Ste
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, std::string(word_of(cable.state))});
         }
     }
-    return true;
 }
 
 std::string_view what_lifts(const SlideHeadWedge<>& wedge) {
@@ -66,9 +60,10 @@ void mark_what_is_not(Analysis& analysis, const SteppedBase<>& problem, const St
     }
 }
 
-void warn(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseResult& result, bool at_boundary) {
-    const ColumnSlope<> slope = make_columns(problem.scene);
-    if (at_boundary) {
+void warn(Analysis& analysis, const SteppedBaseAnswer& answer) {
+    const SteppedBase<>& problem = answer.resolved.problem;
+    const SteppedBaseResult& result = answer.result;
+    if (answer.resolved.critical_at_boundary) {
         analysis.warnings.emplace_back(
             "the least factor of safety lies at the edge of the searched range: a limit, not a balance");
     }
@@ -94,13 +89,12 @@ void warn(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseRes
         analysis.warnings.emplace_back(
             "the wedge above jams between its joint and the columns: its thrust is not counted");
     } else if (result.slide_head == SlideHeadState::lifts_off) {
-        analysis.warnings.push_back(std::string(what_lifts(*slope.slide_head)) +
+        analysis.warnings.push_back(std::string(what_lifts(*answer.slope.slide_head)) +
                                     " the wedge above off its joint: its thrust is not counted");
     }
-    const double factor = result.limit == LimitState::found ? result.factor_of_safety : 1;
     int outside = 0;
     int lifted_or_slipping = 0;
-    for (const ColumnResult& column : column_results(slope, strength_of(problem), factor)) {
+    for (const ColumnResult& column : answer.limiting.columns) {
         if (!column.base_friction_holds) {
             ++lifted_or_slipping;
         } else if (!column.reaction_inside_base) {
@@ -119,11 +113,12 @@ void warn(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseRes
             "which the recursion does not see: " +
             std::to_string(lifted_or_slipping));
     }
-    if (slope.columns.size() > most_drawn_columns) {
-        analysis.warnings.push_back(
-            "figures are left out: " + std::to_string(slope.columns.size()) +
-            " columns are too many to be told apart; columns.csv has their forces" +
-            (can_sweep(problem) ? "" : ", and the dependence on geometry and inputs would take too long"));
+    if (answer.slope.columns.size() > most_drawn_columns) {
+        analysis.warnings.push_back("figures are left out: " + std::to_string(answer.slope.columns.size()) +
+                                    " columns are too many to be told apart; columns.csv has their forces" +
+                                    (can_sweep(problem, answer.slope)
+                                         ? ""
+                                         : ", and the dependence on geometry and inputs would take too long"));
     }
     const bool cut = !std::holds_alternative<BlockColumns<>>(problem.scene.columns);
     if (cut && !(problem.scene.bolt.empty() && problem.scene.point_load.empty())) {
@@ -142,27 +137,54 @@ void warn(Analysis& analysis, const SteppedBase<>& problem, const SteppedBaseRes
 
 }  // namespace
 
-Analysis analyse_case(const SteppedBaseStudy<>& study) {
-    Analysis analysis;
-    const ResolvedSteppedBase resolved = resolve(study);
-    const SteppedBaseResult result =
-        resolved.check == ColumnCheck::valid ? analyse(resolved.problem) : SteppedBaseResult{};
-    const ColumnCheck check = resolved.check == ColumnCheck::valid ? result.check : resolved.check;
-    if (check != ColumnCheck::valid) {
-        analysis.failure = word_of(check);
-        return analysis;
+SteppedBaseAnswer analyse_case(const SteppedBaseStudy<>& study, const AnalysisWork&) {
+    SteppedBaseAnswer answer{resolve(study)};
+    const SteppedBase<>& problem = answer.resolved.problem;
+    SteppedBaseResult& result = answer.result;
+    if (answer.resolved.check != ColumnCheck::valid) {
+        result.check = answer.resolved.check;
+        return answer;
     }
-    append_outputs(analysis, result);
-    mark_what_is_not(analysis, resolved.problem, result);
-    if (!append_required(analysis, resolved.problem, study)) {
-        analysis.failure = word_of(ColumnCheck::load_outside_columns);
-        return analysis;
+    result = analyse(problem);
+    if (result.check != ColumnCheck::valid) {
+        return answer;
     }
-    append_column_outputs(analysis,
-                          column_results(make_columns(resolved.problem.scene), strength_of(resolved.problem)));
-    warn(analysis, resolved.problem, result, resolved.critical_at_boundary);
+    for (const RequiredValue<>& request : study.required) {
+        answer.required.push_back(required_value(problem, request.parameter, request.factor_of_safety));
+    }
+    for (const RequiredCable<>& request : study.required_cable) {
+        answer.required_cable.push_back(required_cable(problem, request));
+        if (answer.required_cable.back().state == CableState::no_such_place) {
+            result.check = ColumnCheck::load_outside_columns;
+            return answer;
+        }
+    }
+    answer.slope = make_columns(problem.scene);
+    answer.as_given = {column_results(answer.slope, strength_of(problem)), 1, "with the strength as given"};
+    answer.limiting = answer.as_given;
+    if (const double factor = result.factor_of_safety; result.limit == LimitState::found) {
+        answer.limiting = {column_results(answer.slope, strength_of(problem), factor), factor,
+                           "in limiting equilibrium, strength divided by " + number_in_words(factor)};
+    }
     if (study.linear_programming_bound) {
-        append_bound(analysis, resolved.problem, *study.linear_programming_bound);
+        find_bounds(answer, *study.linear_programming_bound);
+    }
+    return answer;
+}
+
+Analysis named_outputs(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer) {
+    Analysis analysis;
+    if (answer.result.check != ColumnCheck::valid) {
+        analysis.failure = word_of(answer.result.check);
+        return analysis;
+    }
+    append_outputs(analysis, answer.result);
+    mark_what_is_not(analysis, answer.resolved.problem, answer.result);
+    append_required(analysis, study, answer);
+    append_column_outputs(analysis, answer.as_given.columns);
+    warn(analysis, answer);
+    if (study.linear_programming_bound) {
+        append_bounds(analysis, answer, *study.linear_programming_bound);
     }
     return analysis;
 }

@@ -251,10 +251,10 @@ std::optional<GeometrySweep> friction_sweep(const SteppedBase<>& problem, const 
 
 }  // namespace
 
-bool can_sweep(const SteppedBase<>& problem) {
+bool can_sweep(const SteppedBase<>& problem, const ColumnSlope<>& slope) {
     double inputs = 0;
     for_each_number(problem, [&](double, const FieldInfo&) { ++inputs; });
-    const auto columns = static_cast<double>(make_columns(problem.scene).columns.size());
+    const auto columns = static_cast<double>(slope.columns.size());
     return columns <= most_swept_columns && inputs * columns <= most_work;
 }
 

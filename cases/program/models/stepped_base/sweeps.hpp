@@ -16,7 +16,7 @@ struct GeometrySweep {
 };
 
 // Whether the analyses that follow can be afforded: columns and inputs are not too many.
-bool can_sweep(const SteppedBase<>& problem);
+bool can_sweep(const SteppedBase<>& problem, const ColumnSlope<>& slope);
 
 // Factor of safety against base inclination, spacing and height, columns cut continuously beside classical ones; for
 // blocks given one by one, against the dip of the joints. Then the limiting friction angle against base inclination for

@@ -1,16 +1,19 @@
 // Groundwater by tilting as the program reports it: numbers only.
 #include "cases/program/results/model_reports.hpp"
-#include "water/column_tilt.hpp"
 
 namespace delabole {
 
-Analysis analyse_case(const TiltedColumn<>& column) {
+ColumnTilt analyse_case(const TiltedColumn<>& column, const AnalysisWork&) {
+    return column_tilt(column);
+}
+
+Analysis named_outputs(const TiltedColumn<>&, const ColumnTilt& tilt) {
     Analysis analysis;
-    append_outputs(analysis, column_tilt(column));
+    append_outputs(analysis, tilt);
     return analysis;
 }
 
-void append_case_figures(const TiltedColumn<>&, const ResultFolder&, Report&) {}
+void append_case_figures(const TiltedColumn<>&, const ColumnTilt&, const ResultFolder&, Report&) {}
 
 void append_mechanism_figures(const TiltedColumn<>&, const MechanismFit&, const FitProblem&, const ResultFolder&,
                               Report&) {}

@@ -1,4 +1,4 @@
-#include "dynamic_relaxation/study/checkpoint.hpp"
+#include "dynamic_relaxation/checkpoint/checkpoint.hpp"
 
 #include "dynamic_relaxation/step/outcome.hpp"
 

@@ -1,6 +1,6 @@
-#include "dynamic_relaxation/study/study_checkpoint.hpp"
+#include "dynamic_relaxation/checkpoint/study_checkpoint.hpp"
 
-#include "dynamic_relaxation/study/checkpoint.hpp"
+#include "dynamic_relaxation/checkpoint/checkpoint.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -17,6 +17,7 @@ std::uint64_t hash_of(const RelaxationStudy& study, KeepFrames frames) {
     writer.put(study.critical ? std::optional(critical_plan(study)) : std::nullopt);
     writer.put(study.history);
     writer.put(frames == KeepFrames::yes);
+    writer.put(study.retrogression.has_value());
     return fnv_1a(writer.bytes());
 }
 
@@ -47,7 +48,11 @@ bool fits(const StudyProgress& progress, const RelaxationStudy& study) {
                                           state_fits(search.failed);
                                }) &&
            std::ranges::all_of(progress.history, [&](const HistoryLine& line) { return fits(line, study, blocks); }) &&
-           frames_fit(progress.record) && frames_fit(progress.slope);
+           frames_fit(progress.record) && frames_fit(progress.slope) &&
+           std::ranges::all_of(progress.stage, [&](const FailureStage& stage) {
+               return stage.start.size() == blocks && stage.onset.size() == blocks &&
+                      std::ranges::all_of(stage.block, [&](std::uint64_t block) { return block < blocks; });
+           });
 }
 
 }  // namespace

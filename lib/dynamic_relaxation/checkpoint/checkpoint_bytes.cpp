@@ -1,4 +1,4 @@
-#include "dynamic_relaxation/study/checkpoint_bytes.hpp"
+#include "dynamic_relaxation/checkpoint/checkpoint_bytes.hpp"
 
 namespace delabole {
 
@@ -8,7 +8,7 @@ namespace {
 constexpr std::string_view mark =
     "\x89"
     "DlbRlx\n";
-constexpr std::uint64_t checkpoint_version = 19;
+constexpr std::uint64_t checkpoint_version = 20;
 constexpr std::size_t checksum_size = 8;
 static_assert(checkpoint_header_size == mark.size() + 3 * sizeof(std::uint64_t));
 

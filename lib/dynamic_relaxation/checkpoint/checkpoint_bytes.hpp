@@ -2,7 +2,7 @@
 // they arrived whole (see checkpoint.hpp).
 #pragma once
 
-#include "dynamic_relaxation/study/checkpoint_members.hpp"
+#include "dynamic_relaxation/checkpoint/checkpoint_members.hpp"
 #include "numerics/fnv_1a.hpp"
 
 #include <array>

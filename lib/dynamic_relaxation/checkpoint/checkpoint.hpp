@@ -9,9 +9,9 @@
 //   8        checksum (FNV-1a, 64 bits) of all before it
 #pragma once
 
+#include "dynamic_relaxation/checkpoint/checkpoint_bytes.hpp"
 #include "dynamic_relaxation/scene/settings.hpp"
 #include "dynamic_relaxation/step/state.hpp"
-#include "dynamic_relaxation/study/checkpoint_bytes.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 // A study under way as bytes: what a killed `delabole run` goes on from. See checkpoint.hpp for the envelope.
 #pragma once
 
-#include "dynamic_relaxation/study/checkpoint_bytes.hpp"
+#include "dynamic_relaxation/checkpoint/checkpoint_bytes.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include <string>

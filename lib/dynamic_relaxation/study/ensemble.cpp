@@ -1,0 +1,168 @@
+#include "dynamic_relaxation/study/ensemble.hpp"
+
+#include "dynamic_relaxation/study/relaxation_study.hpp"
+
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+// The positive root of x^(dimensions + 1) = x + 1.
+double generalized_golden_ratio(std::size_t dimensions) {
+    double root = 2;
+    for (int iteration = 0; iteration < 60; ++iteration) {
+        root = std::pow(1 + root, 1 / static_cast<double>(dimensions + 1));
+    }
+    return root;
+}
+
+// Shares from 0 to below 1, one after the other; all 0 for the first member.
+class Shares {
+  public:
+    Shares(std::size_t dimensions, std::size_t member)
+        : ratio_(generalized_golden_ratio(dimensions)), member_(static_cast<double>(member)) {}
+
+    double uniform() {
+        step_ /= ratio_;
+        const double share = member_ * step_;
+        return share - std::floor(share);
+    }
+    // Standard normal; 0 for the first member.
+    double normal() {
+        constexpr double most = 2;
+        double share = uniform() + 0.5;
+        share -= std::floor(share);
+        return std::clamp(gsl_cdf_ugaussian_Pinv(share), -most, most);
+    }
+
+  private:
+    double ratio_;
+    double member_;
+    double step_ = 1;
+};
+
+double deviated(double friction_angle, double by) {
+    return std::clamp(friction_angle + by, 0.0, degrees(89.9));
+}
+
+}  // namespace
+
+RelaxationStudy member_of(const RelaxationStudy& study, std::size_t member) {
+    RelaxationStudy made = study;
+    made.ensemble.reset();
+    if (member == 0) {
+        return made;
+    }
+    auto& slope = std::get<RelaxationSlope>(made.model.scene);
+    const double spacing_deviation = study.ensemble->spacing_deviation.value_or(0);
+    const double friction_deviation = study.ensemble->friction_deviation.value_or(0);
+    Shares shares(2 * slope.geometry.cut.size() + slope.joint.size(), member);
+    for (std::size_t index = 0; index < slope.geometry.cut.size(); ++index) {
+        const double shift = shares.uniform();
+        const double deviate = shares.normal();
+        auto* set = std::get_if<JointSetCut>(&slope.geometry.cut[index].trace);
+        if (set == nullptr) {
+            continue;
+        }
+        set->spacing *= 1 + spacing_deviation * deviate;
+        set->offset = set->offset.value_or(0) + shift * set->spacing;
+        if (set->scatter || set->persistence) {
+            constexpr double between_members = 1000;  // more than a section has cuts
+            set->seed =
+                set->seed.value_or(static_cast<double>(index + 1)) + between_members * static_cast<double>(member);
+        }
+    }
+    for (SlopeJoint& joint : slope.joint) {
+        const double by = friction_deviation * shares.normal();
+        joint.strength.friction_angle = deviated(joint.strength.friction_angle, by);
+        if (std::optional<double>& residual = joint.strength.residual_friction_angle) {
+            residual = deviated(*residual, by);
+        }
+    }
+    return made;
+}
+
+EnsemblePrediction predict_ensemble(const RelaxationStudy& study, Prediction first,
+                                    const std::function<Prediction(const RelaxationStudy&)>& predict,
+                                    const std::function<bool(double)>& go_on) {
+    const auto runs = static_cast<std::size_t>(study.ensemble->runs);
+    const auto count = static_cast<double>(runs);
+    std::vector<Prediction> members{std::move(first)};
+    for (std::size_t member = 0; member < runs; ++member) {
+        if (member > 0) {
+            if (go_on && !go_on(static_cast<double>(member) / count)) {
+                return {"interrupted"};
+            }
+            members.push_back(predict(member_of(study, member)));
+        }
+        if (!members.back().failure.empty()) {
+            return {members.back().failure};
+        }
+    }
+    EnsemblePrediction ensemble;
+    ensemble.mean.resize(members.front().outputs.size());
+    ensemble.deviation.resize(ensemble.mean.size());
+    for (std::size_t output = 0; output < ensemble.mean.size(); ++output) {
+        double& mean = ensemble.mean[output];
+        for (const Prediction& member : members) {
+            mean += member.outputs[output] / count;
+        }
+        double squares = 0;
+        for (const Prediction& member : members) {
+            squares += (member.outputs[output] - mean) * (member.outputs[output] - mean);
+        }
+        // What is infinite in one of them has no deviation that could be told.
+        ensemble.deviation[output] = std::isfinite(mean) ? std::sqrt(squares / (count - 1)) : mean;
+    }
+    // Members have the same outline, and so their profiles the same stations, unless excavation leaves gaps in them.
+    const std::size_t stations = members.front().profile.size();
+    if (!std::ranges::all_of(members, [&](const Prediction& member) { return member.profile.size() == stations; })) {
+        return ensemble;
+    }
+    ensemble.profile = members.front().profile;
+    for (std::size_t station = 0; station < ensemble.profile.size(); ++station) {
+        double level = 0;
+        for (const Prediction& member : members) {
+            level += member.profile[station].y() / count;
+        }
+        ensemble.profile[station].y() = level;
+    }
+    double squares = 0;
+    for (const Prediction& member : members) {
+        for (const Point& point : ensemble.profile) {
+            const double distance = signed_distance(member.profile, point);
+            squares += distance * distance;
+        }
+    }
+    const double points = (count - 1) * static_cast<double>(std::max<std::size_t>(1, ensemble.profile.size()));
+    ensemble.profile_deviation = std::sqrt(squares / points);
+    return ensemble;
+}
+
+std::vector<Quantity> outputs_of_ensemble(const std::vector<Quantity>& outputs) {
+    std::vector<Quantity> all = outputs;
+    for (const Quantity& output : outputs) {
+        all.push_back({"ensemble_deviation." + output.name, output.dimension,
+                       "standard deviation between the slopes of the ensemble: " + output.meaning});
+    }
+    all.push_back({"ensemble_deviation.profile", Dimension::length,
+                   "root mean square distance of their ground left standing from its mean"});
+    return all;
+}
+
+Prediction prediction_of(EnsemblePrediction ensemble) {
+    if (!ensemble.failure.empty()) {
+        return {ensemble.failure, {}, {}};
+    }
+    std::vector<double> outputs = std::move(ensemble.mean);
+    outputs.insert(outputs.end(), ensemble.deviation.begin(), ensemble.deviation.end());
+    outputs.push_back(ensemble.profile_deviation);
+    return {{}, std::move(outputs), std::move(ensemble.profile)};
+}
+
+}  // namespace delabole

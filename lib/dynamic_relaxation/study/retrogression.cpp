@@ -1,0 +1,273 @@
+#include "dynamic_relaxation/study/retrogression.hpp"
+
+#include "dynamic_relaxation/blocks/shared_faces.hpp"
+#include "dynamic_relaxation/step/scene_check.hpp"
+#include "dynamic_relaxation/study/strength_reduction.hpp"
+#include "dynamic_relaxation/study/study_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+double area_of(const Bodies& bodies, std::size_t block) {
+    const auto first = bodies.corner.begin();
+    return area_properties(Polygon<>(first + static_cast<std::ptrdiff_t>(bodies.range[block].begin),
+                                     first + static_cast<std::ptrdiff_t>(bodies.range[block].end)))
+        .area;
+}
+
+// Areas until all blocks are in, shares of their sum afterwards.
+void add_block(const Bodies& bodies, const FailureStage& stage, std::size_t block, RetrogressionStage& sum) {
+    const Motion& start = stage.start[block];
+    const Motion& onset = stage.onset[block];
+    const double area = area_of(bodies, block);
+    const double rotation = onset.angle - start.angle;
+    const double displacement = std::hypot(onset.x - start.x, onset.y - start.y);
+    constexpr double farthest_pivot = 2;  // in radii
+    const bool turns = displacement <= farthest_pivot * bodies.radius[block] * std::abs(rotation);
+    sum.blocks += 1;
+    sum.area += area;
+    (!turns ? sum.sliding_share : rotation > 0 ? sum.toppling_share : sum.backward_share) += area;
+}
+
+void divide_by_area(RetrogressionStage& sum) {
+    if (sum.area > 0) {
+        sum.toppling_share /= sum.area;
+        sum.backward_share /= sum.area;
+        sum.sliding_share /= sum.area;
+    }
+}
+
+// Without water on what of their faces those that stay have shared with those that are gone.
+std::vector<FacePressure> drained(const std::vector<FacePressure>& pressures, const Bodies& bodies,
+                                  const std::vector<SharedFace>& faces, const std::vector<char>& gone) {
+    std::vector<FacePressure> left = pressures;
+    const auto drain = [&](std::size_t block, std::size_t edge, const PlanePoint<>& middle, double length) {
+        const CornerRange& range = bodies.range[block];
+        const PlanePoint<>& first = bodies.corner[edge];
+        const PlanePoint<> along = (bodies.corner[range.after(edge)] - first).normalized();
+        const double whole = (bodies.corner[range.after(edge)] - first).norm();
+        const double begin = along.dot(middle - first) - length / 2;
+        const double end = begin + length;
+        std::vector<FacePressure> kept;
+        for (const FacePressure& pressure : left) {
+            if (pressure.block != block || range.begin + pressure.edge != edge) {
+                kept.push_back(pressure);
+                continue;
+            }
+            const EdgePart part = pressure.part.value_or(EdgePart{0, whole});
+            const auto keep = [&](double from, double to) {
+                // What rounding leaves of a piece presses on nothing.
+                if (to - from > 1e-9 * whole) {
+                    const double slope = (pressure.at_second - pressure.at_first) / (part.end - part.begin);
+                    kept.push_back({block, pressure.edge, pressure.at_first + slope * (from - part.begin),
+                                    pressure.at_first + slope * (to - part.begin), EdgePart{from, to}});
+                }
+            };
+            if (end <= part.begin || begin >= part.end) {
+                kept.push_back(pressure);
+                continue;
+            }
+            keep(part.begin, std::min(begin, part.end));
+            keep(std::max(end, part.begin), part.end);
+        }
+        left = std::move(kept);
+    };
+    for (const SharedFace& face : faces) {
+        if (gone[face.other] != 0 && gone[face.block] == 0) {
+            drain(face.block, face.edge, face.arm, face.length);
+        } else if (gone[face.block] != 0 && gone[face.other] == 0) {
+            drain(face.other, face.other_edge, face.other_arm, face.length);
+        }
+    }
+    return left;
+}
+
+class Retrogression {
+  public:
+    Retrogression(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress)
+        : study_(study),
+          work_(work),
+          progress_(progress),
+          whole_(relaxation_scene(study)),
+          settings_(settings_for(study, work, whole_)) {
+        settings_.stop_at_onset = true;
+        settings_.stop_at_equilibrium = true;
+        settings_.creep = true;  // what happens after onset does not matter
+    }
+
+    RelaxationRun run() {
+        RelaxationRun made{whole_, settings_, {}, {}};
+        made.in_stages = true;
+        made.result.fault = check(whole_, settings_);
+        if (made.result.fault.check != SceneCheck::valid) {
+            return made;
+        }
+        bodies_ = make_bodies(whole_);
+        faces_ = find_shared_faces(bodies_);
+        gone_.assign(bodies_.size(), 0);
+        for (const FailureStage& stage : progress_.stage) {
+            take_away(stage);
+        }
+        const double most = study_.retrogression->most_stages.value_or(static_cast<double>(whole_.block.size()));
+        do {
+            made.scene = scene_without_what_failed();
+        } while (run_stage(made) && static_cast<double>(progress_.stage.size()) < most && any_left());
+        if (made.result.outcome == RelaxationOutcome::onset && !any_left()) {
+            made.result.outcome = RelaxationOutcome::collapse;
+        }
+        for (const FailureStage& stage : progress_.stage) {
+            made.result.cost.steps += stage.steps;
+            made.result.cost.contacts_evaluated += stage.contacts_evaluated;
+        }
+        made.stage = progress_.stage;
+        // Afterwards `progress` holds the last run whole: whoever goes on from there finds the same end.
+        progress_.state = made.end;
+        if (made.result.outcome == RelaxationOutcome::onset || made.result.outcome == RelaxationOutcome::collapse) {
+            progress_.stage.pop_back();
+        }
+        made.post_failure = survey(made.end->origin, made.end->motion, gone_);
+        made.early_failure = early_failure(made);
+        return made;
+    }
+
+  private:
+    RelaxationScene scene_without_what_failed() const {
+        RelaxationScene scene = whole_;
+        for (std::size_t block = 0; block < gone_.size(); ++block) {
+            if (gone_[block] != 0) {
+                scene.removal.push_back({block, -1});
+            }
+        }
+        scene.pressure = drained(whole_.pressure, bodies_, faces_, gone_);
+        return scene;
+    }
+
+    bool any_left() const {
+        for (std::size_t block = 0; block < gone_.size(); ++block) {
+            if (gone_[block] == 0 && !whole_.block[block].fixed) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void take_away(const FailureStage& stage) {
+        for (const std::uint64_t block : stage.block) {
+            gone_[block] = 1;
+        }
+    }
+
+    // Whether blocks failed, and were taken away.
+    bool run_stage(RelaxationRun& made) {
+        std::optional<RelaxationState> begun = std::exchange(progress_.state, {});
+        Simulation simulation =
+            begun ? Simulation(made.scene, settings_, std::move(*begun)) : Simulation(made.scene, settings_);
+        const bool ended = go_on(
+            simulation, work_, [&](double share) { return !work_.watch || work_.watch(share_done(share)); },
+            [&] {
+                progress_.state = simulation.state();
+                work_.keep(progress_);
+            },
+            [] {});
+        made.end = simulation.state();
+        made.result = simulation.result();
+        if (!ended) {
+            progress_.state = simulation.state();
+            made.result.outcome = RelaxationOutcome::interrupted;
+        }
+        if (made.result.outcome != RelaxationOutcome::onset) {
+            return false;
+        }
+        FailureStage stage{{},
+                           made.end->origin,
+                           made.end->motion,
+                           made.result.time,
+                           made.result.cost.steps,
+                           made.result.cost.contacts_evaluated};
+        for (std::size_t block = 0; block < made.result.block.size(); ++block) {
+            const BlockMovement movement = made.result.block[block].movement;
+            if (movement != BlockMovement::stays && movement != BlockMovement::fixed &&
+                movement != BlockMovement::removed) {
+                stage.block.push_back(block);
+            }
+        }
+        take_away(stage);
+        progress_.stage.push_back(std::move(stage));
+        made.result.cost = {};
+        return true;
+    }
+
+    // Nobody knows how many stages are to come.
+    double share_done(double of_stage) const {
+        const auto stages = static_cast<double>(progress_.stage.size());
+        return (stages + of_stage / (stages + 2)) / (stages + 1);
+    }
+
+    PostFailure survey(const std::vector<Motion>& start, const std::vector<Motion>& now,
+                       const std::vector<char>& failed) const {
+        const std::vector<char> none(bodies_.size(), 0);
+        return post_failure({bodies_, start, now, none, joint_names(study_.model.scene), failed},
+                            study_.post_failure.value_or(PostFailureRequest{}));
+    }
+
+    // At the onset of the stage in which half of the area that fails in the end has gone.
+    PostFailure early_failure(const RelaxationRun& made) const {
+        const double half = made.post_failure->answer.failed_area / 2;
+        std::vector<char> failed(bodies_.size(), 0);
+        double area = 0;
+        for (const FailureStage& stage : made.stage) {
+            for (const std::uint64_t block : stage.block) {
+                area += area_of(bodies_, block);
+            }
+            if (area > half) {
+                return survey(stage.start, stage.onset, failed);
+            }
+            for (const std::uint64_t block : stage.block) {
+                failed[block] = 1;
+            }
+        }
+        return *made.post_failure;
+    }
+
+    const RelaxationStudy& study_;
+    const StudyWork& work_;
+    StudyProgress& progress_;
+    RelaxationScene whole_;
+    RelaxationSettings settings_;
+    Bodies bodies_ = {};
+    std::vector<SharedFace> faces_ = {};
+    std::vector<char> gone_ = {};  // failed in the stages so far
+};
+
+}  // namespace
+
+RelaxationRun run_in_stages(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress) {
+    return Retrogression(study, work, progress).run();
+}
+
+RetrogressionAnswer answer_of(const Bodies& bodies, const std::vector<FailureStage>& stages) {
+    RetrogressionAnswer answer{};
+    answer.stages = static_cast<double>(stages.size());
+    for (const FailureStage& stage : stages) {
+        RetrogressionStage& sum = answer.stage.emplace_back();
+        for (const std::uint64_t block : stage.block) {
+            add_block(bodies, stage, block, sum);
+            add_block(bodies, stage, block, answer.total);
+        }
+        divide_by_area(sum);
+    }
+    divide_by_area(answer.total);
+    if (!stages.empty()) {
+        answer.first = answer.stage.front();
+        answer.largest = *std::ranges::max_element(answer.stage, {}, &RetrogressionStage::area);
+    }
+    return answer;
+}
+
+}  // namespace delabole

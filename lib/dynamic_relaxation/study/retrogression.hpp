@@ -1,0 +1,86 @@
+// Retrogressive failure of a jointed slope: what fails leaves the slope, what stood behind it has to stand by itself,
+// and so on until the rest stands (Cruden & Varnes 1996: retrogressing; 2.4.2 (ii) of the thesis: progressive and
+// repeating).
+//
+// Each stage is a run of its own from the initial geometry, without the blocks that failed in the stages before, to
+// equilibrium or to the onset of failure. At onset the blocks that have moved by more than a tenth of the farthest
+// motion are the failing mass (BlockOutcome::movement). They are taken away; of the others nothing is kept, neither
+// their small displacements nor their stresses. So the ground left standing follows from equilibrium alone: no time, no
+// fall and no debris enters it, and the same slope gives the same answer.
+//
+// Limits. Debris supports nothing: where it comes to rest against the slope, less fails than is found here. A joint
+// that a failure has opened is drained: its water no longer presses on the face that stays. A pond does not follow the
+// ground.
+#pragma once
+
+#include "dynamic_relaxation/blocks/bodies.hpp"
+#include "parameters/fields.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace delabole {
+
+struct RetrogressionRequest {
+    std::optional<double> most_stages;
+    static constexpr auto fields() {
+        using R = RetrogressionRequest;
+        return std::tuple{number("most_stages", &R::most_stages, Dimension::ratio, at_least(1),
+                                 "after which what is left is not looked at: 1 finds the mass that fails first; "
+                                 "absent: all there are")};
+    }
+};
+
+// A mass that failed, and how it moved at onset: by the area of blocks that turn about a point within two radii of
+// their centroid, out of the slope (they topple) or into it, and of the others (they slide, or fall).
+struct RetrogressionStage {
+    double blocks;
+    double area;
+    double toppling_share;
+    double backward_share;
+    double sliding_share;
+    static constexpr auto fields() {
+        using S = RetrogressionStage;
+        constexpr Interval any = any_number();
+        return std::tuple{
+            number("blocks", &S::blocks, Dimension::ratio, any, "blocks that failed"),
+            number("area", &S::area, Dimension::area, any, "of the section that failed"),
+            number("toppling_share", &S::toppling_share, Dimension::ratio, any,
+                   "share of this area in blocks that turn out of the slope"),
+            number("backward_share", &S::backward_share, Dimension::ratio, any, "likewise, into the slope"),
+            number("sliding_share", &S::sliding_share, Dimension::ratio, any, "likewise, in blocks that do not turn")};
+    }
+};
+
+struct RetrogressionAnswer {
+    double stages;
+    RetrogressionStage total;
+    RetrogressionStage first;
+    RetrogressionStage largest;
+    std::vector<RetrogressionStage> stage;
+    static constexpr auto fields() {
+        using R = RetrogressionAnswer;
+        return std::tuple{number("stages", &R::stages, Dimension::ratio, any_number(),
+                                 "masses that failed one after the other until the rest stood"),
+                          section("total", &R::total, "all of them together"),
+                          section("first", &R::first, "the first; zero where none failed"),
+                          section("largest", &R::largest, "the one of the greatest area, likewise"),
+                          section("stage", &R::stage, "each of them")};
+    }
+};
+
+struct FailureStage {
+    std::vector<std::uint64_t> block = {};  // that failed, in increasing order
+    std::vector<Motion> start = {};         // of all blocks, after the static start
+    std::vector<Motion> onset = {};         // likewise, when these had begun to fail
+    double time = 0;                        // s, to onset
+    std::uint64_t steps = 0;
+    std::uint64_t contacts_evaluated = 0;
+};
+
+RetrogressionAnswer answer_of(const Bodies& bodies, const std::vector<FailureStage>& stages);
+
+}  // namespace delabole

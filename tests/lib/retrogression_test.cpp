@@ -1,0 +1,125 @@
+// Failure by stages, and the mean of slopes that differ by chance.
+#include "dynamic_relaxation/study/retrogression.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
+
+#include "tests/support/jointed_slopes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace delabole {
+namespace {
+
+using testing::joint_set;
+
+constexpr double area = 8;  // m2, of the wall
+
+// A wall 4 m long and 2 m high in blocks of 1 m, tilted by 25 deg so that its level joints dip out of the slope.
+RelaxationStudy wall(double friction) {
+    RelaxationSlope slope{};
+    slope.geometry =
+        testing::section({{0, 0}, {4, 0}, {4, 2}, {0, 2}},
+                         {{"upright", "joint", joint_set(degrees(90), 1)}, {"level", "joint", joint_set(0, 1)}});
+    slope.rock = {{"slate", 2700}};
+    RelaxationJoint joint{};
+    joint.friction_angle = friction;
+    slope.joint = {{"joint", {}, joint}};
+    slope.frame = SlopeFrame{FrameSides::below_and_behind, 1, {}, "joint"};
+    slope.tilt = degrees(25);
+    RelaxationStudy study{};
+    study.model.scene = slope;
+    study.retrogression.emplace();
+    return study;
+}
+
+double value_of(const ModelInterface& model, const Prediction& prediction, const std::string& name) {
+    const auto place = place_of(model.outputs, name);
+    return place && *place < prediction.outputs.size() ? prediction.outputs[*place] : -1;
+}
+
+TEST(Retrogression, LeavesAWallThatStands) {
+    const RelaxationRun made = run(wall(degrees(30)));
+    EXPECT_EQ(made.result.outcome, RelaxationOutcome::equilibrium);
+    EXPECT_TRUE(made.stage.empty());
+    ASSERT_TRUE(made.post_failure);
+    // Shares of what has given way elastically, at a movement of a millionth of a block to the fourth power.
+    EXPECT_LT(made.post_failure->answer.failed_area, 1e-12);
+}
+
+TEST(Retrogression, TakesAwayAWallThatSlidesOnItsBase) {
+    const RelaxationRun made = run(wall(degrees(20)));
+    EXPECT_EQ(made.result.outcome, RelaxationOutcome::collapse);
+    ASSERT_TRUE(made.post_failure);
+    constexpr double rounding = 1e-9;
+    EXPECT_NEAR(made.post_failure->answer.failed_area, area, rounding);
+    const RetrogressionAnswer answer = *answer_of(made).retrogression;
+    EXPECT_GE(answer.stages, 1);
+    EXPECT_EQ(answer.total.blocks, 8);
+    EXPECT_NEAR(answer.total.area, area, rounding);
+    EXPECT_NEAR(answer.total.sliding_share, 1, rounding);
+    double areas = 0;
+    for (const RetrogressionStage& stage : answer.stage) {
+        areas += stage.area;
+    }
+    EXPECT_NEAR(areas, area, rounding);
+}
+
+TEST(Retrogression, EndsAfterTheStagesAskedFor) {
+    RelaxationStudy study = wall(degrees(20));
+    study.retrogression->most_stages = 1;
+    EXPECT_EQ(run(study).stage.size(), 1U);
+}
+
+// A run that was stopped at any place goes on to the same answer.
+TEST(Retrogression, GoesOnFromWhereItWasStopped) {
+    const RelaxationStudy study = wall(degrees(20));
+    const RelaxationRun whole = run(study);
+    StudyProgress progress;
+    int looks = 0;
+    StudyWork work;
+    work.watch = [&](double) { return ++looks != 2; };
+    run(study, work, progress);
+    const RelaxationRun resumed = run(study, {}, progress);
+    EXPECT_EQ(resumed.result.outcome, whole.result.outcome);
+    ASSERT_EQ(resumed.stage.size(), whole.stage.size());
+    for (std::size_t stage = 0; stage < whole.stage.size(); ++stage) {
+        EXPECT_EQ(resumed.stage[stage].block, whole.stage[stage].block);
+        EXPECT_EQ(resumed.stage[stage].steps, whole.stage[stage].steps);
+    }
+}
+
+TEST(Ensemble, BeginsWithTheSlopeAsDrawnAndShiftsTheJointsOfTheOthers) {
+    RelaxationStudy study = wall(degrees(20));
+    study.ensemble = EnsembleRequest{4, 0.1, degrees(1)};
+    const auto& drawn = std::get<RelaxationSlope>(study.model.scene);
+    const RelaxationStudy itself = member_of(study, 0);
+    EXPECT_EQ(std::get<RelaxationSlope>(itself.model.scene).geometry, drawn.geometry);
+    for (std::size_t member = 1; member < 4; ++member) {
+        const RelaxationStudy other = member_of(study, member);
+        const auto& slope = std::get<RelaxationSlope>(other.model.scene);
+        EXPECT_NE(std::get<JointSetCut>(slope.geometry.cut[0].trace).offset,
+                  std::get<JointSetCut>(drawn.geometry.cut[0].trace).offset);
+        // Two standard deviations at most.
+        EXPECT_NEAR(std::get<JointSetCut>(slope.geometry.cut[0].trace).spacing, 1, 0.2 + 1e-12);
+        EXPECT_NEAR(slope.joint[0].strength.friction_angle, degrees(20), degrees(2) + 1e-12);
+    }
+}
+
+TEST(Ensemble, OfWallsThatAllSlideHasTheirAreaAndNoDeviation) {
+    RelaxationStudy study = wall(degrees(20));
+    study.ensemble = EnsembleRequest{3, {}, {}};
+    const ModelInterface model = model_interface(study);
+    const Prediction prediction = model.predict({});
+    ASSERT_EQ(prediction.failure, "");
+    ASSERT_EQ(prediction.outputs.size(), model.outputs.size());
+    constexpr double rounding = 1e-9;
+    EXPECT_NEAR(value_of(model, prediction, "post_failure.failed_area"), area, rounding);
+    EXPECT_NEAR(value_of(model, prediction, "ensemble_deviation.post_failure.failed_area"), 0, rounding);
+    EXPECT_NEAR(value_of(model, prediction, "ensemble_deviation.profile"), 0, rounding);
+}
+
+}  // namespace
+}  // namespace delabole
