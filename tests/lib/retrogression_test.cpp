@@ -1,6 +1,7 @@
 // Failure by stages, and the mean of slopes that differ by chance.
 #include "dynamic_relaxation/study/retrogression.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
+#include "dynamic_relaxation/study/strength_bound.hpp"
 
 #include "tests/support/jointed_slopes.hpp"
 
@@ -71,6 +72,32 @@ TEST(Retrogression, EndsAfterTheStagesAskedFor) {
     RelaxationStudy study = wall(degrees(20));
     study.retrogression->most_stages = 1;
     EXPECT_EQ(run(study).stage.size(), 1U);
+}
+
+// Without the lower block at the face the upper one leans on its neighbour's upright side alone, which no friction
+// makes a hold; without the upper one nothing falls.
+TEST(Retrogression, LetsBlocksFallThatHaveLostTheirHold) {
+    const RelaxationScene scene = relaxation_scene(wall(degrees(30)));
+    const Bodies bodies = make_bodies(scene);
+    const std::vector<SharedFace> faces = find_shared_faces(bodies);
+    const auto block_at = [&](double x, double y) {
+        for (std::size_t block = 0; block < bodies.size(); ++block) {
+            if (bodies.fixed[block] == 0 && (bodies.centroid[block] - PlanePoint<>(x, y)).norm() < 0.01) {
+                return block;
+            }
+        }
+        return bodies.size();
+    };
+    const std::size_t lower = block_at(0.5, 0.5);
+    const std::size_t upper = block_at(0.5, 1.5);
+    ASSERT_LT(lower, bodies.size());
+    ASSERT_LT(upper, bodies.size());
+    std::vector<char> gone(bodies.size(), 0);
+    gone[upper] = 1;
+    EXPECT_TRUE(blocks_without_hold(scene, bodies, faces, gone).empty());
+    gone[upper] = 0;
+    gone[lower] = 1;
+    EXPECT_EQ(blocks_without_hold(scene, bodies, faces, gone), std::vector<std::size_t>{upper});
 }
 
 // A run that was stopped at any place goes on to the same answer.

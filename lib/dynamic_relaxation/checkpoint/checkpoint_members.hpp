@@ -104,7 +104,7 @@ DELABOLE_MEMBERS(MotionFrame, time, tilt, motion, outcome, force)
 DELABOLE_MEMBERS(MotionRecord, frame, interval, next)
 DELABOLE_MEMBERS(CriticalProbe, outcome, steps, contacts_evaluated)
 DELABOLE_MEMBERS(SearchProgress, probe, probe_state, consolidated, failed)
-DELABOLE_MEMBERS(FailureStage, block, start, onset, time, steps, contacts_evaluated)
+DELABOLE_MEMBERS(FailureStage, block, moved, start, onset, time, steps, contacts_evaluated)
 DELABOLE_MEMBERS(StudyProgress, state, next_line, history, record, slope, stage, search)
 
 #undef DELABOLE_MEMBERS

@@ -2,6 +2,7 @@
 
 #include "dynamic_relaxation/blocks/shared_faces.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
+#include "dynamic_relaxation/study/strength_bound.hpp"
 #include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "dynamic_relaxation/study/study_run.hpp"
 
@@ -22,14 +23,16 @@ double area_of(const Bodies& bodies, std::size_t block) {
 }
 
 // Areas until all blocks are in, shares of their sum afterwards.
-void add_block(const Bodies& bodies, const FailureStage& stage, std::size_t block, RetrogressionStage& sum) {
+void add_block(const Bodies& bodies, const FailureStage& stage, std::size_t index, RetrogressionStage& sum) {
+    const std::size_t block = stage.block[index];
     const Motion& start = stage.start[block];
     const Motion& onset = stage.onset[block];
     const double area = area_of(bodies, block);
     const double rotation = onset.angle - start.angle;
     const double displacement = std::hypot(onset.x - start.x, onset.y - start.y);
     constexpr double farthest_pivot = 2;  // in radii
-    const bool turns = displacement <= farthest_pivot * bodies.radius[block] * std::abs(rotation);
+    const bool turns =
+        index < stage.moved && displacement <= farthest_pivot * bodies.radius[block] * std::abs(rotation);
     sum.blocks += 1;
     sum.area += area;
     (!turns ? sum.sliding_share : rotation > 0 ? sum.toppling_share : sum.backward_share) += area;
@@ -185,6 +188,7 @@ class Retrogression {
             return false;
         }
         FailureStage stage{{},
+                           0,
                            made.end->origin,
                            made.end->motion,
                            made.result.time,
@@ -197,10 +201,23 @@ class Retrogression {
                 stage.block.push_back(block);
             }
         }
+        stage.moved = stage.block.size();
         take_away(stage);
+        add_blocks_without_hold(stage);
         progress_.stage.push_back(std::move(stage));
         made.result.cost = {};
         return true;
+    }
+
+    void add_blocks_without_hold(FailureStage& stage) {
+        std::vector<std::size_t> falling;
+        do {
+            falling = blocks_without_hold(scene_without_what_failed(), bodies_, faces_, gone_);
+            for (const std::size_t block : falling) {
+                stage.block.push_back(block);
+                gone_[block] = 1;
+            }
+        } while (!falling.empty());
     }
 
     // Nobody knows how many stages are to come.
@@ -256,9 +273,9 @@ RetrogressionAnswer answer_of(const Bodies& bodies, const std::vector<FailureSta
     answer.stages = static_cast<double>(stages.size());
     for (const FailureStage& stage : stages) {
         RetrogressionStage& sum = answer.stage.emplace_back();
-        for (const std::uint64_t block : stage.block) {
-            add_block(bodies, stage, block, sum);
-            add_block(bodies, stage, block, answer.total);
+        for (std::size_t index = 0; index < stage.block.size(); ++index) {
+            add_block(bodies, stage, index, sum);
+            add_block(bodies, stage, index, answer.total);
         }
         divide_by_area(sum);
     }

@@ -4,9 +4,10 @@
 //
 // Each stage is a run of its own from the initial geometry, without the blocks that failed in the stages before, to
 // equilibrium or to the onset of failure. At onset the blocks that have moved by more than a tenth of the farthest
-// motion are the failing mass (BlockOutcome::movement). They are taken away; of the others nothing is kept, neither
-// their small displacements nor their stresses. So the ground left standing follows from equilibrium alone: no time, no
-// fall and no debris enters it, and the same slope gives the same answer.
+// motion are the failing mass (BlockOutcome::movement). With them go blocks that nothing holds any more
+// (blocks_without_hold). They are taken away; of the others nothing is kept, neither their small displacements nor
+// their stresses. So the ground left standing follows from equilibrium alone: no time, no fall and no debris enters it,
+// and the same slope gives the same answer.
 //
 // Limits. Debris supports nothing: where it comes to rest against the slope, less fails than is found here. A joint
 // that a failure has opened is drained: its water no longer presses on the face that stays. A pond does not follow the
@@ -35,7 +36,8 @@ struct RetrogressionRequest {
 };
 
 // A mass that failed, and how it moved at onset: by the area of blocks that turn about a point within two radii of
-// their centroid, out of the slope (they topple) or into it, and of the others (they slide, or fall).
+// their centroid, out of the slope (they topple) or into it, and of the others (they slide, or fall; so do all that go
+// because they have lost their hold).
 struct RetrogressionStage {
     double blocks;
     double area;
@@ -73,7 +75,8 @@ struct RetrogressionAnswer {
 };
 
 struct FailureStage {
-    std::vector<std::uint64_t> block = {};  // that failed, in increasing order
+    std::vector<std::uint64_t> block = {};  // that failed: at first those that moved, in increasing order
+    std::uint64_t moved = 0;                // so many of them; the others lost their hold with these
     std::vector<Motion> start = {};         // of all blocks, after the static start
     std::vector<Motion> onset = {};         // likewise, when these had begun to fail
     double time = 0;                        // s, to onset

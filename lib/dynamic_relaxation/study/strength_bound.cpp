@@ -41,7 +41,8 @@ FaceStrength strength_of(const RelaxationScene& scene, const Bodies& bodies, con
     return strength;
 }
 
-Assembly assembly_of(const RelaxationScene& scene, const Bodies& bodies) {
+// Bodies are the free blocks in their order.
+Assembly assembly_of(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces) {
     RelaxationSettings at_once;
     at_once.start = RelaxationStart::dropped;
     std::vector<BlockForce> load(bodies.size());
@@ -57,7 +58,7 @@ Assembly assembly_of(const RelaxationScene& scene, const Bodies& bodies) {
             assembly.bodies.push_back({weight, bodies.centroid[block], beside});
         }
     }
-    for (const SharedFace& face : find_shared_faces(bodies)) {
+    for (const SharedFace& face : faces) {
         const FaceStrength joint = strength_of(scene, bodies, face);
         const PlanePoint<> middle = bodies.centroid[face.block] + face.arm;
         const PlanePoint<> half = face.length / 2 * face.along;
@@ -78,13 +79,54 @@ Assembly assembly_of(const RelaxationScene& scene, const Bodies& bodies) {
     return assembly;
 }
 
+Assembly assembly_of(const RelaxationScene& scene) {
+    const Bodies bodies = make_bodies(scene);
+    return assembly_of(scene, bodies, find_shared_faces(bodies));
+}
+
+// Nothing where the linear programme has no answer, or the flag was set before one of the two programmes.
+std::optional<bool> stands(const Assembly& assembly, const std::atomic<bool>* stop) {
+    // A horizontal force of 0 lies between the greatest that the blocks bear to one side and to the other.
+    constexpr double rounding = 1e-9;
+    for (const Assembly& seen : {assembly, mirrored(assembly)}) {
+        if (stop != nullptr && *stop) {
+            return std::nullopt;
+        }
+        const LpBound tilt = largest_tilt(seen);
+        if (tilt.status == LpStatus::infeasible || (tilt.status == LpStatus::optimal && tilt.value < -rounding)) {
+            return false;
+        }
+        if (tilt.status != LpStatus::optimal && tilt.status != LpStatus::unbounded) {
+            return std::nullopt;
+        }
+    }
+    return true;
+}
+
+// One body of the assembly among the others that are left, as if these were fixed.
+Assembly alone(const Assembly& assembly, std::size_t body, const std::vector<char>& gone) {
+    Assembly made{AssemblyCheck::valid, {assembly.bodies[body]}, {}};
+    for (const Contact& contact : assembly.contacts) {
+        Contact own = contact;
+        if (contact.other == body && gone[contact.body] == 0) {
+            std::swap(own.start, own.end);
+        } else if (contact.body != body || (contact.other && gone[*contact.other] != 0)) {
+            continue;
+        }
+        own.body = 0;
+        own.other.reset();
+        made.contacts.push_back(own);
+    }
+    return made;
+}
+
 }  // namespace
 
 std::optional<double> greatest_strength_reduction(const RelaxationScene& scene, const std::atomic<bool>* stop) {
     if (!is_static(scene)) {
         return std::nullopt;
     }
-    const LpBound bound = least_strength_factor(assembly_of(scene, make_bodies(scene)), stop);
+    const LpBound bound = least_strength_factor(assembly_of(scene), stop);
     switch (bound.status) {
     case LpStatus::optimal:
         return bound.value > 0 ? 1 / bound.value : std::numeric_limits<double>::infinity();
@@ -99,22 +141,33 @@ std::optional<bool> stands_on_faces(const RelaxationScene& scene, const std::ato
     if (!is_static(scene)) {
         return std::nullopt;
     }
-    // A horizontal force of 0 lies between the greatest that the blocks bear to one side and to the other.
-    constexpr double rounding = 1e-9;
-    const Assembly assembly = assembly_of(scene, make_bodies(scene));
-    for (const Assembly& seen : {assembly, mirrored(assembly)}) {
-        if (stop != nullptr && *stop) {
-            return std::nullopt;
-        }
-        const LpBound tilt = largest_tilt(seen);
-        if (tilt.status == LpStatus::infeasible || (tilt.status == LpStatus::optimal && tilt.value < -rounding)) {
-            return false;
-        }
-        if (tilt.status != LpStatus::optimal && tilt.status != LpStatus::unbounded) {
-            return std::nullopt;
+    return stands(assembly_of(scene), stop);
+}
+
+std::vector<std::size_t> blocks_without_hold(const RelaxationScene& scene, const Bodies& bodies,
+                                             const std::vector<SharedFace>& faces, const std::vector<char>& gone) {
+    std::vector<std::size_t> block_of;
+    std::vector<char> body_gone;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (bodies.fixed[block] == 0) {
+            block_of.push_back(block);
+            body_gone.push_back(gone[block]);
         }
     }
-    return true;
+    std::vector<char> bared(bodies.size(), 0);
+    for (const SharedFace& face : faces) {
+        bared[face.block] |= gone[face.other];
+        bared[face.other] |= gone[face.block];
+    }
+    const Assembly assembly = assembly_of(scene, bodies, faces);
+    std::vector<std::size_t> falling;
+    for (std::size_t body = 0; body < block_of.size(); ++body) {
+        const std::size_t block = block_of[body];
+        if (bared[block] != 0 && gone[block] == 0 && stands(alone(assembly, body, body_gone), nullptr) == false) {
+            falling.push_back(block);
+        }
+    }
+    return falling;
 }
 
 }  // namespace delabole

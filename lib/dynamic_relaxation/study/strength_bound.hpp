@@ -1,11 +1,14 @@
 // Bounds the factor of safety of a scene by statics alone.
 #pragma once
 
+#include "dynamic_relaxation/blocks/shared_faces.hpp"
 #include "dynamic_relaxation/scene/scene.hpp"
 #include "limit_equilibrium/bound/lp_bound.hpp"
 
 #include <atomic>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace delabole {
 
@@ -26,5 +29,11 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene,
 // False: if the blocks do stand, then because corners bear on corners. Nothing also where the linear programme has no
 // answer, or the flag was set before one of the two programmes.
 std::optional<bool> stands_on_faces(const RelaxationScene& scene, const std::atomic<bool>* stop = nullptr);
+
+// Of the blocks that have lost a neighbour to those that are `gone`: those that the others could not hold even if they
+// stood fast themselves (the removable blocks of Goodman & Shi 1985, with friction and water). Some that are left may
+// lose their hold with them: ask again with these gone as well.
+std::vector<std::size_t> blocks_without_hold(const RelaxationScene& scene, const Bodies& bodies,
+                                             const std::vector<SharedFace>& faces, const std::vector<char>& gone);
 
 }  // namespace delabole
