@@ -55,17 +55,17 @@ std::string miss_in_words(const ObservationFit& row) {
            " standard deviations away";
 }
 
-void add_misses(const Misfit& misfit, MechanismFit& fit) {
+void add_misses(MechanismFit& fit) {
     for (const ObservationFit& row : fit.observations) {
         if (row.predicted && std::abs(row.pull) > large_pull) {
             fit.unexplained.push_back(miss_in_words(row));
         }
     }
-    if (fit.profile_pull > large_pull) {
-        fit.unexplained.push_back("post-failure profile: " + value_in_words(*fit.profile_rms_m, Dimension::length) +
-                                  " root mean square distance, " + number_in_words(fit.profile_pull) +
+    if (fit.profile_fit && fit.profile_fit->pull() > large_pull) {
+        fit.unexplained.push_back("post-failure profile: " + value_in_words(fit.profile_fit->rms, Dimension::length) +
+                                  " root mean square distance, " + number_in_words(fit.profile_fit->pull()) +
                                   " standard deviations of " +
-                                  value_in_words(misfit.problem().profile->standard_deviation, Dimension::length));
+                                  value_in_words(fit.profile_fit->standard_deviation, Dimension::length));
     }
 }
 
@@ -113,11 +113,9 @@ void summarise(const Misfit& misfit, const Surrogate* surrogate, bool found, Mec
     fit.misfit = fit.data_misfit + fit.prior_misfit;
     fit.ranking_score = fit.misfit + score_of_silence * silent;
     fit.observations = misfit.compare(fit.best);
-    fit.profile_rms_m = misfit.profile_rms(fit.best);
-    if (fit.profile_rms_m) {
-        fit.profile_pull = *fit.profile_rms_m / misfit.problem().profile->standard_deviation;
-    }
-    add_misses(misfit, fit);
+    fit.profile_fit = misfit.compare_profile(fit.best);
+    fit.scatter_cost = misfit.scatter_cost(fit.best);
+    add_misses(fit);
     add_prior_conflicts(fit);
 }
 

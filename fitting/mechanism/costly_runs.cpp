@@ -149,13 +149,14 @@ struct RunMessage {
     bool made = false;
     std::vector<double> pulls = {};
     std::vector<int> idle = {};
+    std::vector<double> scatter = {};
     std::string failure = {};
 };
 
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, RunMessage>
 auto members(Type& run) {
-    return std::tie(run.made, run.pulls, run.idle, run.failure);
+    return std::tie(run.made, run.pulls, run.idle, run.scatter, run.failure);
 }
 
 // Runs them all; those that were stopped are left out.
@@ -166,7 +167,8 @@ std::vector<KnownRun> runs_at(const Points& points, const Misfit& misfit, const 
         RunMessage run;
         if (!stop_requested(stop)) {
             const Residuals& found = own[index] = misfit.residuals(points[index]);
-            run = {true, found.pulls, {found.idle.begin(), found.idle.end()}, std::string(found.failure)};
+            run = {
+                true, found.pulls, {found.idle.begin(), found.idle.end()}, found.scatter, std::string(found.failure)};
             progress.count(1, weight_of_run);
         }
         return run;
@@ -183,7 +185,7 @@ std::vector<KnownRun> runs_at(const Points& points, const Misfit& misfit, const 
             failure = workers.ranks->word(run.failure);
         }
         evaluations.record({0, failure});
-        runs.push_back({points[index], {run.pulls, {run.idle.begin(), run.idle.end()}, failure}});
+        runs.push_back({points[index], {run.pulls, {run.idle.begin(), run.idle.end()}, run.scatter, failure}});
     }
     return runs;
 }
@@ -306,7 +308,11 @@ std::vector<KnownRun> judged_by(const Misfit& other, const Misfit& as_judged, st
     const std::vector<Datum> then = as_judged.data();
     for (KnownRun& run : runs) {
         for (std::size_t index = 0; index < run.residuals.pulls.size(); ++index) {
-            run.residuals.pulls[index] *= then[index].standard_deviation / now[index].standard_deviation;
+            const double scatter = run.residuals.scatter[index];
+            double& pull = run.residuals.pulls[index];
+            pull = now[index].cost ? cost_of_scatter(scatter, now[index].standard_deviation, now[index].share)
+                                   : pull * std::hypot(then[index].standard_deviation, scatter) /
+                                         std::hypot(now[index].standard_deviation, scatter);
         }
     }
     return runs;

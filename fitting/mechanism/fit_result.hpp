@@ -135,10 +135,19 @@ struct ObservationFit {
     Relation relation = Relation::equal;
     Dimension dimension = Dimension::ratio;  // ratio also where no mechanism's output tells
     double observed = 0;
-    double standard_deviation = 0;
+    double standard_deviation = 0;    // with the scatter
+    double scatter = 0;               // by which cases that chance alone sets apart deviate from what is predicted
     std::optional<double> predicted;  // absent when the mechanism does not predict the quantity
     double pull = 0;                  // (predicted - observed) / standard deviation; 0 for a satisfied inequality
     std::string source;
+};
+
+// The observed profile against the predicted one, m.
+struct ProfileFit {
+    double rms = 0;                 // root mean square distance
+    double scatter = 0;             // as of an observation
+    double standard_deviation = 0;  // with the scatter
+    double pull() const { return rms / standard_deviation; }
 };
 
 // Two runs side by side with very different outcomes.
@@ -186,9 +195,10 @@ struct MechanismFit {
     double ranking_score = 0;
     Prediction prediction;  // at the best point
     std::vector<ObservationFit> observations;
-    std::optional<double> profile_rms_m;  // root mean square distance of the observed to the predicted profile
-    double profile_pull = 0;              // that distance over its standard deviation
-    std::vector<std::string> explained;   // names of field evidence
+    std::optional<ProfileFit> profile_fit;
+    // By which the logarithm of the likelihood is lower because what is predicted scatters, at a mean that fits.
+    double scatter_cost = 0;
+    std::vector<std::string> explained;  // names of field evidence
     std::vector<std::string>
         unexplained;  // sentences: field evidence, quantities without prediction, pulls of data and priors beyond 2
     Identifiability identifiability;

@@ -187,9 +187,8 @@ Reach reach_of_priors(const Target& target, std::uint64_t seed) {
                 reach.pulls[row] = std::min(reach.pulls[row], std::abs(rows[row].pull));
             }
         }
-        if (const auto distance = target.misfit().profile_rms(parameters)) {
-            reach.pulls.back() =
-                std::min(reach.pulls.back(), *distance / target.misfit().problem().profile->standard_deviation);
+        if (const auto profile = target.misfit().compare_profile(parameters)) {
+            reach.pulls.back() = std::min(reach.pulls.back(), profile->pull());
         }
     }
     target.evaluator().progress.count(static_cast<long>(draws));

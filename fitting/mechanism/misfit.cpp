@@ -22,6 +22,11 @@ bool same(const std::vector<Condition>& left, const std::vector<Condition>& righ
 
 }  // namespace
 
+double cost_of_scatter(double scatter, double standard_deviation, double share) {
+    const double ratio = scatter / standard_deviation;
+    return std::sqrt(share * std::log1p(ratio * ratio));
+}
+
 double data_misfit(const Residuals& residuals) {
     double sum = 0;
     for (std::size_t index = 0; index < residuals.pulls.size(); ++index) {
@@ -45,6 +50,7 @@ Misfit::Misfit(const Mechanism& mechanism, const FitProblem& problem)
     bind_observations();
     if (problem_.profile) {
         profile_samples_ = resample(problem_.profile->profile, profile_samples);
+        profile_scatter_ = output(deviation_of_profile);
         find_out_about_profile();
     }
 }
@@ -60,7 +66,8 @@ void Misfit::bind_observations() {
         } else if (lacking != observation.conditions.end()) {
             unbound_.push_back({index, "has no input " + lacking->input + ", which the observation fixes"});
         } else {
-            bound_.push_back({index, *bound_output, observation.quantity + " is not a number"});
+            bound_.push_back({index, *bound_output, output(std::string(deviation_prefix) + observation.quantity),
+                              observation.quantity + " is not a number"});
             sets_[condition_set(observation.conditions)].observations.push_back(bound_.size() - 1);
         }
     }
@@ -153,27 +160,41 @@ std::string_view Misfit::visit_quantities(const ConditionSet& set, const Predict
     for (const std::size_t index : set.observations) {
         const BoundObservation& bound = bound_[index];
         const QuantityObservation& observation = observations_[bound.observation];
-        const double pull = (prediction.outputs[bound.output] - observation.value) / observation.standard_deviation;
-        if (!std::isfinite(pull)) {
+        const double scatter = scatter_of(bound.scatter, prediction);
+        const double deviation = std::hypot(observation.standard_deviation, scatter);
+        const double pull = (prediction.outputs[bound.output] - observation.value) / deviation;
+        if (!std::isfinite(pull) || !std::isfinite(scatter)) {
             return bound.not_a_number;
         }
-        visit(pull, satisfied(observation.relation, pull));
+        visit(pull, satisfied(observation.relation, pull), scatter);
+        if (bound.scatter && observation.relation == Relation::equal) {
+            visit(cost_of_scatter(scatter, observation.standard_deviation, 1), false, scatter);
+        }
     }
     return {};
 }
 
+double Misfit::scatter_of(const std::optional<std::size_t>& output, const Prediction& prediction) const {
+    return output ? prediction.outputs[*output] : 0;
+}
+
 template <class Visitor>
-std::string_view Misfit::visit_profile(const Polyline& predicted, const Visitor& visit) const {
+std::string_view Misfit::visit_profile(const Prediction& prediction, const Visitor& visit) const {
     const ProfileObservation& observed = *problem_.profile;
-    const double share = static_cast<double>(observed.profile.size()) / static_cast<double>(profile_samples_.size());
-    const double weight = std::sqrt(share) / observed.standard_deviation;
+    const double scatter = scatter_of(profile_scatter_, prediction);
+    const auto vertices = static_cast<double>(observed.profile.size());
+    const double weight = std::sqrt(vertices / static_cast<double>(profile_samples_.size())) /
+                          std::hypot(observed.standard_deviation, scatter);
     for (const Point& point : profile_samples_) {
         // positive where the prediction stands left of (above) the observed ground
-        const double pull = -weight * signed_distance(predicted, point);
+        const double pull = -weight * signed_distance(prediction.profile, point);
         if (!std::isfinite(pull)) {
             return "profile_missing";
         }
-        visit(pull, false);
+        visit(pull, false, scatter);
+    }
+    if (profile_scatter_) {
+        visit(cost_of_scatter(scatter, observed.standard_deviation, vertices), false, scatter);
     }
     return {};
 }
@@ -191,7 +212,7 @@ std::string_view Misfit::visit_residuals(std::span<const double> parameters, con
         }
         std::string_view failure = visit_quantities(set, prediction, visit);
         if (failure.empty() && with_profile) {
-            failure = visit_profile(prediction.profile, visit);
+            failure = visit_profile(prediction, visit);
         }
         if (!failure.empty()) {
             return failure;
@@ -202,7 +223,7 @@ std::string_view Misfit::visit_residuals(std::span<const double> parameters, con
 
 MisfitParts Misfit::parts(std::span<const double> parameters) const {
     MisfitParts result;
-    result.failure = visit_residuals(parameters, [&result](double pull, bool idle) {
+    result.failure = visit_residuals(parameters, [&result](double pull, bool idle, double) {
         if (!idle) {
             result.data += pull * pull;
         }
@@ -229,9 +250,10 @@ Evaluation Misfit::value(std::span<const double> parameters, Priors priors) cons
 
 Residuals Misfit::residuals(std::span<const double> parameters) const {
     Residuals result;
-    result.failure = visit_residuals(parameters, [&result](double pull, bool idle) {
+    result.failure = visit_residuals(parameters, [&result](double pull, bool idle, double scatter) {
         result.pulls.push_back(pull);
         result.idle.push_back(idle);
+        result.scatter.push_back(scatter);
     });
     return result;
 }
@@ -241,13 +263,21 @@ std::vector<Datum> Misfit::data() const {
     for (const ConditionSet& set : sets_) {
         for (const std::size_t index : set.observations) {
             const QuantityObservation& observation = observations_[bound_[index].observation];
-            data.push_back({observation.label, observation.relation, observation.standard_deviation, 1});
+            data.push_back({observation.label, observation.relation, observation.standard_deviation, 1, false});
+            if (bound_[index].scatter && observation.relation == Relation::equal) {
+                data.push_back(
+                    {observation.label + ", scatter", Relation::equal, observation.standard_deviation, 1, true});
+            }
         }
         if (compares_profile_ && &set == &sets_.front()) {
-            const double share =
-                static_cast<double>(problem_.profile->profile.size()) / static_cast<double>(profile_samples_.size());
+            const auto vertices = static_cast<double>(problem_.profile->profile.size());
+            const double deviation = problem_.profile->standard_deviation;
             data.insert(data.end(), profile_samples_.size(),
-                        {"post-failure profile", Relation::equal, problem_.profile->standard_deviation, share});
+                        {"post-failure profile", Relation::equal, deviation,
+                         vertices / static_cast<double>(profile_samples_.size()), false});
+            if (profile_scatter_) {
+                data.push_back({"post-failure profile, scatter", Relation::equal, deviation, vertices, true});
+            }
         }
     }
     return data;
@@ -259,7 +289,7 @@ std::vector<ObservationFit> Misfit::compare(std::span<const double> parameters) 
         const auto index = output(observation.quantity);
         table.push_back({observation.label, observation.quantity, observation.relation,
                          index ? mechanism_.model.outputs[*index].dimension : Dimension::ratio, observation.value,
-                         observation.standard_deviation, std::nullopt, 0, observation.source});
+                         observation.standard_deviation, 0, std::nullopt, 0, observation.source});
     }
     for (const ConditionSet& set : sets_) {
         const Prediction prediction = set.observations.empty() ? Prediction{} : predict(set, parameters);
@@ -269,6 +299,8 @@ std::vector<ObservationFit> Misfit::compare(std::span<const double> parameters) 
         for (const std::size_t index : set.observations) {
             ObservationFit& row = table[bound_[index].observation];
             row.predicted = prediction.outputs[bound_[index].output];
+            row.scatter = scatter_of(bound_[index].scatter, prediction);
+            row.standard_deviation = std::hypot(row.standard_deviation, row.scatter);
             row.pull = (*row.predicted - row.observed) / row.standard_deviation;
             row.pull = satisfied(row.relation, row.pull) ? 0 : row.pull;
         }
@@ -276,18 +308,34 @@ std::vector<ObservationFit> Misfit::compare(std::span<const double> parameters) 
     return table;
 }
 
-std::optional<double> Misfit::profile_rms(std::span<const double> parameters) const {
+std::optional<ProfileFit> Misfit::compare_profile(std::span<const double> parameters) const {
     if (!compares_profile_) {
         return std::nullopt;
     }
     const Prediction prediction = predict(parameters);
-    double sum = 0;
-    const auto add = [&sum](double pull, bool) { sum += pull * pull; };
-    if (!prediction.failure.empty() || !visit_profile(prediction.profile, add).empty()) {
+    double squares = 0;
+    if (!prediction.failure.empty()) {
         return std::nullopt;
     }
-    return std::sqrt(sum / static_cast<double>(problem_.profile->profile.size())) *
-           problem_.profile->standard_deviation;
+    ProfileFit fit;
+    fit.scatter = scatter_of(profile_scatter_, prediction);
+    for (const Point& point : profile_samples_) {
+        const double distance = signed_distance(prediction.profile, point);
+        squares += distance * distance;
+    }
+    fit.rms = std::sqrt(squares / static_cast<double>(profile_samples_.size()));
+    fit.standard_deviation = std::hypot(problem_.profile->standard_deviation, fit.scatter);
+    return std::isfinite(fit.pull()) ? std::optional(fit) : std::nullopt;
+}
+
+double Misfit::scatter_cost(std::span<const double> parameters) const {
+    const Residuals found = residuals(parameters);
+    const std::vector<Datum> of = data();
+    double squares = 0;
+    for (std::size_t index = 0; index < found.pulls.size(); ++index) {
+        squares += of[index].cost ? found.pulls[index] * found.pulls[index] : 0;
+    }
+    return squares / 2;
 }
 
 int Misfit::data_count() const {

@@ -28,10 +28,11 @@ struct MisfitParts {
 };
 
 // (predicted - observed) / standard deviation of each datum, profile samples weighted so that their squares add up to
-// the profile's part of the misfit.
+// the profile's part of the misfit. Behind what is equal to the mean of an ensemble follows what its scatter costs.
 struct Residuals {
     std::vector<double> pulls;
-    std::vector<bool> idle;  // a satisfied inequality, which adds nothing to the misfit
+    std::vector<bool> idle;       // a satisfied inequality, which adds nothing to the misfit
+    std::vector<double> scatter;  // standard deviation that chance adds to that of the datum
     std::string_view failure;
 };
 
@@ -41,9 +42,15 @@ struct Datum {
     Relation relation;
     double standard_deviation;
     double share;  // of a datum: the samples of a profile together count as many as it has vertices
+    bool cost;     // of the scatter of what was predicted
 
     bool operator==(const Datum&) const = default;
 };
+
+// The residual of a cost. A case that scatters about what is predicted is found where it was with a normal density; the
+// factor 1 / standard deviation of that, against the one without scatter, is written as a square like all others:
+//     exp(-cost^2 / 2) = (standard deviation / hypot(standard deviation, scatter))^share.
+double cost_of_scatter(double scatter, double standard_deviation, double share);
 
 // Sum of squares of those that are not idle; meaningful where there is no failure.
 double data_misfit(const Residuals& residuals);
@@ -79,8 +86,11 @@ class Misfit {
     Prediction predict(std::span<const double> parameters) const;
     // One row per quantity observation of the problem, in its order.
     std::vector<ObservationFit> compare(std::span<const double> parameters) const;
-    // Root mean square distance of the observed from the predicted profile, m; nothing where it is not predicted.
-    std::optional<double> profile_rms(std::span<const double> parameters) const;
+    // Nothing where no profile is predicted.
+    std::optional<ProfileFit> compare_profile(std::span<const double> parameters) const;
+
+    // By which the logarithm of the likelihood is lower because what is predicted scatters, at a mean that fits.
+    double scatter_cost(std::span<const double> parameters) const;
 
     // Index of an output of the model by name.
     std::optional<std::size_t> output(std::string_view name) const;
@@ -99,7 +109,8 @@ class Misfit {
     struct BoundObservation {
         std::size_t observation;  // index into observations_
         std::size_t output;
-        std::string not_a_number;  // cause of failure
+        std::optional<std::size_t> scatter;  // output with its standard deviation
+        std::string not_a_number;            // cause of failure
     };
     struct Unbound {
         std::size_t observation;
@@ -117,7 +128,8 @@ class Misfit {
     std::string_view visit_quantities(const ConditionSet& set, const Prediction& prediction,
                                       const Visitor& visit) const;
     template <class Visitor>
-    std::string_view visit_profile(const Polyline& predicted, const Visitor& visit) const;
+    std::string_view visit_profile(const Prediction& prediction, const Visitor& visit) const;
+    double scatter_of(const std::optional<std::size_t>& output, const Prediction& prediction) const;
 
     const Mechanism& mechanism_;
     const FitProblem& problem_;
@@ -127,6 +139,7 @@ class Misfit {
     std::vector<BoundObservation> bound_;
     std::vector<Unbound> unbound_;
     Polyline profile_samples_;
+    std::optional<std::size_t> profile_scatter_;
     bool compares_profile_ = false;
 };
 

@@ -99,8 +99,8 @@ class Repetition {
         for (std::size_t index = 0; index < made.observations.size(); ++index) {
             QuantityObservation& observation = made.observations[index];
             if (observation.relation == Relation::equal && predicted_[index].predicted) {
-                observation.value =
-                    *predicted_[index].predicted + observation.standard_deviation * normal(errors_, number_, index);
+                observation.value = *predicted_[index].predicted +
+                                    predicted_[index].standard_deviation * normal(errors_, number_, index);
             }
         }
         return made;

@@ -34,6 +34,11 @@ inline const Quantity* find_quantity(const std::vector<Quantity>& quantities, st
     return place ? &quantities[*place] : nullptr;
 }
 
+// An output whose name with this prefix is an output, too, is a mean over cases that differ by chance alone; the other
+// is their standard deviation. Nature's own case is one of them. Likewise the profile.
+inline constexpr std::string_view deviation_prefix = "ensemble_deviation.";
+inline constexpr std::string_view deviation_of_profile = "ensemble_deviation.profile";
+
 // One input set to a value other than its base value.
 struct Assignment {
     std::size_t input;  // index into ModelInterface::inputs

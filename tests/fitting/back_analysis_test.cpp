@@ -92,7 +92,7 @@ TEST(BackAnalysis, TheStationaryPointOfARoughProblemIsAMinimum) {
         }
     }
     EXPECT_EQ(result.data_count, 6);
-    EXPECT_TRUE(result.profile_rms_m);
+    EXPECT_TRUE(result.profile_fit);
     EXPECT_EQ(result.evaluations.failed_by_cause[0].first, "corner");
 }
 

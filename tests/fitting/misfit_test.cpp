@@ -96,10 +96,37 @@ TEST(Misfit, MeasuresTheDistanceOfProfiles) {
     problem.profile = ProfileObservation{{Point(0, 0), Point(50, 0), Point(100, 0)}, 2.0, "test"};
     const Misfit misfit(problem.mechanisms[0], problem);
     EXPECT_NEAR(misfit.parts(std::vector<double>{3}).data, 3 * (3.0 / 2) * (3.0 / 2), 1e-12);
-    EXPECT_NEAR(*misfit.profile_rms(std::vector<double>{3}), 3, 1e-12);
+    EXPECT_NEAR(misfit.compare_profile(std::vector<double>{3})->rms, 3, 1e-12);
     EXPECT_GT(misfit.residuals(std::vector<double>{3}).pulls.front(), 0) << "predicted above observed";
     EXPECT_EQ(misfit.data_count(), 3);
     EXPECT_EQ(misfit.parts(std::vector<double>{6}).failure, "profile_missing");
+}
+
+// A mean of cases that scatter is compared with one of them: its density at the observed place is that of a normal
+// distribution as wide as observation and scatter together, over that of the observation alone.
+TEST(Misfit, CountsTheScatterOfAnEnsembleAsItsDensitySays) {
+    const ModelInterface model =
+        formula_model(1, {"a", "ensemble_deviation.a", "ensemble_deviation.profile"}, [](std::span<const double> x) {
+            Prediction prediction = answer({x[0], 4, 1});
+            prediction.profile = {Point(-1, 2), Point(101, 2)};
+            return prediction;
+        });
+    FitProblem problem =
+        test::problem_of(model, {test::free_parameter("x1", 0, 10)}, {observe("a", 1, 3), observe("a", 1, 3)});
+    problem.observations[1].label = "at most";
+    problem.observations[1].relation = Relation::at_most;
+    problem.profile = ProfileObservation{{Point(0, 0), Point(50, 0), Point(100, 0)}, 2.0, "test"};
+    const Misfit misfit(problem.mechanisms[0], problem);
+    const std::vector<double> at{6};
+    // Deviations 5 and root of 5; an inequality is no density.
+    const double fit = 2 * 1 + 3 * 4 / 5.0;
+    const double cost = std::log(25 / 9.0) + 3 * std::log(5 / 4.0);
+    EXPECT_NEAR(misfit.parts(at).data, fit + cost, 1e-12);
+    EXPECT_NEAR(misfit.scatter_cost(at), cost / 2, 1e-12);
+    EXPECT_NEAR(misfit.compare(at)[0].standard_deviation, 5, 1e-12);
+    EXPECT_NEAR(misfit.compare_profile(at)->pull(), 2 / std::sqrt(5), 1e-12);
+    EXPECT_EQ(misfit.residuals(at).pulls.size(), misfit.data().size());
+    EXPECT_EQ(misfit.data_count(), 5);
 }
 
 TEST(CheckProblem, NamesEveryFault) {

@@ -124,10 +124,11 @@ Table observation_table(const MechanismFit& fit) {
                               row.predicted ? value_in_words(*row.predicted, row.dimension) : "not predicted",
                               row.predicted ? pull_in_words(row.pull) : "", row.source});
     }
-    if (fit.profile_rms_m) {
-        table.rows.push_back({"post-failure profile (distance)", "0 m", "",
-                              value_in_words(std::round(*fit.profile_rms_m * 1e3) / 1e3, Dimension::length),
-                              pull_in_words(fit.profile_pull), ""});
+    if (fit.profile_fit) {
+        table.rows.push_back({"post-failure profile (distance)", "0 m",
+                              value_in_words(fit.profile_fit->standard_deviation, Dimension::length),
+                              value_in_words(std::round(fit.profile_fit->rms * 1e3) / 1e3, Dimension::length),
+                              pull_in_words(fit.profile_fit->pull()), ""});
     }
     return table;
 }
@@ -232,12 +233,15 @@ Json json_of(const MechanismFit& fit) {
         entry["observed"] = json_number(in_display_unit(row.observed, row.dimension));
         entry["predicted"] =
             row.predicted ? Json(json_number(in_display_unit(*row.predicted, row.dimension))) : Json(nullptr);
+        entry["scatter"] = json_number(in_display_unit(row.scatter, row.dimension));
         entry["pull"] = json_number(row.pull);
         json["observations"].push_back(std::move(entry));
     }
-    if (fit.profile_rms_m) {
-        json["profile_rms_m"] = *fit.profile_rms_m;
+    if (fit.profile_fit) {
+        json["profile_rms_m"] = fit.profile_fit->rms;
+        json["profile_scatter_m"] = fit.profile_fit->scatter;
     }
+    json["scatter_cost"] = fit.scatter_cost;
     json["minima"] = Json::array();
     for (const MinimumCluster& minimum : fit.minima) {
         Json entry;

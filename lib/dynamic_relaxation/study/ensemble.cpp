@@ -91,20 +91,22 @@ EnsemblePrediction predict_ensemble(const RelaxationStudy& study, Prediction fir
                                     const std::function<Prediction(const RelaxationStudy&)>& predict,
                                     const std::function<bool(double)>& go_on) {
     const auto runs = static_cast<std::size_t>(study.ensemble->runs);
-    const auto count = static_cast<double>(runs);
     std::vector<Prediction> members{std::move(first)};
-    for (std::size_t member = 0; member < runs; ++member) {
-        if (member > 0) {
-            if (go_on && !go_on(static_cast<double>(member) / count)) {
-                return {"interrupted"};
-            }
-            members.push_back(predict(member_of(study, member)));
+    for (std::size_t member = 1; member < runs; ++member) {
+        if (go_on && !go_on(static_cast<double>(member) / static_cast<double>(runs))) {
+            return {"interrupted"};
         }
-        if (!members.back().failure.empty()) {
-            return {members.back().failure};
-        }
+        members.push_back(predict(member_of(study, member)));
     }
+    const auto failed = std::ranges::find_if(members, [](const Prediction& one) { return !one.failure.empty(); });
+    const std::string_view failure = failed == members.end() ? std::string_view() : failed->failure;
     EnsemblePrediction ensemble;
+    ensemble.without_answer =
+        static_cast<double>(std::erase_if(members, [](const Prediction& one) { return !one.failure.empty(); }));
+    if (ensemble.without_answer > most_without_answer * static_cast<double>(runs)) {
+        return {failure};
+    }
+    const auto count = static_cast<double>(members.size());
     ensemble.mean.resize(members.front().outputs.size());
     ensemble.deviation.resize(ensemble.mean.size());
     for (std::size_t output = 0; output < ensemble.mean.size(); ++output) {
@@ -147,11 +149,13 @@ EnsemblePrediction predict_ensemble(const RelaxationStudy& study, Prediction fir
 std::vector<Quantity> outputs_of_ensemble(const std::vector<Quantity>& outputs) {
     std::vector<Quantity> all = outputs;
     for (const Quantity& output : outputs) {
-        all.push_back({"ensemble_deviation." + output.name, output.dimension,
+        all.push_back({std::string(deviation_prefix) + output.name, output.dimension,
                        "standard deviation between the slopes of the ensemble: " + output.meaning});
     }
-    all.push_back({"ensemble_deviation.profile", Dimension::length,
+    all.push_back({std::string(deviation_of_profile), Dimension::length,
                    "root mean square distance of their ground left standing from its mean"});
+    all.push_back(
+        {"ensemble_without_answer", Dimension::ratio, "slopes of the ensemble that are left out of the mean"});
     return all;
 }
 
@@ -162,6 +166,7 @@ Prediction prediction_of(EnsemblePrediction ensemble) {
     std::vector<double> outputs = std::move(ensemble.mean);
     outputs.insert(outputs.end(), ensemble.deviation.begin(), ensemble.deviation.end());
     outputs.push_back(ensemble.profile_deviation);
+    outputs.push_back(ensemble.without_answer);
     return {{}, std::move(outputs), std::move(ensemble.profile)};
 }
 

@@ -41,12 +41,17 @@ struct EnsembleRequest {
 RelaxationStudy member_of(const RelaxationStudy& study, std::size_t member);
 
 struct EnsemblePrediction {
-    std::string_view failure = {};       // of the first member that has no answer; the rest is then empty
+    std::string_view failure = {};       // of the first member without an answer, where too many have none
+    double without_answer = 0;           // members; the rest is of the others
     std::vector<double> mean = {};       // of each output of a member
     std::vector<double> deviation = {};  // likewise, standard deviation between the members
     Polyline profile = {};               // mean level left standing
     double profile_deviation = 0;        // m, root mean square distance of the members' profiles from it
 };
+
+// Runs that lost their energy balance or their blocks tell nothing. Where they are more than this share, the mean of
+// the others would not be that of all.
+inline constexpr double most_without_answer = 0.25;
 
 // `first`: of the study itself. `predict`: of the other members. `go_on` is told the share done; returning false ends
 // the work with the failure "interrupted".
@@ -55,7 +60,7 @@ EnsemblePrediction predict_ensemble(const RelaxationStudy& study, Prediction fir
                                     const std::function<bool(double)>& go_on);
 
 // What a model with an ensemble answers: for each output of a member its mean, under the same name, then its deviation
-// under "ensemble_deviation.", and that of the profile.
+// (deviation_prefix), that of the profile, and how many members had no answer.
 std::vector<Quantity> outputs_of_ensemble(const std::vector<Quantity>& outputs);
 
 // In their order. Nothing where there is a failure.

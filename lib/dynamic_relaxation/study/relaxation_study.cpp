@@ -108,7 +108,8 @@ Prediction prediction_of(const RelaxationStudy& study, const RelaxationRun& made
     return {{}, std::move(outputs), made.post_failure ? made.post_failure->left_standing : Polyline{}};
 }
 
-Prediction predict(const RelaxationStudy& study) {
+// Without its ensemble.
+Prediction predict_once(const RelaxationStudy& study) {
     if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
         const SlopeScene made = slope_scene(*slope);
         if (made.check != SlopeCheck::valid) {
@@ -126,13 +127,16 @@ Prediction predict(const RelaxationStudy& study) {
             return {word_of(critical->worst_status()), {}, {}};
         }
     }
-    return study.ensemble ? prediction_of(run_ensemble(study, made, critical, {}))
-                          : prediction_of(study, made, critical);
+    return prediction_of(study, made, critical);
 }
 
 Prediction predict(RelaxationStudy study, std::span<const Assignment> assignments) {
     assign(study.model, assignments);
-    return in_range(study.model) ? predict(study) : Prediction{"input_out_of_range", {}, {}};
+    if (!in_range(study.model)) {
+        return {"input_out_of_range", {}, {}};
+    }
+    return study.ensemble ? prediction_of(predict_ensemble(study, predict_once(member_of(study, 0)), predict_once, {}))
+                          : predict_once(study);
 }
 
 RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
@@ -307,9 +311,7 @@ std::optional<PostFailure> post_failure_of(const RelaxationStudy& study, const R
 
 EnsemblePrediction run_ensemble(const RelaxationStudy& study, const RelaxationRun& made,
                                 const std::optional<CriticalAnswer>& critical, const RelaxationWatch& watch) {
-    return predict_ensemble(
-        study, prediction_of(study, made, critical), [](const RelaxationStudy& member) { return predict(member); },
-        watch);
+    return predict_ensemble(study, prediction_of(study, made, critical), predict_once, watch);
 }
 
 std::vector<Quantity> outputs_of_run(const RelaxationStudy& study) {

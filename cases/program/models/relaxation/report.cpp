@@ -254,6 +254,11 @@ void take_means(const RelaxationStudy& study, const Prediction& mean, Analysis& 
                 {quantity.name, quantity.meaning, quantity.dimension, mean.outputs[index], !told});
         }
     }
+    if (const double without_answer = mean.outputs.back(); without_answer > 0) {
+        analysis.warnings.push_back(number_in_words(without_answer) + " of the " +
+                                    number_in_words(study.ensemble->runs) +
+                                    " slopes of the ensemble have no answer and are left out of its means");
+    }
 }
 
 std::string joint_key(const RelaxationStudy& study, std::size_t material) {
@@ -344,8 +349,8 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
     if (answer.mean && answer.mean->failure.empty()) {
         take_means(study, *answer.mean, analysis);
     } else if (answer.mean) {
-        leave_unfinished(answer.mean->failure,
-                         "a slope of the ensemble has no answer: " + human_name(answer.mean->failure));
+        leave_unfinished(answer.mean->failure, "more than a quarter of the ensemble's slopes have no answer: " +
+                                                   human_name(answer.mean->failure));
     }
     return analysis;
 }
