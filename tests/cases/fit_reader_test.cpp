@@ -138,6 +138,46 @@ standard_deviation = "5 ft"
               "slope.toml:54:10: fit.profile.points = [ ... ]: must hold at least two different points");
 }
 
+// A rival in a few lines.
+constexpr std::string_view rival = R"(
+[[fit.mechanism]]
+name = "wetter"
+like = "tilting"
+with = { "filled_ratio" = 0.75 }
+)";
+
+TEST(FitReader, AMechanismMayBeLikeAnother) {
+    const std::string own = in_own_terms();
+    const CaseFile file = parse_case(own + std::string(rival), "slope.toml");
+    ASSERT_EQ(file.fit->mechanisms.size(), 3U);
+    const FitMechanism& first = file.fit->mechanisms[1];
+    const FitMechanism& second = file.fit->mechanisms[2];
+    EXPECT_EQ(second.name, "wetter");
+    EXPECT_EQ(second.title, "wetter");
+    EXPECT_EQ(std::get<TiltedColumn<>>(second.model).filled_ratio, 0.75);
+    EXPECT_EQ(std::get<TiltedColumn<>>(second.model).joint_dip, std::get<TiltedColumn<>>(first.model).joint_dip);
+    EXPECT_EQ(second.parameters.size(), first.parameters.size());
+    EXPECT_EQ(second.observations.size(), first.observations.size());
+    EXPECT_EQ(second.signs.size(), first.signs.size());
+    EXPECT_NE(complaint(changed(own + std::string(rival), "like = \"tilting\"", "like = \"tilding\""))
+                  .find("fit.mechanism[3].like = \"tilding\": is not the name of an earlier mechanism"),
+              std::string::npos);
+    EXPECT_NE(complaint(changed(own + std::string(rival), "\"filled_ratio\" = 0.75", "\"bolt[1].force\" = 0.75"))
+                  .find("fit.mechanism[3].with.bolt[1].force = 0.75: has no element 1 in the case"),
+              std::string::npos);
+    EXPECT_NE(complaint(changed(own + std::string(rival), "filled_ratio\" = 0.75", "filled_ratio\" = 2"))
+                  .find("fit.mechanism[3].filled_ratio = 2: must be"),
+              std::string::npos);
+}
+
+TEST(FitReader, FewMechanismsAreLikeOthers) {
+    std::string text = in_own_terms();
+    for (int number = 0; number < 21; ++number) {
+        text += changed(std::string(rival), "wetter", "wetter_" + std::to_string(number));
+    }
+    EXPECT_NE(complaint(text).find("is one more than the 20 mechanisms that may be like others"), std::string::npos);
+}
+
 TEST(FitReader, Parameters) {
     EXPECT_EQ(
         fit_complaint("lower = \"20 deg\"", "lower = \"50 deg\""),

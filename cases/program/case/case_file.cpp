@@ -107,6 +107,8 @@ CaseFile parse_case(std::string_view text, std::string_view name, const std::vec
         reading.complain(std::move(problem));
     }
 
+    copy_alike_mechanisms(tree, reading);
+
     CaseFile result;
     result.name = std::string(name);
     Section root(reading, tree, "");

@@ -29,6 +29,8 @@ std::vector<CaseCandidate> read_candidates(Section& fit, const std::vector<Model
 // [[fit.conclusion]] of the same; `models` are those of the mechanisms, in their order.
 std::vector<Conclusion> read_conclusions(Section& fit, const std::vector<FitMechanism>& mechanisms,
                                          const std::vector<ModelNames>& models);
+// Puts what mechanisms have from those that they are `like` in their place in the tree.
+void copy_alike_mechanisms(Node& tree, Reading& reading);
 CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outputs_of);
 CaseSensitivity read_sensitivity(Section& root, const CaseModel& model, const OutputsOf& outputs_of);
 // The keys that need not exist are checked after everything else was read.

@@ -208,41 +208,43 @@ Setting parse_setting(std::string_view text) {
     return {.key = std::string(key), .value = std::string(trim(text.substr(equals + 1)))};
 }
 
-void apply_setting(Node& root, const Setting& setting, std::vector<Problem>& problems) {
-    const auto complain = [&](std::string message) {
-        problems.push_back({.file = "--set",
-                            .line = 0,
-                            .column = 0,
-                            .key = setting.key,
-                            .value = setting.value,
-                            .message = std::move(message)});
-    };
-    const std::vector<PathPart> parts = split_path(setting.key);
+std::string put_value(Node& root, std::string_view path, Node value) {
+    const std::vector<PathPart> parts = split_path(path);
     if (parts.empty() || parts.size() > static_cast<std::size_t>(deepest_nesting)) {
-        complain("is not a key such as slope.height or bolt[1].force");
-        return;
+        return "is not a key such as slope.height or bolt[1].force";
     }
     Node* target = &root;
     for (const PathPart& part : parts) {
         if (target->kind != Node::Kind::table) {
-            complain("lies inside a value that is not a section");
-            return;
+            return "lies inside a value that is not a section";
         }
         Node* entry = target->find(part.key);
         if (entry == nullptr && part.indices.empty()) {
             entry = &target->entries.emplace_back(Entry{part.key, Node{}}).value;
-            mark_as_option(*entry);
+            entry->place = value.place;
+            entry->key_place = value.key_place;
         }
         for (const std::size_t index : part.indices) {
             if (entry == nullptr || entry->kind != Node::Kind::array || index > entry->elements.size()) {
-                complain("has no element " + std::to_string(index) + " in the case");
-                return;
+                return "has no element " + std::to_string(index) + " in the case";
             }
             entry = &entry->elements[index - 1];
         }
         target = entry;
     }
-    *target = value_of(setting);
+    *target = std::move(value);
+    return {};
+}
+
+void apply_setting(Node& root, const Setting& setting, std::vector<Problem>& problems) {
+    if (std::string problem = put_value(root, setting.key, value_of(setting)); !problem.empty()) {
+        problems.push_back({.file = "--set",
+                            .line = 0,
+                            .column = 0,
+                            .key = setting.key,
+                            .value = setting.value,
+                            .message = std::move(problem)});
+    }
 }
 
 std::string shown(const Node& node) {

@@ -56,7 +56,11 @@ struct Setting {
 // Splits "key=value". Throws CaseError when there is no "=" or no key.
 Setting parse_setting(std::string_view text);
 
-// Sets or adds the value in the tree; missing sections are created. What cannot be done is added to `problems`.
+// Sets or adds the value at a path such as bolt[1].force; missing sections are created. Why it cannot be done; empty
+// where it was done.
+std::string put_value(Node& root, std::string_view path, Node value);
+
+// The same for a setting; what cannot be done is added to `problems`.
 void apply_setting(Node& root, const Setting& setting, std::vector<Problem>& problems);
 
 // How a value is shown in a message: "40 m" in quotes, 0.5 without, at most about 60 characters, no control characters.
