@@ -118,6 +118,39 @@ TEST(Retrogression, GoesOnFromWhereItWasStopped) {
     }
 }
 
+// The other way to the ground left standing: the motion, followed until what is left rests. Sliding off the end of the
+// floor, all blocks leave.
+TEST(Rest, FollowsACollapseUntilWhatIsLeftRests) {
+    RelaxationStudy study = wall(degrees(20));
+    study.retrogression.reset();
+    RelaxationNumerics numerics{};
+    numerics.quality = RelaxationQuality::draft;
+    numerics.stop = RelaxationStop::rest;
+    numerics.taken_away_below = -4;
+    study.settings = numerics;
+    const RelaxationRun made = run(study);
+    EXPECT_EQ(made.result.outcome, RelaxationOutcome::collapse);
+    ASSERT_TRUE(made.post_failure);
+    constexpr double rounding = 1e-9;
+    EXPECT_NEAR(made.post_failure->answer.failed_area, area, rounding);
+    for (const BlockOutcome& block : made.result.block) {
+        EXPECT_TRUE(block.movement == BlockMovement::left || block.movement == BlockMovement::fixed);
+    }
+    EXPECT_LT(made.result.time, 60);
+
+    study.settings->duration = 0.5;
+    EXPECT_EQ(run(study).result.outcome, RelaxationOutcome::undecided) << "nothing rests yet";
+    study.settings->taken_away_below = 1.5;
+    EXPECT_EQ(check(study).check, SceneCheck::setting_out_of_range) << "above the lower blocks";
+}
+
+TEST(Rest, IsEquilibriumWhereNothingFails) {
+    RelaxationStudy study = wall(degrees(30));
+    study.retrogression.reset();
+    study.settings.emplace().stop = RelaxationStop::rest;
+    EXPECT_EQ(run(study).result.outcome, RelaxationOutcome::equilibrium);
+}
+
 TEST(Ensemble, BeginsWithTheSlopeAsDrawnAndShiftsTheJointsOfTheOthers) {
     RelaxationStudy study = wall(degrees(20));
     study.ensemble = EnsembleRequest{4, 0.1, degrees(1)};

@@ -20,7 +20,7 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 75> examples{{
+constexpr std::array<ExampleNumber, 76> examples{{
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -87,6 +87,7 @@ constexpr std::array<ExampleNumber, 75> examples{{
     {"most_steps", 1e8},
     {"overlap_limit", 0.05},
     {"crack_opening", 0.01},
+    {"taken_away_below", -10.0},
     {"young_modulus", 5e9},
     {"shear_modulus", 2e9},
     {"height_deviation", 0.05},

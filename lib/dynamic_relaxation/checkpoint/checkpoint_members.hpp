@@ -88,8 +88,8 @@ DELABOLE_MEMBERS(RelaxationScene, block, material, gravity, force, pressure, sha
                  bond, belt)
 DELABOLE_MEMBERS(RelaxationSettings, step_fraction, time_step, viscous_damping, local_damping, kinetic_damping, creep,
                  mass_scaling, start, ramp_time, consolidation_time, equilibrium_ratio, onset_rotation, onset_slide,
-                 collapse_rotation, collapse_displacement, stop_at_onset, stop_at_equilibrium, duration, most_steps,
-                 crack_opening, overlap_limit, threads)
+                 collapse_rotation, collapse_displacement, stop_at_onset, stop_at_equilibrium, stop_at_collapse,
+                 taken_away_below, duration, most_steps, crack_opening, overlap_limit, threads)
 
 DELABOLE_MEMBERS(BlockMonitor, block)
 DELABOLE_MEMBERS(ContactMonitor, block, other)

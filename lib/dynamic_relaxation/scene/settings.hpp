@@ -51,6 +51,9 @@ struct RelaxationSettings {
     double collapse_displacement = 1;  // of the block's size
     bool stop_at_onset = false;
     bool stop_at_equilibrium = true;
+    bool stop_at_collapse = true;  // else what has collapsed is followed until it rests
+    // m, level in the section: a free block that comes to lie wholly below it has left the slope and is taken away.
+    std::optional<double> taken_away_below{};
     double duration = 60;  // s of model time, at most
     std::size_t most_steps = 100'000'000;
 

@@ -144,7 +144,7 @@ std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const PlanePoint<
         outcome.displacement = shift.displacement;
         outcome.base_slip = state.base_slip[block] + since[block].slip;
         if (state.removed[block] != 0) {
-            outcome.movement = BlockMovement::removed;
+            outcome.movement = state.removed[block] == has_left ? BlockMovement::left : BlockMovement::removed;
         } else if (bodies.fixed[block] != 0) {
             outcome.movement = BlockMovement::fixed;
         } else {

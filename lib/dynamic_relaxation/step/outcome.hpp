@@ -45,10 +45,11 @@ enum class BlockMovement {
     slides_backward_and_rotates,
     moves,  // otherwise: on blocks that are not fixed, or falling
     fixed,
-    removed,
+    removed,  // by a schedule
+    left,     // below the level at which what has left the slope is taken away
 };
 
-constexpr std::array<std::string_view, 9> enum_names(BlockMovement) {
+constexpr std::array<std::string_view, 10> enum_names(BlockMovement) {
     return {"stays",
             "slides_forward",
             "slides_backward",
@@ -57,7 +58,16 @@ constexpr std::array<std::string_view, 9> enum_names(BlockMovement) {
             "slides_backward_and_rotates",
             "moves",
             "fixed",
-            "removed"};
+            "removed",
+            "left"};
+}
+
+constexpr bool has_failed(BlockMovement movement) {
+    return movement != BlockMovement::stays && movement != BlockMovement::fixed && movement != BlockMovement::removed;
+}
+
+constexpr bool is_gone(BlockMovement movement) {
+    return movement == BlockMovement::removed || movement == BlockMovement::left;
 }
 
 struct BlockOutcome {

@@ -369,4 +369,21 @@ SceneFault check_start(const RelaxationScene& scene) {
     return {};
 }
 
+SceneFault check_departure(const RelaxationScene& scene, const RelaxationSettings& settings) {
+    for (std::size_t block = 0; settings.taken_away_below && block < scene.block.size(); ++block) {
+        const auto below = [&](const PlanePoint<>& corner) { return corner.y() < *settings.taken_away_below; };
+        if (!scene.block[block].fixed && std::ranges::all_of(scene.block[block].outline, below)) {
+            return {SceneCheck::setting_out_of_range, block};
+        }
+    }
+    return {};
+}
+
+SceneFault check(const RelaxationScene& scene, const RelaxationSettings& settings) {
+    SceneFault fault = check_settings(settings);
+    fault = fault.check == SceneCheck::valid ? check_scene(scene) : fault;
+    fault = fault.check == SceneCheck::valid ? check_departure(scene, settings) : fault;
+    return fault.check == SceneCheck::valid ? check_start(scene) : fault;
+}
+
 }  // namespace delabole

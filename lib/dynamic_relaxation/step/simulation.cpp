@@ -196,12 +196,7 @@ void Simulation::follow_schedules() {
     bool changed = consolidating() != held_for_consolidation_;
     for (const Removal& removal : scene_.removal) {
         if (state_.removed[removal.block] == 0 && state_.time >= removal.time) {
-            account_for_springs_of_removed(removal.block);
-            state_.ledger.kinetic_damping += kinetic_energy_of(removal.block);
-            state_.removed[removal.block] = 1;
-            state_.motion[removal.block].vx = state_.motion[removal.block].vy = state_.motion[removal.block].spin = 0;
-            fastest_.reset();
-            check_contacts_of(removal.block);
+            take_away(removal.block, taken_away);
             changed = true;
         }
     }
@@ -217,6 +212,15 @@ void Simulation::follow_schedules() {
             state_.watch.due[motion.block] = -std::numeric_limits<double>::infinity();
         }
     }
+}
+
+void Simulation::take_away(std::size_t block, char why) {
+    account_for_springs_of_removed(block);
+    state_.ledger.kinetic_damping += kinetic_energy_of(block);
+    state_.removed[block] = why;
+    state_.motion[block].vx = state_.motion[block].vy = state_.motion[block].spin = 0;
+    fastest_.reset();
+    check_contacts_of(block);
 }
 
 void Simulation::account_for_springs_of_removed(std::size_t block) {

@@ -79,6 +79,9 @@ class Simulation {
     void start_in_equilibrium(JointsAtStart joints);
     bool solve_under(double load_share, bool first, const StaticSolveSettings& limits);
     void account_for_springs_of_removed(std::size_t block);
+    // Why: taken_away or has_left.
+    void take_away(std::size_t block, char why);
+    void let_blocks_leave();
     double fastest();  // m/s, no point of any block is faster
     void find_contacts_where_due();
     void find_contacts_within(double margin, bool first);

@@ -38,6 +38,7 @@ void Simulation::decide() {
         return;
     }
     let_blocks_rest();
+    let_blocks_leave();
     detect_crack();
     account_for_base_slip(bodies_, up(), state_);
     const double kinetic = kinetic_energy();
@@ -65,12 +66,15 @@ void Simulation::decide() {
         decide(RelaxationOutcome::onset);
         return;
     }
-    if (farthest.rotation > settings_.collapse_rotation || farthest.displacement > settings_.collapse_displacement) {
+    const bool collapsed = farthest.rotation > settings_.collapse_rotation ||
+                           farthest.displacement > settings_.collapse_displacement ||
+                           std::ranges::find(state_.removed, has_left) != state_.removed.end();
+    if (collapsed && settings_.stop_at_collapse) {
         decide(RelaxationOutcome::collapse);
     } else if (at_rest(last && !settings_.stop_at_equilibrium ? lately : unbalanced) && !try_corners() &&
                (last || settings_.stop_at_equilibrium)) {
-        decide(RelaxationOutcome::equilibrium);
-    } else if (last && state_.onset_time >= 0) {
+        decide(collapsed ? RelaxationOutcome::collapse : RelaxationOutcome::equilibrium);
+    } else if (last && state_.onset_time >= 0 && settings_.stop_at_collapse) {
         // It has moved past the thresholds and has found no rest since.
         decide(RelaxationOutcome::onset);
     }
@@ -148,6 +152,23 @@ void Simulation::detect_crack() {
             widest = opening;
             state_.first_crack = FirstCrack{state_.time, tilt_of_base(), face.block, face.other};
         }
+    }
+}
+
+void Simulation::let_blocks_leave() {
+    if (!settings_.taken_away_below) {
+        return;
+    }
+    bool changed = false;
+    for (std::size_t block = 0; block < bodies_.size(); ++block) {
+        const double top = bodies_.centroid[block].y() + state_.motion[block].y + bodies_.radius[block];
+        if (held_[block] == 0 && top < *settings_.taken_away_below) {
+            take_away(block, has_left);
+            changed = true;
+        }
+    }
+    if (changed) {
+        hold_blocks();
     }
 }
 

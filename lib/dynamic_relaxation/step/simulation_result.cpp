@@ -86,15 +86,7 @@ RelaxationResult Simulation::result() const {
 RelaxationResult relax(const RelaxationScene& scene, const RelaxationSettings& settings,
                        const std::function<bool(const Simulation&)>& watch) {
     RelaxationResult refused;
-    refused.fault = check_settings(settings);
-    if (refused.fault.check != SceneCheck::valid) {
-        return refused;
-    }
-    refused.fault = check_scene(scene);
-    if (refused.fault.check != SceneCheck::valid) {
-        return refused;
-    }
-    refused.fault = check_start(scene);
+    refused.fault = check(scene, settings);
     if (refused.fault.check != SceneCheck::valid) {
         return refused;
     }

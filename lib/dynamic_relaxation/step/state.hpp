@@ -58,6 +58,10 @@ struct SlipOverFace {
     double slip = 0;    // m, negative towards -x
 };
 
+// Why a block is no longer there.
+inline constexpr char taken_away = 1;  // by a schedule
+inline constexpr char has_left = 2;    // the slope
+
 struct RelaxationState {
     double time = 0;       // s
     double step = 0;       // s, chosen when contacts were last checked
@@ -69,8 +73,8 @@ struct RelaxationState {
     std::optional<StartBalance> start_balance = {};  // absent where nothing was preloaded
     NoticedMotion noticed = {};
     std::vector<std::uint32_t> checks_at_rest =
-        {};  // in a row, without anything to move a block; see Simulation::rests
-    std::vector<char> removed = {};
+        {};                                       // in a row, without anything to move a block; see Simulation::rests
+    std::vector<char> removed = {};               // 0: not; else why
     std::vector<double> base_slip = {};           // m, of each block over fixed ones up to when it was last booked
     std::vector<SlipOverFace> dropped_slip = {};  // of contacts that have been dropped since
     ContactList contacts = {};

@@ -428,6 +428,8 @@ RelaxationSettings relaxation_settings(const RelaxationStudy& study, const Relax
     const RelaxationStop stop = numerics.stop.value_or(RelaxationStop::equilibrium);
     settings.stop_at_onset = stop == RelaxationStop::onset;
     settings.stop_at_equilibrium = stop != RelaxationStop::collapse;
+    settings.stop_at_collapse = stop != RelaxationStop::rest;
+    settings.taken_away_below = numerics.taken_away_below;
     take(settings.duration, numerics.duration);
     take(settings.most_steps, numerics.most_steps);
     take(settings.overlap_limit, numerics.overlap_limit);

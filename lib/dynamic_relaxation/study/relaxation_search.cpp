@@ -1,4 +1,5 @@
 // Searches for a critical value: what the blocks are at a value, and how they come to it.
+#include "dynamic_relaxation/step/scene_check.hpp"
 #include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "dynamic_relaxation/study/study_run.hpp"
 

@@ -13,14 +13,6 @@
 
 namespace delabole {
 
-SceneFault check(const RelaxationScene& scene, const RelaxationSettings& settings) {
-    SceneFault fault = check_settings(settings);
-    if (fault.check == SceneCheck::valid) {
-        fault = check_scene(scene);
-    }
-    return fault.check == SceneCheck::valid ? check_start(scene) : fault;
-}
-
 RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work, const RelaxationScene& scene) {
     RelaxationSettings settings = relaxation_settings(study, scene);
     // Fewer blocks are done before another thread has woken up.
@@ -170,7 +162,9 @@ std::vector<OutputBound> bounds_of(const CriticalPlan& plan, std::size_t output)
 std::vector<char> removed_in(const MotionFrame& frame) {
     std::vector<char> removed(frame.outcome.size());
     std::ranges::transform(frame.outcome, removed.begin(), [](const BlockOutcome& outcome) {
-        return outcome.movement == BlockMovement::removed ? 1 : 0;
+        return outcome.movement == BlockMovement::removed ? taken_away
+               : outcome.movement == BlockMovement::left  ? has_left
+                                                          : char{0};
     });
     return removed;
 }
@@ -305,7 +299,13 @@ std::optional<PostFailure> post_failure_of(const RelaxationStudy& study, const R
         return {};
     }
     const Bodies bodies = make_bodies(run.scene);
-    return post_failure({bodies, run.end->origin, motion, removed, joint_names(study.model.scene)},
+    std::vector<char> excavated(removed.size());
+    std::vector<char> failed(removed.size());
+    for (std::size_t block = 0; block < removed.size(); ++block) {
+        excavated[block] = removed[block] == taken_away ? 1 : 0;
+        failed[block] = removed[block] == has_left ? 1 : 0;
+    }
+    return post_failure({bodies, run.end->origin, motion, excavated, joint_names(study.model.scene), failed},
                         study.post_failure.value_or(PostFailureRequest{}));
 }
 

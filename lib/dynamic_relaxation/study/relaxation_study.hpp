@@ -29,10 +29,10 @@ constexpr std::array<std::string_view, 3> enum_names(RelaxationQuality) {
     return {"draft", "standard", "reference"};
 }
 
-enum class RelaxationStop { equilibrium, onset, collapse, duration };
+enum class RelaxationStop { equilibrium, onset, collapse, duration, rest };
 
-constexpr std::array<std::string_view, 4> enum_names(RelaxationStop) {
-    return {"equilibrium", "onset", "collapse", "duration"};
+constexpr std::array<std::string_view, 5> enum_names(RelaxationStop) {
+    return {"equilibrium", "onset", "collapse", "duration", "rest"};
 }
 
 enum class OffOn { off, on };
@@ -62,6 +62,7 @@ struct RelaxationNumerics {
     std::optional<RelaxationStop> stop;
     std::optional<double> duration;
     std::optional<double> most_steps;
+    std::optional<double> taken_away_below;
     std::optional<double> crack_opening;
     std::optional<double> overlap_limit;
     static constexpr auto fields() {
@@ -98,11 +99,15 @@ struct RelaxationNumerics {
             number("collapse_displacement", &N::collapse_displacement, Dimension::ratio, more_than(0),
                    "in block radii, likewise; absent: 1"),
             section("stop", &N::stop,
-                    "end at equilibrium or collapse, at onset too, at nothing before collapse, or at the latest at the "
-                    "duration, which is then no lack of an answer; absent: equilibrium"),
+                    "end at equilibrium or collapse, at onset too, at nothing before collapse, at the latest at the "
+                    "duration, which is then no lack of an answer, or where all rest, also what has collapsed; absent: "
+                    "equilibrium"),
             number("duration", &N::duration, Dimension::time, more_than(0), "longest model time; absent: 60 s"),
             number("most_steps", &N::most_steps, Dimension::ratio, within(1, 1e12),
                    "longest run, a whole number; absent: 1e8"),
+            number("taken_away_below", &N::taken_away_below, Dimension::length, any_number(),
+                   "level in the section; a block that comes to lie below it has left the slope and is taken away; "
+                   "absent: all stay"),
             number("crack_opening", &N::crack_opening, Dimension::ratio, more_than(0),
                    "in shortest edges; neighbours that part by more show the first tension crack; absent: 0.01 for "
                    "rows and stepped bases, none looked for else"),

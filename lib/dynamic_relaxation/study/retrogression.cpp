@@ -195,9 +195,7 @@ class Retrogression {
                            made.result.cost.steps,
                            made.result.cost.contacts_evaluated};
         for (std::size_t block = 0; block < made.result.block.size(); ++block) {
-            const BlockMovement movement = made.result.block[block].movement;
-            if (movement != BlockMovement::stays && movement != BlockMovement::fixed &&
-                movement != BlockMovement::removed) {
+            if (has_failed(made.result.block[block].movement)) {
                 stage.block.push_back(block);
             }
         }

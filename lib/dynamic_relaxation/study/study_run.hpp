@@ -8,9 +8,6 @@
 
 namespace delabole {
 
-// As relax() checks them.
-SceneFault check(const RelaxationScene& scene, const RelaxationSettings& settings);
-
 // With as many threads as are worth their while.
 RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work, const RelaxationScene& scene);
 

@@ -171,6 +171,12 @@ void check_settings(Checker& checker, const RelaxationNumerics& settings, const 
         checker.complain(ramped ? "settings.start" : "settings.ramp_time",
                          "a ramped start and a ramp_time of more than 0 go together");
     }
+    RelaxationSettings departure;
+    departure.taken_away_below = settings.taken_away_below;
+    if (const SceneFault fault = check_departure(scene, departure); fault.check != SceneCheck::valid) {
+        checker.complain("settings.taken_away_below",
+                         "lies above block " + std::to_string(fault.index + 1) + " before it has moved");
+    }
     bool held = false;
     for (const RelaxationBlock& block : scene.block) {
         held = held || block.held_at_first;

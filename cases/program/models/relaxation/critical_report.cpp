@@ -26,10 +26,6 @@ std::string meaning_of(CriticalParameter parameter) {
     return "factor on gravity at which the blocks begin to fail";
 }
 
-bool has_failed(BlockMovement movement) {
-    return movement != BlockMovement::stays && movement != BlockMovement::fixed && movement != BlockMovement::removed;
-}
-
 struct FailingBlocks {
     std::vector<std::size_t> block = {};
     double area = 0;  // m2

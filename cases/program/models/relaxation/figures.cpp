@@ -33,6 +33,7 @@ DrawnMode drawn(BlockMovement movement) {
     case BlockMovement::fixed:
         return DrawnMode::fixed;
     case BlockMovement::removed:
+    case BlockMovement::left:
         break;
     }
     return DrawnMode::plain;

@@ -40,7 +40,7 @@ BlockAnimation animation_of(const RelaxationRun& made, const Bodies& bodies) {
         for (std::size_t block = 0; block < bodies.size(); ++block) {
             const Motion& motion = frame.motion[block];
             shown.poses.push_back({Point(motion.x, motion.y), motion.angle, std::hypot(motion.vx, motion.vy),
-                                   frame.outcome[block].movement != BlockMovement::removed});
+                                   !is_gone(frame.outcome[block].movement)});
         }
         animation.frames.push_back(std::move(shown));
     }
@@ -57,7 +57,7 @@ BlockFrame frame_of(const MotionFrame& frame, const Bodies& bodies) {
     }
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         const BlockOutcome& outcome = frame.outcome[block];
-        if (outcome.movement == BlockMovement::removed) {
+        if (is_gone(outcome.movement)) {
             continue;
         }
         const Motion& motion = frame.motion[block];

@@ -144,9 +144,8 @@ BlockDrawing slope_drawing(const RelaxationRun& made, const std::vector<Motion>&
 
 Figure moved_slope_figure(const RelaxationRun& made, const MotionFrame& frame, const PostFailure& end,
                           const std::string& title) {
-    return block_figure(slope_drawing(made, frame.motion, frame.tilt, end, title, [&](std::size_t block) {
-        return frame.outcome[block].movement == BlockMovement::removed;
-    }));
+    return block_figure(slope_drawing(made, frame.motion, frame.tilt, end, title,
+                                      [&](std::size_t block) { return is_gone(frame.outcome[block].movement); }));
 }
 
 Figure left_standing_figure(const RelaxationRun& made, const PostFailure& failure, const std::string& title) {
