@@ -135,7 +135,7 @@ bad "level at the toe under a pond" 's/^kind = "crack_and_base"/kind = "peak_at_
     'case.toml:29:15: water.water_depth = "0 m": the water states less pressure than the pond, pond.depth = 12 m, gives where the plane daylights or at the bottom of the crack: must be at least 12 m'
 
 title "kinematics: ranges reversed, azimuths and frictions that are none, no joint set, an unknown key"
-delabole init kinematics --out sets.toml
+delabole init kinematics --full --out sets.toml
 expect_status 0
 bad_sets() {
     title "$1"
@@ -153,9 +153,9 @@ bad_sets "no joint set" '/^\[\[joint_set/,$d' 'case.toml:1:1: joint_set: is requ
 bad_sets "unknown key" '/^friction_angle/a cohesion = "5 kPa"' 'strength.cohesion: is not a key of strength'
 
 title "single block: water above its top, a vertical base; row: no block, two weights, friction of a wall"
-delabole init single_block --out block.toml
+delabole init single_block --full --out block.toml
 expect_status 0
-delabole init block_row --out row.toml
+delabole init block_row --full --out row.toml
 expect_status 0
 bad_of block.toml "water above the block" \
     '$a [water]\nunit_weight = "9.81 kN/m3"\ndepth_behind = "4 m"' \
@@ -169,7 +169,7 @@ bad_of row.toml "weightless block" '0,/^unit_weight/s/^unit_weight = "[^"]*"/uni
     'block[1].unit_weight = "0 kN/m3": must be more than 0 kN/m3'
 
 title "dynamic relaxation: blocks that overlap, run clockwise, are all fixed, too soft or not there"
-delabole init relaxation --out relaxation.toml
+delabole init relaxation --full --out relaxation.toml
 expect_status 0
 cat >blocks.toml <<'CASE'
 schema = 1

@@ -4,7 +4,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 checkpoint=relaxation.checkpoint
-"$program" init relaxation --out case.toml --quiet 2>/dev/null || "$program" init relaxation --out case.toml
+"$program" init relaxation --full --out case.toml
 # Seconds of work: blocks that slide for long, and a search after that.
 cat >>case.toml <<'EOF'
 

@@ -213,9 +213,47 @@ for model in plane_failure stepped_base single_block block_row tilted_column kin
     expect_status 0
     delabole run "$model.toml" --out "result_$model"
     expect_status 0
+    delabole init "$model" --full --out "full_$model.toml"
+    expect_status 0
+    delabole run "full_$model.toml" --out "result_$model"
+    expect_status 0
     expect_complete_results "result_$model"
     expect_only_numbers "result_$model"
 done
+for study in fit sensitivity; do
+    delabole init "$study" --out "$study.toml"
+    expect_status 0
+    delabole "$study" "$study.toml" --out "result_$study"
+    expect_status 0
+done
+delabole init jointed_slope
+expect "a page at most" test "$(wc -l <"$scratch/out")" -le 30
+
+title "inputs and outputs are listed for a model and for a case, and as JSON"
+delabole inputs plane_failure
+expect_output 'strength.friction_angle '
+delabole inputs good.toml --json
+expect "JSON" is_json "$scratch/out"
+delabole outputs plane_failure
+expect_output 'factor_of_safety '
+delabole outputs good.toml --json
+expect "JSON" is_json "$scratch/out"
+
+title "a case from standard input; --set chooses another kind; neither report nor figures"
+delabole run - --no-report <plane_failure.toml
+expect_status 0
+expect "answers" test -s results/stdin/result.json
+expect "no report" test ! -e results/stdin/report.html
+expect "no figures" test ! -e results/stdin/figures
+delabole run plane_failure.toml --set strength.kind=stepped_surface --set strength.roughness_angle="40 deg" --no-report
+expect_status 0
+delabole run full_plane_failure.toml --set water.kind=dry --no-report
+expect_status 0
+delabole fit fit.toml --no-report --out bare_fit
+expect_status 0
+expect_output 'results in bare_fit'
+expect "no report" test ! -e bare_fit/report.html
+
 
 title "--version"
 delabole --version

@@ -38,7 +38,7 @@ expect_status 0
 expect_silence err
 
 title "a run of blocks that neither rest nor fail in the time they have"
-delabole init relaxation --out blocks.toml
+delabole init relaxation --full --out blocks.toml
 printf '\n[settings]\nduration = "0.01 s"\n' >>blocks.toml
 delabole run blocks.toml --set scene.tilt="35 deg" --out undecided
 expect_status 4

@@ -17,7 +17,7 @@ misused() {
 }
 
 title "nothing wrong"
-for arguments in --version --help "check good.toml" "show good.toml" "init plane_failure" "run --help"; do
+for arguments in --version --help "check good.toml" "show good.toml" "init plane_failure" "init plane_failure --full" "inputs plane_failure" "outputs good.toml" "run --help"; do
     # shellcheck disable=SC2086
     delabole $arguments
     expect_status 0
@@ -26,7 +26,14 @@ for arguments in --version --help "check good.toml" "show good.toml" "init plane
 done
 
 misused
+expect_error 'To begin: delabole init plane_failure'
 misused rnu good.toml
+expect_error "no command is named 'rnu' (did you mean run?)"
+misused inputs
+misused inputs plane_falure
+expect_error 'did you mean plane_failure?'
+misused outputs nothing
+misused init fit --full
 misused --colour
 misused run
 misused fit

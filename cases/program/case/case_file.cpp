@@ -4,6 +4,8 @@
 #include "cases/program/reader/described_reader.hpp"
 #include "cases/program/reader/ordinary_file.hpp"
 
+#include <array>
+#include <iostream>
 #include <utility>
 
 namespace delabole {
@@ -22,6 +24,15 @@ std::string read_text_file(const std::filesystem::path& path) {
         refuse(path.string(), std::move(content.fault));
     }
     return std::move(content.bytes);
+}
+
+std::string read_standard_input() {
+    std::string text;
+    std::array<char, 65536> part{};
+    while (text.size() <= largest_case_bytes && std::cin.read(part.data(), part.size()).gcount() > 0) {
+        text.append(part.data(), static_cast<std::size_t>(std::cin.gcount()));
+    }
+    return text;
 }
 
 void read_schema(Section& root) {
@@ -92,6 +103,10 @@ void replace_in_model(Section& section, CaseModel& model) {
 
 CaseFile read_case(const std::filesystem::path& path, const std::vector<Setting>& settings,
                    const OutputsOf& outputs_of) {
+    if (path == "-") {
+        // The name of the result folder, and the working folder for files that the case names.
+        return parse_case(read_standard_input(), "stdin.toml", settings, outputs_of);
+    }
     return parse_case(read_text_file(path), path.string(), settings, outputs_of);
 }
 

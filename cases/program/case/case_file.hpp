@@ -100,9 +100,10 @@ struct CaseFile {
     std::map<std::string, KeyPlace> places;  // every key that was read
 };
 
-// Reads a case file with `settings` (--set) put in place of what the file says. A setting of one choice (as
-// water.filled_ratio) takes the place of the file's other choice (water.water_depth). Throws CaseError with everything
-// that is wrong: unreadable, larger than 4 MiB, not TOML, unknown or missing keys, units, ranges, names.
+// Reads a case file, or standard input where its name is "-", with `settings` (--set) put in place of what the file
+// says. A setting of one choice (as water.filled_ratio) takes the place of the file's other choice (water.water_depth).
+// Throws CaseError with everything that is wrong: unreadable, larger than 4 MiB, not TOML, unknown or missing keys,
+// units, ranges, names.
 CaseFile read_case(const std::filesystem::path& path, const std::vector<Setting>& settings = {},
                    const OutputsOf& outputs_of = known_outputs);
 

@@ -413,31 +413,35 @@ std::string case_hash(const CaseFile& case_file) {
     return text;
 }
 
-std::string described_inputs(const CaseFile& case_file) {
-    constexpr std::size_t columns = 5;
-    std::vector<std::array<std::string, columns>> rows{{"input", "value", "allowed", "meaning", "source"}};
-    for (const Quantity& input : named_inputs(case_file.model)) {
-        const auto source = case_file.sources.find(input.name);
-        const std::string range = readable_range(input.range, input.dimension);
-        rows.push_back({input.name, readable_quantity(input.value, input.dimension), range.empty() ? "any" : range,
-                        input.meaning, source == case_file.sources.end() ? "" : source->second});
-    }
-    std::array<std::size_t, columns> widths{};
+std::string aligned_columns(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths;
     for (const auto& row : rows) {
-        for (std::size_t column = 0; column < columns; ++column) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t column = 0; column < row.size(); ++column) {
             widths[column] = std::max(widths[column], characters_in(row[column]));
         }
     }
     std::string text;
     for (const auto& row : rows) {
         std::string line;
-        for (std::size_t column = 0; column < columns; ++column) {
+        for (std::size_t column = 0; column < row.size(); ++column) {
             line += row[column] + std::string(widths[column] - characters_in(row[column]) + 2, ' ');
         }
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + "\n";
     }
     return text;
+}
+
+std::string described_inputs(const CaseFile& case_file) {
+    std::vector<std::vector<std::string>> rows{{"input", "value", "allowed", "meaning", "source"}};
+    for (const Quantity& input : named_inputs(case_file.model)) {
+        const auto source = case_file.sources.find(input.name);
+        const std::string range = readable_range(input.range, input.dimension);
+        rows.push_back({input.name, readable_quantity(input.value, input.dimension), range.empty() ? "any" : range,
+                        input.meaning, source == case_file.sources.end() ? "" : source->second});
+    }
+    return aligned_columns(rows);
 }
 
 }  // namespace delabole

@@ -1,10 +1,12 @@
-// Cases as text: the resolved case of a result folder, the template of `delabole init`, the inputs of `delabole show`.
+// Cases as text: the resolved case of a result folder, the template of `delabole init`, the inputs of `delabole
+// inputs`.
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace delabole {
 
@@ -22,6 +24,9 @@ std::string case_hash(const CaseFile& case_file);
 // A case of the model, valid as it stands, with each key's meaning and range, and with what is optional and the other
 // choices as comments. Throws std::invalid_argument for a name that is not in model_names().
 std::string commented_template(std::string_view model);
+
+// Rows as columns of text, each as wide as its longest entry, two blanks apart.
+std::string aligned_columns(const std::vector<std::vector<std::string>>& rows);
 
 // A table of all numbers of the model, a line each: name, value, allowed range, meaning and source.
 std::string described_inputs(const CaseFile& case_file);

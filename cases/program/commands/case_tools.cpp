@@ -1,8 +1,10 @@
 // delabole check, show and init
 #include "cases/program/case/case_writer.hpp"
+#include "cases/program/case/starting_cases.hpp"
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/units.hpp"
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "plots/drawing/atomic_file.hpp"
@@ -56,13 +58,61 @@ ExitCode show_command(const std::filesystem::path& path, const Options& options)
     return ExitCode::ok;
 }
 
-ExitCode init_command(const std::string& model, const Options& options) {
+namespace {
+
+// The case of that file, or the template of that model.
+CaseFile case_or_model(const std::string& what, const Options& options) {
     const std::vector<std::string> models = model_names();
-    if (std::ranges::find(models, model) == models.end()) {
-        throw UsageError("init: no model is named '" + model + "'; there is " + choices(models) +
-                         suggestion(model, models));
+    if (std::ranges::find(models, what) != models.end()) {
+        return parse_case(commented_template(what), what, settings_of(options));
     }
-    const std::string text = commented_template(model);
+    std::error_code ignored;
+    if (!what.ends_with(".toml") && !std::filesystem::exists(what, ignored)) {
+        throw UsageError("'" + what + "' is neither a model (" + choices(models) + ") nor a case file" +
+                         suggestion(what, models));
+    }
+    return read_case(what, settings_of(options));
+}
+
+void print(const std::vector<Quantity>& quantities, const std::string& text, const Options& options) {
+    if (!options.json) {
+        std::cout << text;
+        return;
+    }
+    Json json = Json::array();
+    for (const Quantity& quantity : quantities) {
+        json.push_back({{"name", quantity.name},
+                        {"unit", std::string(display_unit(quantity.dimension).symbol)},
+                        {"meaning", quantity.meaning}});
+    }
+    std::cout << json_text(json);
+}
+
+}  // namespace
+
+ExitCode inputs_command(const std::string& what, const Options& options) {
+    const CaseFile file = case_or_model(what, options);
+    print(named_inputs(file.model), described_inputs(file), options);
+    return ExitCode::ok;
+}
+
+ExitCode outputs_command(const std::string& what, const Options& options) {
+    const std::vector<Quantity> outputs = known_outputs(case_or_model(what, options).model);
+    std::vector<std::vector<std::string>> rows{{"output", "unit", "meaning"}};
+    for (const Quantity& output : outputs) {
+        rows.push_back({output.name, std::string(display_unit(output.dimension).symbol), output.meaning});
+    }
+    print(outputs, aligned_columns(rows), options);
+    return ExitCode::ok;
+}
+
+ExitCode init_command(const std::string& name, const Options& options) {
+    const std::vector<std::string> names = options.full ? model_names() : starting_case_names();
+    if (std::ranges::find(names, name) == names.end()) {
+        throw UsageError(std::string("init: no ") + (options.full ? "model" : "case to start from") + " is named '" +
+                         name + "'; there is " + choices(names) + suggestion(name, names));
+    }
+    const std::string text = options.full ? commented_template(name) : starting_case(name);
     if (options.out.empty()) {
         std::cout << text;
         return ExitCode::ok;

@@ -1,5 +1,6 @@
 // Arguments in, exit code out; everything else is in the commands.
 #include "cases/program/case/case_file.hpp"
+#include "cases/program/case/starting_cases.hpp"
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/spelling.hpp"
@@ -15,6 +16,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdint>
@@ -45,6 +47,24 @@ std::string is_seed(const std::string& text) {
                                                                     : text + " is not an integer from 0 to 2^64 - 1";
 }
 
+// Before the parser, which has no words for it: no command, or one that is mistyped. Empty where there is a command.
+std::string missing_command(const CLI::App& app, int argument_count, char** arguments) {
+    if (argument_count < 2) {
+        return "which command? To begin: delabole init plane_failure --out my_slope.toml, then\n"
+               "delabole run my_slope.toml. All commands: delabole --help";
+    }
+    const std::string word = arguments[1];
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app.get_subcommands({})) {
+        commands.push_back(command->get_name());
+    }
+    if (word.starts_with('-') || std::ranges::find(commands, word) != commands.end()) {
+        return {};
+    }
+    return "no command is named '" + word + "'" + delabole::suggestion(word, commands) + "; there is " +
+           delabole::choices(commands);
+}
+
 void add_common(CLI::App& command, Options& options) {
     command.add_option("--set", options.settings, "Replace a value of the case, key=value; may be given several times")
         ->type_name("KEY=VALUE")
@@ -61,6 +81,8 @@ void add_output(CLI::App& command, Options& options) {
             "place of what files.txt in it lists; other files stay. Symbolic links in it are not followed, and a "
             "second delabole is refused while one is writing")
         ->type_name("DIR");
+    command.add_flag("--no-report", options.no_report,
+                     "Neither report nor figures, which take most of a second: for scripts");
 }
 
 void add_threads(CLI::App& command, Options& options) {
@@ -139,7 +161,7 @@ struct Program {
 
     void add_analysis() {
         CLI::App* run = app.add_subcommand("run", "Analyse cases; prints a table and writes a result folder for each");
-        run->add_option("CASE", cases, "Case files")->required();
+        run->add_option("CASE", cases, "Case files; - is standard input")->required();
         add_common(*run, options);
         add_output(*run, options);
         add_threads(*run, options);
@@ -221,12 +243,27 @@ struct Program {
         show->footer(example("delabole show cases/delabole_1967/delabole_1967.toml"));
         show->callback([this] { choose([this] { return delabole::show_command(one_case, options); }); });
 
-        CLI::App* init =
-            app.add_subcommand("init", "Write a commented case to start from, to standard output or --out");
-        init->add_option("MODEL", word, delabole::choices(delabole::model_names()))->required();
+        CLI::App* init = app.add_subcommand("init", "Write a short case to start from, to standard output or --out");
+        init->add_option("NAME", word, delabole::choices(delabole::starting_case_names()))->required();
+        init->add_flag("--full", options.full, "Every key that the model knows, with its meaning and range");
         init->add_option("--out", options.out, "File to write; an existing one is not overwritten")->type_name("FILE");
         init->footer(example("delabole init plane_failure --out my_slope.toml"));
         init->callback([this] { choose([this] { return delabole::init_command(word, options); }); });
+
+        add_list("inputs", "List what can be set, fitted or varied: names, values, ranges, meanings, sources",
+                 delabole::inputs_command);
+        add_list("outputs", "List what is answered: names for [[expect]], [fit] and [sensitivity], units, meanings",
+                 delabole::outputs_command);
+    }
+
+    void add_list(const std::string& name, const std::string& meaning,
+                  ExitCode (*list)(const std::string& what, const Options& options)) {
+        CLI::App* command = app.add_subcommand(name, meaning);
+        command->add_option("WHAT", word, "A case file, or a model: " + delabole::choices(delabole::model_names()))
+            ->required();
+        add_common(*command, options);
+        command->footer(example("delabole " + name + " plane_failure"));
+        command->callback([this, list] { choose([this, list] { return list(word, options); }); });
     }
 
     void add_proof() {
@@ -311,6 +348,9 @@ int main(int argument_count, char** arguments) {
     try {
         const delabole::Ranks ranks;
         Program program(ranks);
+        if (const std::string missing = missing_command(program.app, argument_count, arguments); !missing.empty()) {
+            return ranks.leads() ? fail("delabole: " + missing, ExitCode::usage, ranks) : code(ExitCode::usage);
+        }
         try {
             program.app.parse(argument_count, arguments);
         } catch (const CLI::ParseError& error) {

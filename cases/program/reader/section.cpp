@@ -117,6 +117,11 @@ bool Section::is_allowed(std::string_view key) const {
     return std::ranges::find(allowed_, key) != allowed_.end();
 }
 
+bool Section::belongs_to_replaced_kind(const Node& node) const {
+    const Node* kind = table_->find("kind");
+    return kind != nullptr && kind->place.from_option && !node.place.from_option;
+}
+
 void Section::complain_unknown(const std::string& key, const Node& node, const std::string& hint) const {
     const std::string where = path_.empty() ? "a case of this model" : path_;
     reading_->complain(

@@ -77,7 +77,7 @@ class Section {
     template <class Hint>
     void finish(Hint&& hint) const {
         for (const auto& [key, node] : table_->entries) {
-            if (!is_allowed(key)) {
+            if (!is_allowed(key) && !belongs_to_replaced_kind(node)) {
                 complain_unknown(key, node, hint(key));
             }
         }
@@ -88,6 +88,8 @@ class Section {
 
   private:
     bool is_allowed(std::string_view key) const;
+    // What the file says of another kind than the one that --set chose.
+    bool belongs_to_replaced_kind(const Node& node) const;
     void complain_unknown(const std::string& key, const Node& node, const std::string& hint) const;
 
     Reading* reading_;

@@ -28,6 +28,24 @@ bool is_beyond_ascii(char character) {
     return static_cast<unsigned char>(character) >= 0x80;
 }
 
+// Ways to write a unit that the library of units does not know.
+std::string_view usual_spelling(std::string_view unit) {
+    struct Spelling {
+        std::string_view as_written;
+        std::string_view meant;
+    };
+    constexpr std::array<Spelling, 8> spellings{{{"psf", "lbf/ft2"},
+                                                 {"ksf", "klbf/ft2"},
+                                                 {"ksi", "klbf/in2"},
+                                                 {"pcf", "lbf/ft3"},
+                                                 {"kcf", "klbf/ft3"},
+                                                 {"KPa", "kPa"},
+                                                 {"KN", "kN"},
+                                                 {"KN/m3", "kN/m3"}}};
+    const auto* const found = std::ranges::find(spellings, unit, &Spelling::as_written);
+    return found == spellings.end() ? unit : found->meant;
+}
+
 // Only named units, products, quotients and one-digit exponents: udunits2 itself would take "kN/m3 2" for a factor of
 // two and "degC @ 3" for an offset.
 bool is_plain_unit(std::string_view unit) {
@@ -159,7 +177,7 @@ NumberAndUnit split(std::string_view text) {
     NumberAndUnit result;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result.number);
     result.error = error;
-    result.unit = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+    result.unit = usual_spelling(trimmed(text.substr(static_cast<std::size_t>(end - text.data()))));
     return result;
 }
 

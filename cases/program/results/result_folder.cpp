@@ -170,7 +170,10 @@ std::filesystem::path result_path(const Options& options, const std::string& nam
 }
 
 ResultFolder::ResultFolder(const Options& options, const std::string& name, OnInterrupt on_interrupt)
-    : path_(result_path(options, name)), threads_(options.threads), on_interrupt_(on_interrupt) {
+    : path_(result_path(options, name)),
+      threads_(options.threads),
+      with_report_(!options.no_report),
+      on_interrupt_(on_interrupt) {
     if (options.out.empty()) {
         refuse_link(path_.parent_path());
         refuse_link(path_);
@@ -208,6 +211,9 @@ void ResultFolder::write(const std::string& name, std::string_view text) const {
 }
 
 FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name, const std::string& caption) const {
+    if (!with_report_) {
+        return {{}, caption};
+    }
     if (on_interrupt_ == OnInterrupt::stop) {
         stop_if_interrupted();
     }
@@ -228,6 +234,9 @@ FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name,
 }
 
 void ResultFolder::write_report(const Report& report) const {
+    if (!with_report_) {
+        return;
+    }
     enter({"report.html"});
     delabole::write_report(report, path_ / "report.html");
 }

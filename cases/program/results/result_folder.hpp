@@ -95,6 +95,7 @@ class ResultFolder {
     std::filesystem::path path_;
     std::unique_ptr<FolderClaim> claim_;
     int threads_;
+    bool with_report_;
     OnInterrupt on_interrupt_;
     std::function<void(double, const std::string&)> on_progress_ = {};
     mutable GnuplotRuns gnuplot_runs_ = {};

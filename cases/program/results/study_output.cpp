@@ -24,7 +24,8 @@ ExitCode write_study(const StudyOutput& output, const ResultFolder& folder, cons
         std::cout << json_text(output.json);
     } else if (!options.quiet) {
         std::cout << report.title << '\n'
-                  << output.screen << "report in " << (folder.path() / "report.html").string() << '\n';
+                  << output.screen << (options.no_report ? "results in " : "report in ")
+                  << (options.no_report ? folder.path() : folder.path() / "report.html").string() << '\n';
     }
     if (!output.reserved.empty()) {
         std::cerr << "delabole: " << output.reserved << '\n';

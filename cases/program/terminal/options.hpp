@@ -33,6 +33,8 @@ struct Options {
     std::vector<std::string> settings;  // key=value
     bool json = false;
     bool quiet = false;
+    bool no_report = false;  // neither report nor figures
+    bool full = false;       // init: every key
     int threads = 1;
     const Ranks* ranks = nullptr;  // processes that work together; null: this one alone
     double seconds_between_checkpoints = 60;

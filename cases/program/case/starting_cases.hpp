@@ -1,0 +1,16 @@
+// Short cases to start from: what `delabole init` writes.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+// Names of models, and of what else there is a case for: a slope cut by joints, a back-analysis, a sensitivity study.
+std::vector<std::string> starting_case_names();
+
+// A valid case of a page. Throws std::invalid_argument for other names.
+std::string starting_case(std::string_view name);
+
+}  // namespace delabole
