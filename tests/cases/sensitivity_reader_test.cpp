@@ -115,8 +115,11 @@ TEST(SensitivityReader, InputsThatMoveTogetherHaveOneDimension) {
 TEST(SensitivityReader, AngleOfALimitHasTheUnitOfItsQuantity) {
     const std::string text = changed(study_text, "quantity = \"factor_of_safety\"", "quantity = \"plane_dip\"");
     EXPECT_NE(complaint(text).find("sensitivity.failure.limit = 1"), std::string::npos);
-    const CaseFile file = parse_case(changed(text, "limit = 1", "limit = \"30 deg\""), "slope.toml");
+    const CaseFile file =
+        parse_case(changed(changed(text, "limit = 1", "limit = \"30 deg\""), "scatter = 0.02", "scatter = \"1 deg\""),
+                   "slope.toml");
     EXPECT_EQ(file.sensitivity->study.failure->limit, degrees(30));
+    EXPECT_EQ(file.sensitivity->study.sweep->scatter, degrees(1));
 }
 
 TEST(SensitivityReader, MistakesAreNamedAtTheirPlace) {
