@@ -37,6 +37,14 @@ void check_parameters(const SensitivityProblem& problem, Faults& faults) {
         if (!seen.insert(parameter.name).second) {
             faults.push_back({key + ".name", "is uncertain already: each input once"});
         }
+        for (const std::string& other : parameter.also) {
+            if (find_quantity(problem.model.inputs, other) == nullptr) {
+                faults.push_back({key + ".also", "the model has no input " + other});
+            }
+            if (!seen.insert(other).second) {
+                faults.push_back({key + ".also", other + " is uncertain already: each input once"});
+            }
+        }
         for (const DistributionFault& fault : check(parameter.distribution)) {
             faults.push_back({key + "." + std::string(fault.key), fault.message});
         }
@@ -103,6 +111,38 @@ void check_probabilities(const std::string& key, double lower, double upper, Fau
 void check_count(const std::string& key, double value, double least, double most, Faults& faults) {
     if (!(value >= least && value <= most)) {
         faults.push_back({key, "must be from " + number_in_words(least) + " to " + number_in_words(most)});
+    }
+}
+
+void check_sweep(const SensitivityProblem& problem, Faults& faults) {
+    const SweepSettings& settings = *problem.study.sweep;
+    check_probabilities("sweep", settings.lower_probability, settings.upper_probability, faults);
+    check_count("sweep.points", settings.points, 3, 19, faults);
+    if (settings.points % 2 == 0) {
+        faults.push_back({"sweep.points", "must be odd: the median, and as many on either side"});
+    }
+    constexpr int least_in_class = 8;
+    if (settings.samples != 0 && !(settings.samples >= least_in_class * settings.points)) {
+        faults.push_back({"sweep.samples",
+                          "must be at least 8 for each point: " + std::to_string(least_in_class * settings.points)});
+    }
+    if (!(settings.scatter >= 0)) {
+        faults.push_back({"sweep.scatter", "must be at least 0"});
+    }
+    for (std::size_t index = 0; index < settings.further.size(); ++index) {
+        const SweptQuantity& further = settings.further[index];
+        const std::string key = numbered("sweep.quantity", index);
+        if (find_quantity(problem.model.outputs, further.name) == nullptr) {
+            faults.push_back({key + ".name", "the model does not answer this"});
+        }
+        const auto earlier = settings.further.begin() + static_cast<std::ptrdiff_t>(index);
+        if (further.name == problem.study.quantity ||
+            std::ranges::find(settings.further.begin(), earlier, further.name, &SweptQuantity::name) != earlier) {
+            faults.push_back({key + ".name", "is swept already: each quantity once"});
+        }
+        if (!(further.scatter >= 0)) {
+            faults.push_back({key + ".scatter", "must be at least 0"});
+        }
     }
 }
 
@@ -205,6 +245,9 @@ std::vector<StudyFault> check_study(const SensitivityProblem& problem) {
     if (study.tornado) {
         check_probabilities("tornado", study.tornado->lower_probability, study.tornado->upper_probability, faults);
     }
+    if (study.sweep) {
+        check_sweep(problem, faults);
+    }
     if (study.morris) {
         check_morris(*study.morris, faults);
     }
@@ -217,10 +260,12 @@ std::vector<StudyFault> check_study(const SensitivityProblem& problem) {
     if (study.reliability) {
         check_reliability(study, faults);
     }
-    if (!study.tornado && !study.morris && !study.sobol_indices && !study.propagation && !study.reliability) {
-        faults.push_back({"",
-                          "asks for nothing: give at least one of [sensitivity.tornado], .morris, .sobol_indices, "
-                          ".propagation, .reliability (empty for the standard settings)"});
+    if (!study.tornado && !study.sweep && !study.morris && !study.sobol_indices && !study.propagation &&
+        !study.reliability) {
+        faults.push_back(
+            {"",
+             "asks for nothing: give at least one of [sensitivity.tornado], .sweep, .morris, .sobol_indices, "
+             ".propagation, .reliability (empty for the standard settings)"});
     }
     if (problem.threads < 1) {
         faults.push_back({"", "threads must be >= 1"});

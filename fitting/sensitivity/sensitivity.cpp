@@ -19,6 +19,8 @@ std::size_t demanded_place(const std::vector<Quantity>& quantities, const std::s
 // Evaluations of each method, for progress only.
 struct Expected {
     long tornado = 0;
+    long sweep = 0;  // of each quantity
+    long sweeps = 0;
     long morris = 0;
     long sobol_indices = 0;
     long propagation = 0;
@@ -28,6 +30,10 @@ struct Expected {
         const auto dimension = static_cast<long>(study.parameters.size());
         if (study.tornado) {
             tornado = 1 + 2 * dimension;
+        }
+        if (study.sweep) {
+            sweep = study.sweep->samples > 0 ? study.sweep->samples : 1 + (study.sweep->points - 1) * dimension;
+            sweeps = sweep * static_cast<long>(1 + study.sweep->further.size());
         }
         if (study.morris) {
             morris = study.morris->trajectories * (dimension + 1);
@@ -43,7 +49,7 @@ struct Expected {
             reliability = study.reliability->starts * usual_iterations * (2 * dimension + 1);
         }
     }
-    long total() const { return tornado + morris + sobol_indices + propagation + reliability; }
+    long total() const { return tornado + sweeps + morris + sobol_indices + propagation + reliability; }
 };
 
 // Whether a parameter was looked at alone, and whether that changed anything.
@@ -66,6 +72,10 @@ std::vector<std::size_t> without_effect(const SensitivityResult& result, std::si
                 effect.add(*swing != 0);
             }
         }
+        if (!result.sweeps.empty() &&
+            result.sweeps.front().parameters[parameter].course != SweepCourse::too_few_answers) {
+            effect.add(result.sweeps.front().parameters[parameter].course != SweepCourse::constant);
+        }
         if (result.morris && result.morris->parameters[parameter].effects >= 2) {
             effect.add(result.morris->parameters[parameter].mean_absolute.value != 0);
         }
@@ -85,6 +95,7 @@ std::vector<std::size_t> without_effect(const SensitivityResult& result, std::si
 bool found_nothing(const SensitivityResult& result) {
     const auto nothing = [](const EvaluationCount& count) { return count.total > 0 && count.failed() == count.total; };
     return (result.tornado && nothing(result.tornado->evaluations)) ||
+           std::ranges::any_of(result.sweeps, nothing, &SweepResult::evaluations) ||
            (result.morris && nothing(result.morris->evaluations)) ||
            (result.sobol_indices && nothing(result.sobol_indices->evaluations)) ||
            (result.propagation && result.propagation->status == PropagationStatus::no_answer) ||
@@ -93,18 +104,24 @@ bool found_nothing(const SensitivityResult& result) {
 
 }  // namespace
 
-Objective quantity_of(const ModelInterface& model, const SensitivityStudy& study) {
-    std::vector<std::size_t> inputs;
-    for (const UncertainParameter& parameter : study.parameters) {
-        inputs.push_back(demanded_place(model.inputs, parameter.name));
-    }
-    const std::size_t output = demanded_place(model.outputs, study.quantity);
-    return [&model, inputs, output](std::span<const double> parameters) -> Evaluation {
-        std::array<Assignment, most_parameters> assignments{};
-        for (std::size_t index = 0; index < inputs.size(); ++index) {
-            assignments[index] = {inputs[index], parameters[index]};
+Objective quantity_of(const ModelInterface& model, const SensitivityStudy& study, const std::string& name) {
+    std::vector<Assignment> assigned;
+    std::vector<std::size_t> parameter_of;  // each of them
+    for (std::size_t index = 0; index < study.parameters.size(); ++index) {
+        std::vector<std::string> names{study.parameters[index].name};
+        names.insert(names.end(), study.parameters[index].also.begin(), study.parameters[index].also.end());
+        for (const std::string& input : names) {
+            assigned.push_back({demanded_place(model.inputs, input), 0});
+            parameter_of.push_back(index);
         }
-        const Prediction prediction = model.predict(std::span(assignments).first(inputs.size()));
+    }
+    const std::size_t output = demanded_place(model.outputs, name);
+    return [&model, assigned, parameter_of, output](std::span<const double> parameters) -> Evaluation {
+        std::vector<Assignment> assignments = assigned;
+        for (std::size_t index = 0; index < assignments.size(); ++index) {
+            assignments[index].value = parameters[parameter_of[index]];
+        }
+        const Prediction prediction = model.predict(assignments);
         if (!prediction.failure.empty()) {
             return {0, prediction.failure};
         }
@@ -120,7 +137,7 @@ SensitivityResult sensitivity(const SensitivityProblem& problem, FitProgressCall
     }
     const SensitivityStudy& study = problem.study;
     const InputSpace space = input_space(study);
-    const Objective quantity = quantity_of(problem.model, study);
+    const Objective quantity = quantity_of(problem.model, study, study.quantity);
     const std::optional<FailureCriterion> criterion = criterion_of(problem);
     const Expected expected(study);
     ProgressMeter meter(std::move(progress), expected.total());
@@ -130,6 +147,22 @@ SensitivityResult sensitivity(const SensitivityProblem& problem, FitProgressCall
     if (study.tornado && !evaluator.stopped()) {
         meter.begin_stage(study.quantity, "tornado", expected.tornado);
         result.tornado = tornado(evaluator, space, *study.tornado);
+    }
+    if (study.sweep) {
+        std::vector<SweptQuantity> swept{{study.quantity, study.sweep->scatter}};
+        swept.insert(swept.end(), study.sweep->further.begin(), study.sweep->further.end());
+        for (const SweptQuantity& each : swept) {
+            if (evaluator.stopped()) {
+                break;
+            }
+            meter.begin_stage(each.name, "sweep", expected.sweep);
+            const Objective objective = quantity_of(problem.model, study, each.name);
+            const Evaluator of_this{objective, meter, stop, problem.threads, problem.ranks};
+            if (auto found = sweep(of_this, space, *study.sweep, each.scatter, study.seed)) {
+                found->quantity = each.name;
+                result.sweeps.push_back(std::move(*found));
+            }
+        }
     }
     if (study.morris && !evaluator.stopped()) {
         meter.begin_stage(study.quantity, "Morris screening", expected.morris);

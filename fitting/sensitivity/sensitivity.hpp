@@ -25,6 +25,7 @@ constexpr std::array<std::string_view, 4> enum_names(SensitivityStatus) {
 struct SensitivityResult {
     SensitivityStatus status = SensitivityStatus::finished;
     std::optional<TornadoResult> tornado;
+    std::vector<SweepResult> sweeps;  // of the quantity, then of the further ones, each with its evaluations
     std::optional<MorrisResult> morris;
     std::optional<SobolIndicesResult> sobol_indices;
     std::optional<PropagationResult> propagation;
@@ -34,8 +35,8 @@ struct SensitivityResult {
     double wall_seconds = 0;
 };
 
-// The quantity as a function of the uncertain parameters. The names have to exist.
-Objective quantity_of(const ModelInterface& model, const SensitivityStudy& study);
+// An output as a function of the uncertain parameters. The names have to exist.
+Objective quantity_of(const ModelInterface& model, const SensitivityStudy& study, const std::string& output);
 
 // Throws std::invalid_argument for a problem that check_study() refuses. The same numbers for any number of threads.
 SensitivityResult sensitivity(const SensitivityProblem& problem, FitProgressCallback progress = {},

@@ -7,6 +7,7 @@
 #include "fitting/sensitivity/reliability.hpp"
 #include "fitting/sensitivity/screening.hpp"
 #include "fitting/sensitivity/sobol_indices.hpp"
+#include "fitting/sensitivity/sweep.hpp"
 #include "parameters/model_interface.hpp"
 
 #include <cstdint>
@@ -22,6 +23,7 @@ struct UncertainParameter {
     std::string name;  // an input of the model
     Distribution distribution;
     std::string source;
+    std::vector<std::string> also = {};  // further inputs that take the same value, as two points of a water table
 };
 
 struct ParameterCorrelation {
@@ -38,6 +40,7 @@ struct SensitivityStudy {
     std::vector<ParameterCorrelation> correlations;
     std::optional<FailureCriterion> failure;
     std::optional<TornadoSettings> tornado;
+    std::optional<SweepSettings> sweep;
     std::optional<MorrisSettings> morris;
     std::optional<SobolIndicesSettings> sobol_indices;
     std::optional<PropagationSettings> propagation;

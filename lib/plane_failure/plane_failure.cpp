@@ -131,6 +131,8 @@ PlaneFailureResult result_of(const PlaneFailure<>& problem, const Forces& forces
     result.normal_force = forces.stability.normal_force;
     result.driving_force = forces.stability.driving_force;
     result.resisting_force = forces.stability.resisting_force;
+    result.friction_margin = std::atan2(result.resisting_force, std::abs(result.normal_force)) -
+                             std::atan2(result.driving_force, std::abs(result.normal_force));
     const MomentSum sum = moments(problem, forces);
     result.restoring_moment = sum.restoring();
     result.overturning_moment = sum.overturning();

@@ -44,6 +44,7 @@ struct PlaneFailureResult {
     PlaneFailureOutcome outcome{};
     CrackLocation crack_location{};
     double factor_of_safety{};
+    double friction_margin{};              // atan(resisting / normal force) less atan(driving / normal force)
     double plane_dip{};                    // differs from the input after a critical search
     double crack_dip{};                    // 90 deg where there is no crack
     double crack_depth{};                  // vertical, at the crack itself
@@ -72,6 +73,10 @@ struct PlaneFailureResult {
             section("outcome", &R::outcome, "what the slope does"),
             section("crack_location", &R::crack_location, "which surface the crack opens in"),
             number("factor_of_safety", &R::factor_of_safety, D::ratio, any, "factor of safety against sliding"),
+            number("friction_margin", &R::friction_margin, D::angle, any,
+                   "by how much the angle of the resisting force to the normal force exceeds that of the driving "
+                   "force: 0 where the factor of safety is 1, and bounded where that is not, as for a friction angle "
+                   "near 90 deg"),
             number("plane_dip", &R::plane_dip, D::angle, any, "dip of the failure plane"),
             number("crack_dip", &R::crack_dip, D::angle, any, "dip of the tension crack"),
             number("crack_depth", &R::crack_depth, D::length, any, "vertical depth of the tension crack"),

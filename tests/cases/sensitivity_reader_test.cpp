@@ -45,6 +45,14 @@ coefficient = -0.4
 measure = "rank"
 [sensitivity.tornado]
 lower_probability = 0.1
+[sensitivity.sweep]
+points = 7
+scatter = 0.02
+[[sensitivity.sweep.quantity]]
+name = "section_area"
+scatter = "3 m2"
+[[sensitivity.sweep.quantity]]
+name = "weight"
 [sensitivity.morris]
 levels = 6
 [sensitivity.propagation]
@@ -73,6 +81,13 @@ TEST(SensitivityReader, ReadsValuesInTheirUnits) {
     EXPECT_EQ(study.correlations.front().measure, CorrelationMeasure::rank);
     EXPECT_EQ(study.tornado->lower_probability, 0.1);
     EXPECT_EQ(study.tornado->upper_probability, TornadoSettings{}.upper_probability);
+    EXPECT_EQ(study.sweep->points, 7);
+    EXPECT_EQ(study.sweep->samples, 0);
+    EXPECT_EQ(study.sweep->scatter, 0.02);
+    ASSERT_EQ(study.sweep->further.size(), 2U);
+    EXPECT_EQ(study.sweep->further[0].name, "section_area");
+    EXPECT_EQ(study.sweep->further[0].scatter, 3);
+    EXPECT_EQ(study.sweep->further[1].scatter, 0);
     EXPECT_EQ(study.morris->levels, 6);
     EXPECT_FALSE(study.sobol_indices);
     EXPECT_EQ(study.propagation->method, SamplingMethod::sobol_sequence);
@@ -86,11 +101,25 @@ TEST(SensitivityReader, ResolvedCaseReadsBackTheSame) {
     EXPECT_NE(once.find("[sensitivity.reliability]"), std::string::npos);
 }
 
+TEST(SensitivityReader, InputsThatMoveTogetherHaveOneDimension) {
+    const auto with = [](const std::string& others) {
+        return changed(study_text, "source = \"laboratory\"", "also = " + others);
+    };
+    const CaseFile file = parse_case(with("[\"slope.face_dip\"]"), "slope.toml");
+    EXPECT_EQ(file.sensitivity->study.parameters[1].also, std::vector<std::string>{"slope.face_dip"});
+    EXPECT_NE(resolved_toml(file).find("also = [\"slope.face_dip\"]"), std::string::npos);
+    EXPECT_NE(complaint(with("[\"slope.height\"]")).find("has another dimension"), std::string::npos);
+    EXPECT_NE(complaint(with("[\"slope.fase_dip\"]")).find("did you mean slope.face_dip?"), std::string::npos);
+}
+
 TEST(SensitivityReader, AngleOfALimitHasTheUnitOfItsQuantity) {
     const std::string text = changed(study_text, "quantity = \"factor_of_safety\"", "quantity = \"plane_dip\"");
     EXPECT_NE(complaint(text).find("sensitivity.failure.limit = 1"), std::string::npos);
-    const CaseFile file = parse_case(changed(text, "limit = 1", "limit = \"30 deg\""), "slope.toml");
+    const CaseFile file =
+        parse_case(changed(changed(text, "limit = 1", "limit = \"30 deg\""), "scatter = 0.02", "scatter = \"1 deg\""),
+                   "slope.toml");
     EXPECT_EQ(file.sensitivity->study.failure->limit, degrees(30));
+    EXPECT_EQ(file.sensitivity->study.sweep->scatter, degrees(1));
 }
 
 TEST(SensitivityReader, MistakesAreNamedAtTheirPlace) {
@@ -116,6 +145,9 @@ TEST(SensitivityReader, MistakesAreNamedAtTheirPlace) {
              Mistake{"coefficient = -0.4", "coefficient = -1",
                      "sensitivity.correlation[1].coefficient = -1: must be between -1 and 1 (ends excluded)"},
              Mistake{"\"rank\"", "\"kendall\"", "must be linear or rank"},
+             Mistake{"points = 7", "points = 20", "must be a whole number from 3 to 19"},
+             Mistake{"\"section_area\"", "\"section_aera\"", "(did you mean section_area?)"},
+             Mistake{"\"3 m2\"", "\"3 m\"", "sensitivity.sweep.quantity[1].scatter"},
              Mistake{"levels = 6", "levels = 1", "must be a whole number from 2"},
              Mistake{"samples = 1000", "samples = 1e9", "sensitivity.propagation.samples"},
              Mistake{"lower_probability = 0.1", "lower_probability = 0.9", "sensitivity.tornado.lower_probability"},

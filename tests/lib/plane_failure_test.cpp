@@ -128,6 +128,28 @@ TEST(Formula, DryCohesionlessIsTangentRatio) {
     }
 }
 
+// Dry and without cohesion the margin is what the angle of friction has beyond the dip of the plane; it stays bounded
+// where the factor of safety does not, and has its sign with water and cohesion too.
+TEST(Formula, MarginOfFrictionIsThatOfTheAngles) {
+    RandomProblem random(5);
+    for (int count = 0; count < 2000; ++count) {
+        PlaneFailure<> problem = textbook_slope();
+        random.geometry(problem);
+        const double phi = random.uniform(0.01, degrees(89.9));
+        problem.strength = Coulomb<>{0, phi};
+        const PlaneFailureResult dry = analyse(problem);
+        if (dry.check == PlaneFailureCheck::valid) {
+            EXPECT_NEAR(dry.friction_margin, phi - problem.failure_plane.dip, 1e-9);
+        }
+        problem.strength = Coulomb<>{random.uniform(0, 1e6), phi};
+        const PlaneFailureResult cohesive = analyse(problem);
+        if (cohesive.check == PlaneFailureCheck::valid) {
+            EXPECT_EQ(cohesive.friction_margin < 0, cohesive.factor_of_safety < 1);
+            EXPECT_LT(std::abs(cohesive.friction_margin), degrees(90));
+        }
+    }
+}
+
 TEST(Formula, HoekBrayEquationAsPrinted) {
     for (const double depth : {0.0, 0.7, 2.5, 4.3}) {
         for (const double cohesion : {0.0, 25e3}) {

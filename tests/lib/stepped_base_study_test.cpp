@@ -140,6 +140,8 @@ TEST(SteppedBaseStudy, SharesOfWhatMovesAreThoseOfItsArea) {
     }
     // The rock is the same everywhere, so that weights are as areas; to the rounding of sums of products of 100 m.
     EXPECT_NEAR(result.toppling_share, topples / moves, 1e-12);
+    EXPECT_NEAR(result.moving_area, moves, 1e-12 * moves);
+    EXPECT_EQ(result.moving_count, result.toppling_count + result.sliding_count);
 }
 
 TEST(SteppedBaseStudy, RequiredValuesReachTheirFactorOfSafety) {

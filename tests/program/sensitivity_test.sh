@@ -28,6 +28,9 @@ distribution = "uniform"
 lower = "0 m"
 upper = "5 m"
 [sensitivity.tornado]
+[sensitivity.sweep]
+[[sensitivity.sweep.quantity]]
+name = "resisting_force"
 [sensitivity.morris]
 [sensitivity.sobol_indices]
 samples = 256
@@ -43,8 +46,9 @@ expect_status 0
 expect_silence err
 expect_output 'Probability of failure'
 expect_output 'First order: reliability index'
+expect_output 'The factor of safety changes most with '
 expect_complete_results one
-for table in tornado morris sobol_indices histogram cumulative convergence design_points; do
+for table in tornado sweep morris sobol_indices histogram cumulative convergence design_points; do
     expect "$table.csv is there" test -s "one/$table.csv"
 done
 for figure in tornado morris sobol_indices histogram cumulative convergence; do

@@ -23,6 +23,9 @@ std::vector<std::string> names_in(const std::vector<Quantity>& quantities);
 std::vector<Condition> read_conditions(Section& section, std::span<const ModelNames> models,
                                        std::string_view key = "with");
 
+// `also` of a free or uncertain input: further inputs, of its dimension, that take its value.
+std::vector<std::string> read_others(Section& parameter, const Quantity& input, const ModelNames& names);
+
 std::vector<Expectation> read_expectations(Section& root, const ModelNames& names);
 // [[fit.candidate]] of the section [fit].
 std::vector<CaseCandidate> read_candidates(Section& fit, const std::vector<ModelNames>& models);

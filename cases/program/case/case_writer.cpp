@@ -285,6 +285,9 @@ void write_uncertain(std::string& text, const UncertainParameter& parameter, con
     if (distribution.upper) {
         write_line(text, "upper", written_quantity(*distribution.upper, dimension));
     }
+    if (!parameter.also.empty()) {
+        write_list(text, "also", parameter.also);
+    }
     write_text(text, "source", parameter.source);
 }
 
@@ -308,11 +311,28 @@ void write_failure(std::string& text, const FailureCriterion& failure, Dimension
     }
 }
 
-void write_methods(std::string& text, const SensitivityStudy& study) {
+void write_sweep(std::string& text, const SweepSettings& sweep, Dimension dimension) {
+    text += "\n[sensitivity.sweep]\n";
+    write_line(text, "points", std::to_string(sweep.points));
+    write_ratio(text, "lower_probability", sweep.lower_probability);
+    write_ratio(text, "upper_probability", sweep.upper_probability);
+    write_line(text, "samples", std::to_string(sweep.samples));
+    write_line(text, "scatter", written_quantity(sweep.scatter, dimension));
+    for (const SweptQuantity& further : sweep.further) {
+        text += "\n[[sensitivity.sweep.quantity]]\n";
+        write_line(text, "name", in_quotes(further.name));
+        write_line(text, "scatter", written_quantity(further.scatter, further.dimension));
+    }
+}
+
+void write_methods(std::string& text, const SensitivityStudy& study, Dimension dimension) {
     if (study.tornado) {
         text += "\n[sensitivity.tornado]\n";
         write_ratio(text, "lower_probability", study.tornado->lower_probability);
         write_ratio(text, "upper_probability", study.tornado->upper_probability);
+    }
+    if (study.sweep) {
+        write_sweep(text, *study.sweep, dimension);
     }
     if (study.morris) {
         text += "\n[sensitivity.morris]\n";
@@ -358,7 +378,7 @@ void write_sensitivity(std::string& text, const CaseSensitivity& sensitivity, co
     if (study.failure) {
         write_failure(text, *study.failure, sensitivity.dimension);
     }
-    write_methods(text, study);
+    write_methods(text, study, sensitivity.dimension);
 }
 
 std::size_t characters_in(std::string_view text) {

@@ -127,22 +127,6 @@ std::optional<Prior> read_prior(Section& parameter, const Quantity& input) {
     return prior;
 }
 
-// Inputs that take the value of a free one.
-std::vector<std::string> read_others(Section& parameter, const Quantity& input, const ModelNames& names) {
-    std::vector<std::string> others;
-    read_words(parameter, "also", others);
-    for (const std::string& name : others) {
-        const Quantity* other = find_quantity(names.inputs, name);
-        if (other == nullptr && names.inputs_known) {
-            parameter.complain("also", *parameter.peek("also"),
-                               name + " is not an input of this case" + suggestion(name, names_in(names.inputs)));
-        } else if (other != nullptr && other->dimension != input.dimension) {
-            parameter.complain("also", *parameter.peek("also"), name + " has another dimension than " + input.name);
-        }
-    }
-    return others;
-}
-
 void read_parameter(Section& section, const ModelNames& names, std::vector<FreeParameter>& parameters) {
     const std::string name = require_text(section, "name", "the input that is free, e.g. strength.friction_angle");
     for (const std::string_view key : {"lower", "upper", "prior", "also"}) {
@@ -411,6 +395,21 @@ void read_evidence(Section& section, std::vector<FieldEvidence>& evidence) {
 }
 
 }  // namespace
+
+std::vector<std::string> read_others(Section& parameter, const Quantity& input, const ModelNames& names) {
+    std::vector<std::string> others;
+    read_words(parameter, "also", others);
+    for (const std::string& name : others) {
+        const Quantity* other = find_quantity(names.inputs, name);
+        if (other == nullptr && names.inputs_known) {
+            parameter.complain("also", *parameter.peek("also"),
+                               name + " is not an input of this case" + suggestion(name, names_in(names.inputs)));
+        } else if (other != nullptr && other->dimension != input.dimension) {
+            parameter.complain("also", *parameter.peek("also"), name + " has another dimension than " + input.name);
+        }
+    }
+    return others;
+}
 
 CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outputs_of) {
     CaseFit fit;

@@ -76,7 +76,8 @@ void read_parameter(Section& section, const ModelNames& names, std::vector<Uncer
     const std::string source = read_optional_text(section, "source");
     const Quantity* input = find_quantity(names.inputs, name);
     if (input == nullptr) {
-        for (const std::string_view key : {"distribution", "mean", "standard_deviation", "lower", "mode", "upper"}) {
+        for (const std::string_view key :
+             {"distribution", "mean", "standard_deviation", "lower", "mode", "upper", "also"}) {
             section.allow(key);
         }
         if (!name.empty() && names.inputs_known) {
@@ -88,8 +89,9 @@ void read_parameter(Section& section, const ModelNames& names, std::vector<Uncer
     if (std::ranges::find(parameters, name, &UncertainParameter::name) != parameters.end()) {
         section.complain("name", *section.peek("name"), "is uncertain already: each input once");
     }
+    const std::vector<std::string> others = read_others(section, *input, names);
     if (const auto distribution = read_distribution(section, *input)) {
-        parameters.push_back({name, *distribution, source});
+        parameters.push_back({name, *distribution, source, others});
     }
 }
 
@@ -123,6 +125,29 @@ void read_correlation(Section& section, const std::vector<UncertainParameter>& p
     correlations.push_back(std::move(correlation));
 }
 
+// A further output of the sweep, with its scatter.
+void read_swept(Section& section, const ModelNames& names, std::vector<SweptQuantity>& swept) {
+    SweptQuantity quantity;
+    quantity.name = require_text(section, "name", "an output that is swept too, e.g. weight");
+    const Quantity* output = find_quantity(names.outputs, quantity.name);
+    if (output == nullptr) {
+        section.allow("scatter");
+        if (!quantity.name.empty()) {
+            section.complain(
+                "name", *section.peek("name"),
+                "is not a number that this model answers" + suggestion(quantity.name, names_in(names.outputs)));
+        }
+        return;
+    }
+    quantity.dimension = output->dimension;
+    if (const Node* node = section.take("scatter")) {
+        quantity.scatter =
+            read_number(section.reading(), *node, section.path_of("scatter"), output->dimension, at_least(0))
+                .value_or(0);
+    }
+    swept.push_back(std::move(quantity));
+}
+
 // Calls read(section, settings) where the section is there.
 template <class Settings, class Read>
 void read_method(Section& study, std::string_view key, std::optional<Settings>& settings, Read&& read) {
@@ -151,12 +176,22 @@ void read_quantiles(Section& section, double& lower, double& upper) {
     read_ratio(section, "upper_probability", between(middle, 1), upper);
 }
 
-void read_methods(Section& section, Dimension dimension, SensitivityStudy& study) {
+void read_methods(Section& section, const ModelNames& names, Dimension dimension, SensitivityStudy& study) {
     constexpr std::int64_t most = 10'000'000;
     read_method(section, "failure", study.failure,
                 [&](Section& part, FailureCriterion& failure) { read_failure(part, dimension, failure); });
     read_method(section, "tornado", study.tornado, [](Section& part, TornadoSettings& settings) {
         read_quantiles(part, settings.lower_probability, settings.upper_probability);
+    });
+    read_method(section, "sweep", study.sweep, [&](Section& part, SweepSettings& settings) {
+        read_count(part, "points", 3, 19, settings.points);
+        read_quantiles(part, settings.lower_probability, settings.upper_probability);
+        read_count(part, "samples", 0, most, settings.samples);
+        if (const Node* node = part.take("scatter")) {
+            settings.scatter =
+                read_number(part.reading(), *node, part.path_of("scatter"), dimension, at_least(0)).value_or(0);
+        }
+        for_each_table(part, "quantity", [&](Section& element) { read_swept(element, names, settings.further); });
     });
     read_method(section, "morris", study.morris, [&](Section& part, MorrisSettings& settings) {
         read_count(part, "trajectories", 2, most, settings.trajectories);
@@ -209,7 +244,7 @@ CaseSensitivity read_sensitivity(Section& root, const CaseModel& model, const Ou
     }
     for_each_table(section, "correlation",
                    [&](Section& element) { read_correlation(element, study.parameters, study.correlations); });
-    read_methods(section, result.dimension, study);
+    read_methods(section, names, result.dimension, study);
     section.finish();
     return result;
 }

@@ -24,6 +24,7 @@ struct StudySubject {
     InputSpace space;
     std::optional<FailureCriterion> criterion;  // with the words that decide by the model's bounds
     std::vector<OutputBound> bounds = {};       // of the quantity
+    std::vector<Dimension> swept = {};          // of the quantities of the sweep: this one, then the further ones
 
     StudySubject(const CaseFile& file, const SensitivityProblem& problem);
 
@@ -49,6 +50,10 @@ std::string reliability_in_words(const ReliabilityResult& result);
 // Each appends blocks to the report, fills its part of the JSON and writes its tables and figures.
 void document_tornado(const StudySubject& subject, const TornadoResult& result, const ResultFolder& folder,
                       Report& report, Json& json);
+// Which parameters move each quantity most, and along which it turns.
+std::vector<std::string> sweep_findings(const StudySubject& subject, const std::vector<SweepResult>& results);
+void document_sweeps(const StudySubject& subject, const std::vector<SweepResult>& results, const ResultFolder& folder,
+                     Report& report, Json& json);
 void document_morris(const StudySubject& subject, const MorrisResult& result, const ResultFolder& folder,
                      Report& report, Json& json);
 void document_indices(const StudySubject& subject, const SobolIndicesResult& result, const ResultFolder& folder,

@@ -94,6 +94,9 @@ std::vector<std::string> findings(const StudySubject& subject, const Sensitivity
                        "shares are those of the part of the space that has values."
                  : "."));
     }
+    for (std::string& sentence : sweep_findings(subject, result.sweeps)) {
+        sentences.push_back(std::move(sentence));
+    }
     std::vector<std::string> idle;
     for (const std::size_t index : result.without_effect) {
         idle.push_back(subject.names[index]);
@@ -120,6 +123,10 @@ StudySubject::StudySubject(const CaseFile& file, const SensitivityProblem& probl
         const auto input = std::find_if(problem.model.inputs.begin(), problem.model.inputs.end(),
                                         [&](const Quantity& candidate) { return candidate.name == parameter.name; });
         dimensions.push_back(input->dimension);
+    }
+    swept.push_back(quantity.dimension);
+    if (study.sweep) {
+        std::ranges::transform(study.sweep->further, std::back_inserter(swept), &SweptQuantity::dimension);
     }
 }
 
@@ -180,6 +187,14 @@ SensitivityDocuments document_sensitivity(const CaseFile& file, const Sensitivit
     for (const std::size_t index : result.without_effect) {
         json["without_effect"].push_back(subject.names[index]);
     }
+    json["not_monotone"] = Json::array();
+    for (const SweepResult& sweep : result.sweeps) {
+        for (std::size_t index = 0; index < subject.names.size(); ++index) {
+            if (sweep.parameters[index].course == SweepCourse::not_monotone) {
+                json["not_monotone"].push_back({{"quantity", sweep.quantity}, {"parameter", subject.names[index]}});
+            }
+        }
+    }
     if (!sentences.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::verdict, "Findings", sentences});
     }
@@ -192,6 +207,9 @@ SensitivityDocuments document_sensitivity(const CaseFile& file, const Sensitivit
     }
     if (result.tornado) {
         document_tornado(subject, *result.tornado, folder, report, json["tornado"]);
+    }
+    if (!result.sweeps.empty()) {
+        document_sweeps(subject, result.sweeps, folder, report, json["sweep"]);
     }
     if (result.morris) {
         document_morris(subject, *result.morris, folder, report, json["morris"]);

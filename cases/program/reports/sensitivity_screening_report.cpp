@@ -9,9 +9,58 @@ namespace delabole {
 
 namespace {
 
-std::string end_in_words(const StudySubject& subject, const Evaluation& answer) {
-    return answer.valid() ? subject.in_words(answer.value)
+constexpr std::size_t most_named = 3;
+
+// "falls by 0.12 from 62 deg to 66 deg"
+std::string change_in_words(const SweepChange& change, Dimension quantity, Dimension parameter) {
+    return (change.change < 0 ? "falls by " : "rises by ") + value_in_words(std::abs(change.change), quantity) +
+           " from " + value_in_words(change.from, parameter) + " to " + value_in_words(change.to, parameter);
+}
+
+std::string course_in_words(const ParameterSweep& sweep, Dimension quantity, Dimension parameter) {
+    switch (sweep.course) {
+    case SweepCourse::not_monotone:
+        return "not monotone: " + change_in_words(sweep.main, quantity, parameter) + ", and " +
+               change_in_words(sweep.reversal, quantity, parameter);
+    case SweepCourse::too_few_answers:
+        return "too few answers";
+    default:
+        return human_name(word_of(sweep.course));
+    }
+}
+
+std::string answer_in_words(const Evaluation& answer, Dimension dimension) {
+    return answer.valid() ? value_in_words(answer.value, dimension)
                           : human_name(answer.failure.empty() ? "not_a_number" : answer.failure);
+}
+
+std::string listed(const StudySubject& subject, const SweepResult& result, SweepCourse course) {
+    std::vector<std::string> names;
+    for (std::size_t index = 0; index < subject.names.size(); ++index) {
+        if (result.parameters[index].course == course) {
+            names.push_back(subject.names[index]);
+        }
+    }
+    return list_in_words(names);
+}
+
+std::string method_in_words(const SweepSettings& settings) {
+    const std::string points = std::to_string(settings.points);
+    return settings.samples > 0 ? "Means of " + points + " classes of equal number of each parameter, from " +
+                                      std::to_string(settings.samples) + " samples of all (Latin hypercube)."
+                                : points + " points of each parameter from its " + percent(settings.lower_probability) +
+                                      " to its " + percent(settings.upper_probability) +
+                                      " quantile, the others at their medians; correlations play no part.";
+}
+
+Json json_of(const SweepChange& change, Dimension quantity, Dimension parameter) {
+    return {{"from", json_number(in_display_unit(change.from, parameter))},
+            {"to", json_number(in_display_unit(change.to, parameter))},
+            {"change", json_number(in_display_unit(change.change, quantity))}};
+}
+
+std::string end_in_words(const StudySubject& subject, const Evaluation& answer) {
+    return answer_in_words(answer, subject.quantity.dimension);
 }
 
 }  // namespace
@@ -54,6 +103,111 @@ void document_tornado(const StudySubject& subject, const TornadoResult& result, 
         "at their medians: " +
             end_in_words(subject, result.at_medians) + "."));
     report.blocks.emplace_back(std::move(table));
+}
+
+std::vector<std::string> sweep_findings(const StudySubject& subject, const std::vector<SweepResult>& results) {
+    std::vector<std::string> sentences;
+    for (std::size_t number = 0; number < results.size(); ++number) {
+        const SweepResult& result = results[number];
+        const Dimension dimension = subject.swept[number];
+        const std::string quantity = human_name(result.quantity);
+        std::vector<std::size_t> order;
+        for (std::size_t index = 0; index < subject.names.size(); ++index) {
+            const SweepCourse course = result.parameters[index].course;
+            if (course == SweepCourse::rises || course == SweepCourse::falls || course == SweepCourse::not_monotone) {
+                order.push_back(index);
+            }
+        }
+        std::ranges::stable_sort(order, std::greater{},
+                                 [&](std::size_t index) { return std::abs(result.parameters[index].main.change); });
+        order.resize(std::min(order.size(), most_named));
+        std::vector<std::string> most;
+        for (const std::size_t index : order) {
+            const ParameterSweep& sweep = result.parameters[index];
+            most.push_back(subject.names[index] + " (" + human_name(word_of(sweep.course)) +
+                           (sweep.course == SweepCourse::not_monotone ? ", by " : " by ") +
+                           value_in_words(std::abs(sweep.main.change), dimension) + ")");
+        }
+        if (!most.empty()) {
+            sentences.push_back("The " + quantity + " changes most with " + list_in_words(most) + ".");
+        }
+        for (std::size_t index = 0; index < subject.names.size(); ++index) {
+            const ParameterSweep& sweep = result.parameters[index];
+            if (sweep.course == SweepCourse::not_monotone) {
+                sentences.push_back("Not monotone in " + subject.names[index] + ": the " + quantity + " " +
+                                    change_in_words(sweep.main, dimension, subject.dimensions[index]) + ", and " +
+                                    change_in_words(sweep.reversal, dimension, subject.dimensions[index]) + ".");
+            }
+        }
+        const std::string scattered = listed(subject, result, SweepCourse::within_scatter);
+        if (!scattered.empty()) {
+            sentences.push_back("The " + quantity + " changes by no more than its scatter can with " + scattered + ".");
+        }
+        const std::string idle = listed(subject, result, SweepCourse::constant);
+        if (number > 0 && !idle.empty()) {
+            sentences.push_back("The " + quantity + " does not change with " + idle + ".");
+        }
+    }
+    return sentences;
+}
+
+void document_sweeps(const StudySubject& subject, const std::vector<SweepResult>& results, const ResultFolder& folder,
+                     Report& report, Json& json) {
+    const SweepSettings& settings = *subject.study.sweep;
+    report.blocks.emplace_back(Heading{"Each parameter over its range"});
+    report.blocks.emplace_back(Paragraph{
+        method_in_words(settings) +
+        " Not monotone: beside its greatest change, the quantity has one of the other sign that exceeds a hundredth of "
+        "it, and what its scatter alone would make in one sweep of twenty."});
+    CsvTable csv({"quantity", "quantity_unit", "parameter", "unit", "value", "answer"});
+    for (std::size_t number = 0; number < results.size(); ++number) {
+        const SweepResult& result = results[number];
+        const Dimension dimension = subject.swept[number];
+        const std::string unit(display_unit(dimension).symbol);
+        Json& part = json[column_name(result.quantity, dimension)];
+        part["evaluations"] = json_of(result.evaluations);
+        Table table{human_name(result.quantity),
+                    {{"parameter"},
+                     {"from", true},
+                     {"to", true},
+                     {"there", true},
+                     {"in the middle", true},
+                     {"there", true},
+                     {"scatter", true},
+                     {"course"}},
+                    {}};
+        for (std::size_t index = 0; index < subject.names.size(); ++index) {
+            const ParameterSweep& sweep = result.parameters[index];
+            const Dimension along = subject.dimensions[index];
+            const auto answer = [&](std::size_t place) {
+                return answer_in_words(sweep.points[place].answer, dimension);
+            };
+            Json& entry = part["parameters"][subject.names[index]];
+            entry["course"] = word_of(sweep.course);
+            if (sweep.points.empty()) {
+                table.rows.push_back({subject.names[index], "", "", "", "", "", "", "too few answers"});
+                continue;
+            }
+            table.rows.push_back({subject.names[index], value_in_words(sweep.points.front().parameter, along),
+                                  value_in_words(sweep.points.back().parameter, along), answer(0),
+                                  answer(sweep.points.size() / 2), answer(sweep.points.size() - 1),
+                                  sweep.scatter > 0 ? value_in_words(sweep.scatter, dimension) : "none",
+                                  course_in_words(sweep, dimension, along)});
+            if (sweep.course != SweepCourse::too_few_answers) {
+                entry["scatter"] = json_number(in_display_unit(sweep.scatter, dimension));
+                entry["main"] = json_of(sweep.main, dimension, along);
+                entry["reversal"] = sweep.reversal.change != 0 ? json_of(sweep.reversal, dimension, along) : Json();
+            }
+            for (const SweepPoint& point : sweep.points) {
+                const Cell value = point.answer.valid() ? Cell(in_display_unit(point.answer.value, dimension))
+                                                        : Cell(answer_in_words(point.answer, dimension));
+                csv.add_row({result.quantity, unit, subject.names[index], std::string(display_unit(along).symbol),
+                             in_display_unit(point.parameter, along), value});
+            }
+        }
+        report.blocks.emplace_back(std::move(table));
+    }
+    folder.write("sweep.csv", csv.text());
 }
 
 void document_morris(const StudySubject& subject, const MorrisResult& result, const ResultFolder& folder,

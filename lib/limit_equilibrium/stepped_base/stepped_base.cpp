@@ -328,6 +328,11 @@ std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const Colum
 
 namespace {
 
+double unit_weight_of(const ColumnScene<>& scene, std::size_t index) {
+    const auto* blocks = std::get_if<BlockColumns<>>(&scene.columns);
+    return blocks ? blocks->block[index].unit_weight.value_or(scene.rock.unit_weight) : scene.rock.unit_weight;
+}
+
 // What a limiting state does to the slope: which of its parts move, by weight, and where it cracks the crest.
 void add_movement(const ColumnScene<>& scene, const std::vector<ColumnResult>& columns, double wedge_weight,
                   SteppedBaseResult& result) {
@@ -337,8 +342,14 @@ void add_movement(const ColumnScene<>& scene, const std::vector<ColumnResult>& c
         topples += column.mode == ColumnMode::topples ? column.weight : 0;
         slides += column.mode == ColumnMode::slides ? column.weight : 0;
     }
+    result.moving_count = result.toppling_count + result.sliding_count;
     const double moving = topples + slides + wedge_weight;
     if (moving > 0) {
+        result.moving_area = wedge_weight / scene.rock.unit_weight;
+        for (std::size_t index = 0; index < columns.size(); ++index) {
+            result.moving_area +=
+                columns[index].mode != ColumnMode::stays ? columns[index].weight / unit_weight_of(scene, index) : 0;
+        }
         result.toppling_share = topples / moving;
         result.sliding_share = slides / moving;
         result.slide_head_share = wedge_weight / moving;

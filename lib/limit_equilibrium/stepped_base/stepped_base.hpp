@@ -160,6 +160,8 @@ struct SteppedBaseResult {
     double toppling_count = 0;
     double sliding_count = 0;
     double uppermost_moving = 0;
+    double moving_count = 0;
+    double moving_area = 0;
     double inadmissible_count = 0;
     double crack_base_distance = 0;
     double crack_base_height = 0;
@@ -194,6 +196,10 @@ struct SteppedBaseResult {
                    "columns that slide in limiting equilibrium"),
             number("uppermost_moving", &Result::uppermost_moving, Dimension::ratio, any_number(),
                    "number of the uppermost column that moves in limiting equilibrium, counted from the toe"),
+            number("moving_count", &Result::moving_count, Dimension::ratio, any_number(),
+                   "columns that topple or slide in limiting equilibrium"),
+            number("moving_area", &Result::moving_area, Dimension::area, any_number(),
+                   "area in section of these columns and of the wedge, where it pushes"),
             number("inadmissible_count", &Result::inadmissible_count, Dimension::ratio, any_number(),
                    "columns whose base cannot give the reaction that limiting equilibrium asks of it: tension, "
                    "friction exceeded, or outside the base"),

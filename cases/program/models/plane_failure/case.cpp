@@ -174,6 +174,12 @@ measure = "linear"                  # linear (Pearson) or rank (Spearman)
 lower_probability = 0.05
 upper_probability = 0.95
 
+[sensitivity.sweep]                 # in steps between the same quantiles: what is not monotone
+points = 9
+[[sensitivity.sweep.quantity]]      # a further output
+name = "weight"
+scatter = "0 kN/m"                  # standard deviation at unchanged inputs; 0: exact
+
 [sensitivity.morris]
 trajectories = 30
 levels = 4

@@ -1,0 +1,94 @@
+// How a quantity follows one parameter over its range, and whether it always goes the same way. Two accounts of it:
+//
+//   the others at their medians   one evaluation at each of some points between two quantiles; exact, or with the
+//                                 scatter that the study states
+//   the others as they may be     samples of all parameters, sorted by one of them into classes of equal number; each
+//                                 point is the mean of a class, and its scatter the pooled deviation within the classes
+//                                 over the root of their size. The same samples serve every parameter, and a model that
+//                                 scatters by itself costs no more.
+//
+// A tornado has two ends of each range and cannot tell what turns between them; elementary effects of both signs may
+// come of a turn or of another parameter.
+//
+// The greatest rise is the most by which any point lies above one before it, the greatest fall likewise below. The
+// greater of the two is the main change. The other is a reversal, and the quantity not monotone, where it exceeds
+//   a hundredth of the main change: less is of no weight beside it, and
+//   the scatter times the 95 % quantile of the range of as many independent standard normal numbers as there are points
+//   (Tukey's studentized range, 3.9 for five points): so scatter alone is seldom taken for a reversal, wherever the
+//   points lie.
+// A main change within that multiple of the scatter tells nothing: within_scatter.
+#pragma once
+
+#include "fitting/probability/dependence.hpp"
+#include "fitting/search/evaluate_points.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+// An output beside the quantity of the study.
+struct SweptQuantity {
+    std::string name;
+    double scatter = 0;
+    Dimension dimension = Dimension::ratio;  // of the scatter, for who writes it down
+};
+
+struct SweepSettings {
+    int points = 9;  // odd, from 3 to 19: with the others at their medians, half of them on either side of the median
+    double lower_probability = 0.05;  // of the points, with the others at their medians
+    double upper_probability = 0.95;
+    int samples = 0;     // of a Latin hypercube, at least 8 for each point; 0: the others stay at their medians
+    double scatter = 0;  // standard deviation of the quantity at unchanged parameters, used without samples; 0: exact
+    std::vector<SweptQuantity> further = {};
+};
+
+struct SweepPoint {
+    double parameter = 0;
+    Evaluation answer;
+};
+
+enum class SweepCourse { constant, within_scatter, rises, falls, not_monotone, too_few_answers };
+
+constexpr std::array<std::string_view, 6> enum_names(SweepCourse) {
+    return {"constant", "within_scatter", "rises", "falls", "not_monotone", "too_few_answers"};
+}
+
+// Between two points of a sweep, the first at the lesser value of the parameter.
+struct SweepChange {
+    double from = 0;
+    double to = 0;
+    double change = 0;  // of the quantity
+};
+
+struct ParameterSweep {
+    std::vector<SweepPoint> points;  // by increasing parameter
+    double scatter = 0;              // of each
+    SweepCourse course = SweepCourse::too_few_answers;
+    SweepChange main;
+    SweepChange reversal;  // the greatest change of the other sign; zero where there is none
+};
+
+// Of points in order; those without an answer are left out, and three have to stay. A change of less than 1e-9 of the
+// greatest value is rounding.
+ParameterSweep judge_sweep(std::vector<SweepPoint> points, double scatter);
+
+struct SweepResult {
+    std::string quantity;
+    std::vector<ParameterSweep> parameters;
+    EvaluationCount evaluations;
+};
+
+// Without samples the points are at equal distances between the lower quantile and the median, and between that and the
+// upper one, and correlations play no part. With samples a point's parameter is the mean of its class; samples without
+// an answer are left out, and a class with fewer than two answers has none. The quantity is the evaluator's. Nothing
+// where the work was stopped.
+std::optional<SweepResult> sweep(const Evaluator& evaluator, const InputSpace& space, const SweepSettings& settings,
+                                 double scatter, std::uint64_t seed);
+
+}  // namespace delabole
