@@ -292,6 +292,7 @@ struct GroundwaterTest {
     double rotation;
     std::string plate;
     std::string remark;
+    double friction() const { return (friction_least + friction_most) / 2; }
     static constexpr auto fields() {
         using T = GroundwaterTest;
         using D = Dimension;

@@ -28,10 +28,6 @@ struct ColumnMotion {
     double rotation = 0;              // rad, mean out of the slope at that time, or at the end
 };
 
-double friction_of(const GroundwaterTest& test) {
-    return (test.friction_least + test.friction_most) / 2;
-}
-
 struct Means {
     double displacement = 0;
     double rotation = 0;
@@ -56,7 +52,7 @@ RelaxationStudy study_of(const GroundwaterTest& test) {
     slope.tilt = test.rotation;
     slope.rock.front().density = test.density;
     for (SlopeJoint& joint : slope.joint) {
-        joint.strength.friction_angle = friction_of(test);
+        joint.strength.friction_angle = test.friction();
     }
     return study;
 }
@@ -86,7 +82,7 @@ ColumnMotion move(const GroundwaterTest& test) {
 const ColumnMotion& find(const std::vector<ColumnMotion>& motions, std::string_view material, double friction,
                          double rotation) {
     return *std::ranges::find_if(motions, [&](const ColumnMotion& motion) {
-        return motion.test.material == material && std::abs(friction_of(motion.test) - friction) < degrees(0.6) &&
+        return motion.test.material == material && std::abs(motion.test.friction() - friction) < degrees(0.6) &&
                std::abs(motion.test.rotation - rotation) < degrees(0.1);
     });
 }
@@ -109,7 +105,7 @@ Table motion_table(const std::vector<ColumnMotion>& motions) {
                 {{"material"}, {"friction, °", true}, {"turned by, °", true}, {"time"}, {"rotation"}, {"plate"}},
                 {}};
     for (const ColumnMotion& motion : motions) {
-        table.rows.push_back({motion.test.material, human_number(friction_of(motion.test) / degrees(1), 3),
+        table.rows.push_back({motion.test.material, human_number(motion.test.friction() / degrees(1), 3),
                               human_number(motion.test.rotation / degrees(1), 3), time_in_words(motion),
                               rotation_in_words(motion), motion.test.plate});
     }
@@ -188,7 +184,7 @@ Reproduction reproduce_column_motion(const ResultFolder& folder, Report& report)
     }
     for (const ColumnMotion& motion : motions) {
         result.json["tests"].push_back({{"material", motion.test.material},
-                                        {"friction_deg", friction_of(motion.test) / degrees(1)},
+                                        {"friction_deg", motion.test.friction() / degrees(1)},
                                         {"rotation_deg", motion.test.rotation / degrees(1)},
                                         {"time_s", motion.time.value_or(-1)},
                                         {"column_rotation_deg", motion.rotation / degrees(1)}});

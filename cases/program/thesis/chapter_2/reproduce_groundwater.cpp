@@ -23,10 +23,6 @@ namespace {
 constexpr double joint_dip = degrees(70);
 constexpr double gravity = 9.81;
 
-double friction_of(const GroundwaterTest& test) {
-    return (test.friction_least + test.friction_most) / 2;
-}
-
 bool leaves_joint(double rotation) {
     return joint_dip + rotation >= degrees(90);
 }
@@ -37,7 +33,7 @@ double driving_force(double rotation, double friction) {
 }
 
 double driving_force(const GroundwaterTest& test) {
-    return driving_force(test.rotation, friction_of(test));
+    return driving_force(test.rotation, test.friction());
 }
 
 std::vector<GroundwaterTest> tests_with(std::string_view material, double rotation) {
@@ -82,7 +78,7 @@ Figure driving_figure(const std::vector<GroundwaterTest>& tests) {
     Points points;
     points.legend = "tests";
     for (const GroundwaterTest& test : tests) {
-        const double friction = friction_of(test);
+        const double friction = test.friction();
         if (std::ranges::find(frictions, friction) == frictions.end()) {
             Line line;
             line.legend = test.material + ", friction " + human_number(friction / degrees(1), 3) + "°";
@@ -146,7 +142,7 @@ void add_observation_1(const GroundwaterTest& mixture, const GroundwaterTest& co
     bool same = true;
     for (const double slenderness : {10.0, 20.0, 40.0}) {
         const auto motion = [&](double density) {
-            return analyse(column_on_plane(joint_dip, degrees(slenderness), friction_of(cork), density));
+            return analyse(column_on_plane(joint_dip, degrees(slenderness), cork.friction(), density));
         };
         const SingleBlockResult light = motion(cork.density);
         const SingleBlockResult heavy = motion(mixture.density);
@@ -194,12 +190,12 @@ void add_observation_2(const ColumnTilt& full, Reproduction& result) {
 void add_observation_3(Reproduction& result) {
     for (const double rotation : {0.0, 12.0}) {
         std::vector<GroundwaterTest> tests = tests_with("cork", degrees(rotation));
-        std::ranges::sort(tests, std::ranges::greater{}, friction_of);
+        std::ranges::sort(tests, std::ranges::greater{}, &GroundwaterTest::friction);
         std::vector<std::string> words;
         std::vector<double> forces;
         for (const GroundwaterTest& test : tests) {
             forces.push_back(driving_force(test));
-            words.push_back(human_number(forces.back(), 3) + " at " + human_number(friction_of(test) / degrees(1), 3) +
+            words.push_back(human_number(forces.back(), 3) + " at " + human_number(test.friction() / degrees(1), 3) +
                             " deg");
         }
         result.rows.push_back({"3: cork, " + number_in_words(rotation) + " deg of rotation", "less friction, faster",
@@ -211,7 +207,7 @@ void add_observation_3(Reproduction& result) {
 void add_observation_4(Reproduction& result) {
     std::vector<double> frictions;
     for (const GroundwaterTest& test : tests_with("cork", 0)) {
-        frictions.push_back(friction_of(test));
+        frictions.push_back(test.friction());
     }
     std::ranges::sort(frictions);
     const TopplingOrder order = toppling_order(frictions);
