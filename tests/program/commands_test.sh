@@ -240,7 +240,7 @@ delabole outputs good.toml --json
 expect "JSON" is_json "$scratch/out"
 
 title "a case from standard input; --set chooses another kind; neither report nor figures"
-delabole run - --no-report <plane_failure.toml
+run bash -c '"$0" run - --no-report <plane_failure.toml' "$program"
 expect_status 0
 expect "answers" test -s results/stdin/result.json
 expect "no report" test ! -e results/stdin/report.html
