@@ -64,6 +64,8 @@ struct RelaxationSettings {
     // stopped. At least 0.02: overlaps are looked at whenever two blocks have come by a hundredth of that edge, or fast
     // ones by as far as takes them to the limit.
     double overlap_limit = 0.05;
+    // Whether blocks that only corners on corners hold are in equilibrium (contact/corner_choice.hpp).
+    bool corners_bear = false;
     std::size_t threads = 1;
 };
 

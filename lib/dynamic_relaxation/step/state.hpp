@@ -92,6 +92,7 @@ struct RelaxationState {
     std::optional<FirstCrack> first_crack = {};
     std::optional<BlockOverlap> overlap = {};  // the greatest share that was measured so far
     std::uint64_t outcome = 0;                 // RelaxationOutcome
+    std::vector<char> held_by_corners = {};    // of each block: whether it is, where that is the outcome; else empty
 };
 
 // A state at rest for other runs to begin from: they have its motion, its springs, slip and what has broken, and its

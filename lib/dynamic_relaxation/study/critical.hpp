@@ -32,7 +32,8 @@ struct CriticalValue {
     CriticalStatus status = CriticalStatus::found;
     double stands = 0;  // nearest value known to stand
     double fails = 0;   // nearest value known to fail
-    double last = 0;    // value of the last run: the one that ended the search where it was not found
+    bool held_by_corners = false;  // at `fails`: the blocks rest, but on corners alone
+    double last = 0;               // value of the last run: the one that ended the search where it was not found
     std::uint64_t runs = 0;
     std::uint64_t steps = 0;
     std::uint64_t contacts_evaluated = 0;
@@ -41,7 +42,7 @@ struct CriticalValue {
 };
 
 struct CriticalProbe {
-    RelaxationOutcome outcome;  // equilibrium stands; onset and collapse fail
+    RelaxationOutcome outcome;  // equilibrium stands; onset and collapse fail, and so does what only corners hold
     std::uint64_t steps;
     std::uint64_t contacts_evaluated = 0;
 };
