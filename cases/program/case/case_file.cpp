@@ -139,7 +139,9 @@ CaseFile parse_case(std::string_view text, std::string_view name, const std::vec
     result.model = *std::move(model);
     read_model(root, result.model);
     complete_model(reading, result.model, name, "");
-    result.expectations = read_expectations(root, names_of(result.model, outputs_of, reading.inputs_known()));
+    const ModelNames names = names_of(result.model, outputs_of, reading.inputs_known());
+    result.expectations = read_expectations(root, names);
+    result.sweeps = read_sweeps(root, names);
     if (root.contains("fit")) {
         result.fit = read_fit(root, result, outputs_of);
     } else {

@@ -3,6 +3,7 @@
 
 #include "cases/program/case/model_list.hpp"
 #include "cases/program/case/model_outputs.hpp"
+#include "cases/program/case/sweep.hpp"
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/document.hpp"
 #include "cases/program/reader/section.hpp"
@@ -30,6 +31,7 @@ std::vector<Quantity> named_inputs(const CaseModel& model);
 
 // One [[expect]]: a value printed somewhere, to be compared with the computed one.
 struct Expectation {
+    std::string label;  // what is compared, in words, for reports; empty: the quantity and its conditions
     std::string quantity;
     WrittenValue value;                        // a number, a quantity or a word such as an outcome's name
     std::optional<WrittenValue> tolerance;     // absolute, of the value's dimension
@@ -95,6 +97,7 @@ struct CaseFile {
     CaseModel model;
     std::map<std::string, std::string> sources;  // key of the case -> where its value comes from
     std::vector<Expectation> expectations;
+    std::vector<CaseSweep> sweeps;
     std::optional<CaseFit> fit;
     std::optional<CaseSensitivity> sensitivity;
     std::map<std::string, KeyPlace> places;  // every key that was read

@@ -201,6 +201,25 @@ struct Program {
         sensitivity->callback(
             [this] { share_out([this] { return delabole::sensitivity_command(one_case, options); }); });
 
+        CLI::App* grid =
+            app.add_subcommand("grid", "An output over one or two inputs: curves or a map, and all points as CSV");
+        grid->add_option("CASE", one_case, "Case file; - is standard input")->required();
+        grid->add_option("--vary", options.vary,
+                         "Input and its values, \"input=from:to:points\" or \"input=value,value\"; twice for a map")
+            ->type_name("INPUT=VALUES")
+            ->required()
+            ->allow_extra_args(false);
+        grid->add_option("--output", options.outputs,
+                         "What is asked at each point; may be given again; by default factor_of_safety")
+            ->type_name("NAME")
+            ->allow_extra_args(false);
+        add_common(*grid, options);
+        add_output(*grid, options);
+        add_threads(*grid, options);
+        grid->footer(example(
+            "delabole grid cases/plane_failure/wyllie_mah_7_1.toml --vary \"water.water_depth=0 m:4.35 m:30\""));
+        grid->callback([this] { choose([this] { return delabole::grid_command(one_case, options); }); });
+
         CLI::App* trade = app.add_subcommand(
             "trade", "Accuracy against cost of a dynamic relaxation: its critical value over the numerical knobs");
         trade->add_option("CASE", one_case, "Case file of model relaxation with a [critical] section")->required();
@@ -235,6 +254,14 @@ struct Program {
         add_common(*check, options);
         check->footer(example("delabole check cases/delabole_1967/delabole_1967.toml"));
         check->callback([this] { choose([this] { return delabole::check_command(cases, options); }); });
+
+        CLI::App* compare = app.add_subcommand("compare", "Analyse two cases and list which inputs and outputs differ");
+        compare->add_option("CASE", cases, "Two case files")->required()->expected(2);
+        add_common(*compare, options);
+        add_threads(*compare, options);
+        compare->footer(
+            example("delabole compare cases/relaxation/two_blocks_3.toml cases/relaxation/two_blocks_5.toml"));
+        compare->callback([this] { choose([this] { return delabole::compare_command(cases, options); }); });
 
         CLI::App* show =
             app.add_subcommand("show", "Print a case as it is understood, with defaults, in standard units");

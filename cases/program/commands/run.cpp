@@ -5,6 +5,7 @@
 #include "cases/program/models/stepped_base/bound.hpp"
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/units.hpp"
+#include "cases/program/reports/sweep_report.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/inputs_report.hpp"
@@ -76,6 +77,22 @@ void announce(const CaseFile& file, const Options& options) {
     }
 }
 
+void append_sweeps(const CaseFile& file, const ResultFolder& folder, const Options& options, Json& json,
+                   Report& report) {
+    if (file.sweeps.empty()) {
+        return;
+    }
+    report.blocks.emplace_back(Heading{"Sweeps"});
+    Progress progress(options.quiet);
+    const auto tell = [&](double share) { progress.report(share, "sweeps"); };
+    const std::vector<Comparison> compared =
+        document_sweeps(file, {.threads = options.threads, .progress = tell}, folder, report);
+    if (!compared.empty()) {
+        report.blocks.emplace_back(comparison_table(compared));
+        json["printed_and_computed"] = json_of(compared);
+    }
+}
+
 ExitCode run_one(const CaseFile& file, const Options& options) {
     const Stopwatch watch;
     announce(file, options);
@@ -126,6 +143,7 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     report.blocks.emplace_back(Heading{"Results"});
     report.blocks.emplace_back(output_table(analysis));
     append_case_figures(file.model, answer, folder, report);
+    append_sweeps(file, folder, options, json, report);
     report.blocks.emplace_back(Heading{"Inputs"});
     report.blocks.emplace_back(inputs_table(file));
     report.blocks.emplace_back(Heading{"Provenance"});
