@@ -3,7 +3,8 @@
 set(chapter_2_case_names plate_2_i plate_2_i_without_cleavage plate_2_i_continuity plate_2_ii plate_2_ii_joints_c
     plate_2_iii plate_2_iv plate_2_iv_divided plate_2_v plate_2_vi groundwater_column)
 set(published_case_names
-    rj_1a rj_1b rj_1c rj_1d rj_2 rj_3 rj_5 rj_6 rj_7 rj_9 rj_10 rj_11 rj_12 rj_13 rj_14 rj_15 rj_16 rj_17 rj_18 rj_19)
+    rj_1a rj_1b rj_1c rj_1d rj_2 rj_3 rj_4 rj_5 rj_6 rj_7 rj_8 rj_9 rj_10 rj_11 rj_12 rj_13 rj_14 rj_15 rj_16 rj_17 rj_18
+    rj_19 rj_20)
 set(thesis_tables "")
 foreach(table
     thesis/chapter_2/features thesis/chapter_2/groundwater_tests thesis/chapter_2/mechanisms thesis/chapter_2/trends
