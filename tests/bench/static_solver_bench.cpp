@@ -1,11 +1,23 @@
-// What a static equilibrium solve costs, of slopes cut into more and more blocks by the three sets of Old Delabole
-// (cases/thesis/chapter_2/delabole_1500_blocks.toml), which stand at 50 deg of friction.
+// What static equilibrium and a factor of safety cost, of slopes cut into more and more blocks by the three sets of Old
+// Delabole (cases/thesis/chapter_2/delabole_1500_blocks.toml), which stand at 50 deg of friction.
+//
+// With --figure=FOLDER the times of what has run are drawn over the numbers of blocks, beside the growth that is
+// wanted.
 #include "dynamic_relaxation/study/relaxation_study.hpp"
+#include "plots/drawing/figure.hpp"
+#include "plots/drawing/text.hpp"
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <iostream>
+#include <map>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace delabole {
 namespace {
@@ -37,9 +49,12 @@ RelaxationStudy slope(double fineness, double friction) {
     return study;
 }
 
-void solve(benchmark::State& state) {
-    const double fineness = std::sqrt(1500.0 / static_cast<double>(state.range(0)));
-    const RelaxationStudy study = slope(fineness, degrees(50));
+double fineness_of(const benchmark::State& state) {
+    return std::sqrt(1500.0 / static_cast<double>(state.range(0)));
+}
+
+void verdict(benchmark::State& state) {
+    const RelaxationStudy study = slope(fineness_of(state), degrees(50));
     const RelaxationScene scene = relaxation_scene(study);
     const RelaxationSettings settings = relaxation_settings(study);
     double unbalanced = 0;
@@ -50,7 +65,112 @@ void solve(benchmark::State& state) {
     state.counters["blocks"] = static_cast<double>(scene.block.size());
     state.counters["unbalanced"] = unbalanced;
 }
-BENCHMARK(solve)->Arg(100)->Arg(300)->Arg(1000)->Arg(3000)->Arg(10000)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(verdict)->Arg(100)->Arg(300)->Arg(1000)->Arg(3000)->Arg(10000)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+void factor_of_safety(benchmark::State& state) {
+    RelaxationStudy study = slope(fineness_of(state), degrees(50));
+    ReductionSearch search{};
+    search.lower = 0.5;
+    search.upper = 4;
+    search.tolerance = 0.02;
+    study.critical = search;
+    CriticalAnswer answer;
+    for (auto _ : state) {
+        answer = find_critical(study);
+    }
+    state.counters["blocks"] = static_cast<double>(number_of_blocks(study));
+    state.counters["factor"] = answer.status == CriticalStatus::found ? answer.value() : 0;
+}
+BENCHMARK(factor_of_safety)->Arg(100)->Arg(300)->Arg(1000)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+// Decimal logarithms of blocks and seconds, by the name of what was timed.
+using Times = std::map<std::string, Polyline>;
+
+class Reporter : public benchmark::ConsoleReporter {
+  public:
+    void ReportRuns(const std::vector<Run>& runs) override {
+        for (const Run& run : runs) {
+            const auto blocks = run.counters.find("blocks");
+            if (blocks != run.counters.end() && !run.error_occurred) {
+                times_[run.run_name.function_name].emplace_back(std::log10(blocks->second.value),
+                                                                std::log10(run.cpu_accumulated_time));
+            }
+        }
+        ConsoleReporter::ReportRuns(runs);
+    }
+    const Times& times() const { return times_; }
+
+  private:
+    Times times_;
+};
+
+// Of the straight line of least squares.
+double slope_of(const Polyline& points) {
+    Point mean(0, 0);
+    for (const Point& point : points) {
+        mean += point / static_cast<double>(points.size());
+    }
+    double xy = 0;
+    double xx = 0;
+    for (const Point& point : points) {
+        xy += (point.x() - mean.x()) * (point.y() - mean.y());
+        xx += (point.x() - mean.x()) * (point.x() - mean.x());
+    }
+    return xy / xx;
+}
+
+std::vector<std::pair<double, std::string>> decades(int from, int to) {
+    std::vector<std::pair<double, std::string>> ticks;
+    for (int power = from; power <= to; ++power) {
+        ticks.emplace_back(power, human_number(std::pow(10.0, power), 1));
+    }
+    return ticks;
+}
+
+Figure cost_figure(const Times& times) {
+    constexpr double wanted = 1.4;
+    Figure figure;
+    figure.title = "Processor time of statics of jointed slopes";
+    figure.x = {.title = "blocks", .ticks = decades(2, 4)};
+    figure.y = {.title = "processor time", .unit = "s", .ticks = decades(-3, 4)};
+    std::size_t number = 0;
+    for (const auto& [name, points] : times) {
+        const Colour colour = std::array{Colour::vermilion, Colour::blue}.at(number++);
+        const std::string title = name == "verdict" ? "static verdict" : "factor of safety";
+        const std::string growth = points.size() > 1 ? ", N^" + human_number(slope_of(points), 2) : "";
+        figure.series.emplace_back(Line{.points = points, .legend = title + growth, .colour = colour});
+        figure.series.emplace_back(Points{.points = points, .colour = colour});
+        const double span = points.back().x() - points.front().x();
+        figure.series.emplace_back(Line{.points = {points.front(), points.front() + Point(span, wanted * span)},
+                                        .legend = number == 1 ? "growth wanted, N^" + human_number(wanted, 2) : "",
+                                        .dash = Dash::dashed});
+    }
+    return figure;
+}
 
 }  // namespace
 }  // namespace delabole
+
+int main(int count, char** arguments) {
+    using namespace delabole;
+    constexpr std::string_view option = "--figure=";
+    std::string folder;
+    const auto last = std::remove_if(arguments + 1, arguments + count, [&](std::string_view argument) {
+        const bool is_figure = argument.starts_with(option);
+        folder = is_figure ? argument.substr(option.size()) : folder;
+        return is_figure;
+    });
+    count = static_cast<int>(last - arguments);
+    benchmark::Initialize(&count, arguments);
+    if (benchmark::ReportUnrecognizedArguments(count, arguments)) {
+        return 2;
+    }
+    Reporter reporter;
+    benchmark::RunSpecifiedBenchmarks(&reporter);
+    if (folder.empty()) {
+        return 0;
+    }
+    const FigureFiles files = write_figure(cost_figure(reporter.times()), folder, "static_solver_cost");
+    std::cout << files.svg.string() << files.message << '\n';
+    return files.status == FigureStatus::ok ? 0 : 5;
+}

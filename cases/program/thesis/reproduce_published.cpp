@@ -261,7 +261,7 @@ Reproduction reproduce_factors(const ResultFolder& folder, Report& report) {
 
 ReproductionChapter published_problems() {
     return {"published",
-            "twenty published problems of jointed slopes, of RJ-1 to RJ-20",
+            "published problems of jointed slopes, RJ-1 to RJ-20",
             "Published problems of jointed slopes",
             {{"factors", "factors of safety by strength reduction beside those of other codes", reproduce_factors,
               ReproductionCost::minutes}}};
