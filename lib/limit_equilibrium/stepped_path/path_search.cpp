@@ -1,0 +1,537 @@
+#include "limit_equilibrium/stepped_path/path_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace delabole {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int most_searches = 200;
+// Strength is divided by at most this, and multiplied.
+constexpr double widest_factor = 1e8;
+
+// Of joint and rock bridges together.
+struct SurfaceStrength {
+    double step_friction, step_cohesion;  // tangent; Pa
+    double riser_tension;
+
+    explicit SurfaceStrength(const SteppedPath& problem)
+        : step_friction(std::tan(problem.steps.friction_angle)),
+          step_cohesion(problem.steps.cohesion),
+          riser_tension(0) {
+        if (problem.rock_bridges) {
+            const RockBridges& bridges = *problem.rock_bridges;
+            const double joint = bridges.step_persistence;
+            step_friction = joint * step_friction + (1 - joint) * std::tan(bridges.friction_angle);
+            step_cohesion = joint * step_cohesion + (1 - joint) * bridges.cohesion;
+            riser_tension = (1 - bridges.riser_persistence) * bridges.tensile_strength;
+        }
+    }
+};
+
+// ---- Sliding ----
+
+struct Ratio {
+    double resisting = 0;
+    double driving = 0;
+
+    Ratio operator+(const Ratio& other) const { return {resisting + other.resisting, driving + other.driving}; }
+    double less(double factor) const { return resisting - factor * driving; }
+};
+
+class SlidingGraph {
+  public:
+    SlidingGraph(const SteppedPath& problem, const PathLattice& lattice)
+        : lattice_(lattice),
+          strength_(problem),
+          unit_weight_(problem.rock.unit_weight),
+          dip_(problem.steps.dip),
+          opening_(problem.risers->dip - problem.steps.dip) {
+        const std::size_t count = lattice.riser_node.size();
+        start_.assign(count, std::vector<std::optional<Ratio>>(lattice.levels));
+        step_ = start_;
+        rise_ = start_;
+        finish_ = start_;
+        for (std::size_t riser = 0; riser < count; ++riser) {
+            for (std::size_t level = 0; level < lattice.levels; ++level) {
+                add_edges(riser, level);
+            }
+        }
+    }
+
+    Ratio along(const LatticePath& path) const {
+        Ratio sum = *start_[path.first][path.level.front()];
+        for (std::size_t index = 0; index < path.level.size(); ++index) {
+            const std::size_t riser = path.first + index;
+            const bool last = index + 1 == path.level.size();
+            if (last) {
+                return sum + *finish_[riser][path.level[index]];
+            }
+            for (std::size_t level = path.level[index]; level < path.level[index + 1]; ++level) {
+                sum = sum + *rise_[riser][level];
+            }
+            sum = sum + *step_[riser + 1][path.level[index + 1]];
+        }
+        return sum;
+    }
+
+    // The path with the least sum of resistance - factor times driving force, or of the negative driving force alone.
+    std::optional<LatticePath> least(double factor) const {
+        const auto cost = [&](const Ratio& ratio) { return factor < infinity ? ratio.less(factor) : -ratio.driving; };
+        enum class Came : unsigned char { nowhere, face, step, below };
+        const std::size_t count = start_.size();
+        std::vector<std::vector<Came>> came(count, std::vector<Came>(lattice_.levels, Came::nowhere));
+        std::vector<double> before(lattice_.levels, infinity);  // at the riser before
+        double best = infinity;
+        std::size_t best_riser = 0;
+        std::size_t best_level = 0;
+        for (std::size_t riser = 0; riser < count; ++riser) {
+            std::vector<double> here(lattice_.levels, infinity);
+            for (std::size_t level = 0; level < lattice_.levels; ++level) {
+                const auto offer = [&](double value, Came from) {
+                    if (value < here[level]) {
+                        here[level] = value;
+                        came[riser][level] = from;
+                    }
+                };
+                if (start_[riser][level]) {
+                    offer(cost(*start_[riser][level]), Came::face);
+                }
+                if (step_[riser][level]) {
+                    offer(before[level] + cost(*step_[riser][level]), Came::step);
+                }
+                if (level > 0 && rise_[riser][level - 1]) {
+                    offer(here[level - 1] + cost(*rise_[riser][level - 1]), Came::below);
+                }
+                if (finish_[riser][level] && here[level] + cost(*finish_[riser][level]) < best) {
+                    best = here[level] + cost(*finish_[riser][level]);
+                    best_riser = riser;
+                    best_level = level;
+                }
+            }
+            before = std::move(here);
+        }
+        if (!(best < infinity)) {
+            return std::nullopt;
+        }
+        LatticePath path;
+        path.level.push_back(best_level);
+        std::size_t riser = best_riser;
+        for (std::size_t level = best_level; came[riser][level] != Came::face;) {
+            if (came[riser][level] == Came::below) {
+                --level;
+                path.level.back() = level;
+            } else {
+                --riser;
+                path.level.push_back(level);
+            }
+        }
+        path.first = riser;
+        std::ranges::reverse(path.level);
+        return path;
+    }
+
+  private:
+    Ratio on_step(const Point& from, const Point& to) const {
+        const double weight = unit_weight_ * lattice_.area_above(from, to);
+        const double uplift = lattice_.water_on(from, to).force;
+        return {
+            strength_.step_cohesion * (to - from).norm() + strength_.step_friction * (weight * std::cos(dip_) - uplift),
+            weight * std::sin(dip_)};
+    }
+    Ratio on_riser(const Point& from, const Point& to) const {
+        const double weight = unit_weight_ * lattice_.area_above(from, to);
+        const double water = lattice_.water_on(from, to).force;
+        return {strength_.step_friction * (weight * std::cos(dip_) - water * std::cos(opening_)) +
+                    strength_.riser_tension * (to - from).norm() * std::sin(opening_),
+                weight * std::sin(dip_) + water * std::sin(opening_)};
+    }
+    void add_edges(std::size_t riser, std::size_t level) {
+        const auto& node = lattice_.riser_node[riser];
+        if (!node[level]) {
+            return;
+        }
+        const bool inner = riser > 0 && lattice_.riser_node[riser - 1][level];
+        if (inner) {
+            step_[riser][level] = on_step(*lattice_.riser_node[riser - 1][level], *node[level]);
+        } else if (const auto face = lattice_.face_point(level)) {
+            start_[riser][level] = on_step(*face, *node[level]);
+        }
+        if (level + 1 < lattice_.levels && node[level + 1]) {
+            rise_[riser][level] = on_riser(*node[level], *node[level + 1]);
+        }
+        if (lattice_.retreat(lattice_.riser_outcrop[riser]) >= lattice_.least_width) {
+            finish_[riser][level] = on_riser(*node[level], lattice_.riser_outcrop[riser]);
+        }
+    }
+
+    const PathLattice& lattice_;
+    SurfaceStrength strength_;
+    double unit_weight_;
+    double dip_;
+    double opening_;
+    // By riser and level: from the face, from the riser before, to the level above, to the ground.
+    std::vector<std::vector<std::optional<Ratio>>> start_, step_, rise_, finish_;
+};
+
+Limit limit_of(const Ratio& ratio) {
+    if (!(ratio.driving > 0)) {
+        return {LimitState::holds_at_any_strength, infinity, 1};
+    }
+    if (!(ratio.resisting > 0)) {
+        return {LimitState::fails_at_any_strength, 0, 1};
+    }
+    return {LimitState::found, ratio.resisting / ratio.driving, 1};
+}
+
+CriticalPath least_stable_sliding(const SteppedPath& problem, const PathLattice& lattice) {
+    const SlidingGraph graph(problem, lattice);
+    CriticalPath critical;
+    critical.factor_of_safety = infinity;
+    for (double factor = infinity; critical.searches < most_searches;) {
+        const auto path = graph.least(factor);
+        ++critical.searches;
+        if (!path) {
+            return critical;
+        }
+        const Limit limit = limit_of(graph.along(*path));
+        if (!(limit.value < factor)) {
+            break;
+        }
+        critical.path = *path;
+        critical.limit = limit.state;
+        critical.factor_of_safety = limit.value;
+        factor = limit.value;
+        if (limit.state != LimitState::found) {
+            break;
+        }
+    }
+    return critical;
+}
+
+// ---- Columns ----
+
+// At one strength.
+struct ColumnLaw {
+    double joint, base, cohesion;  // tangents; Pa
+    double push_effect;
+
+    ColumnLaw(const SteppedPath& problem, const SurfaceStrength& strength, double factor)
+        : joint(std::tan(problem.columns->friction_angle) / factor),
+          base(strength.step_friction / factor),
+          cohesion(strength.step_cohesion / factor) {
+        const double sum = problem.steps.dip - problem.columns->dip;
+        push_effect = std::sin(sum) - (joint + base) * std::cos(sum) - joint * base * std::sin(sum);
+    }
+
+    double overturning(const PathCell& cell, double push, double depth) const {
+        return cell.overturning + push * (cell.push_arm + joint * cell.drag_arm - depth);
+    }
+    double unresisted(const PathCell& cell, double push) const {
+        return cell.down_dip - base * cell.normal - cohesion * cell.base_length + push * push_effect;
+    }
+    double against_turning(const PathCell& cell, double push, double depth) const {
+        const double moment = overturning(cell, push, depth);
+        return !(moment > 0) ? 0 : cell.lower_contact > 0 ? moment / cell.lower_contact : infinity;
+    }
+    double against_sliding(const PathCell& cell, double push) const {
+        const double lacking = unresisted(cell, push);
+        return !(lacking > 0) ? 0 : push_effect > 0 ? lacking / push_effect : infinity;
+    }
+    // What the column needs from below; at the face, what it lacks, which may be negative.
+    double needed(const PathCell& cell, double push, double depth) const {
+        if (!(push < infinity)) {
+            return infinity;
+        }
+        if (cell.at_face) {
+            return std::max(overturning(cell, push, depth) / std::max(cell.upper_reach, cell.base_length),
+                            unresisted(cell, push));
+        }
+        return std::max(against_turning(cell, push, depth), against_sliding(cell, push));
+    }
+};
+
+class ColumnSearch {
+  public:
+    ColumnSearch(const SteppedPath& problem, const PathLattice& lattice)
+        : problem_(problem), lattice_(lattice), strength_(problem), base_dip_(degrees(90) + problem.columns->dip) {}
+
+    struct Push {
+        double force = 0;
+        double depth = 0;
+    };
+
+    static constexpr std::size_t no_wedge = static_cast<std::size_t>(-1);
+    // What stands above a column: the next one on a level, with the least push it can have or the greatest; or, the
+    // level being one past the last, a wedge or a crack.
+    struct Choice {
+        std::size_t level, wedge;
+        bool least;
+    };
+    struct Extreme {
+        bool reached = false;
+        double need = 0;
+        Choice where = {};
+    };
+    // The greatest and the least push of surfaces that move, and where they come from.
+    struct Extremes {
+        Extreme greatest = {};
+        Extreme least = {};
+
+        // A column that needs nothing does not move; at the face any surface counts.
+        void take(double need, const Choice& where, bool at_face) {
+            if (!at_face && !(need > 0)) {
+                return;
+            }
+            if (!greatest.reached || need > greatest.need) {
+                greatest = {true, need, where};
+            }
+            if (!least.reached || need < least.need) {
+                least = {true, need, where};
+            }
+        }
+        void take(const Extremes& other) {
+            if (other.greatest.reached && (!greatest.reached || other.greatest.need > greatest.need)) {
+                greatest = other.greatest;
+            }
+            if (other.least.reached && (!least.reached || other.least.need < least.need)) {
+                least = other.least;
+            }
+        }
+        // As the column below sees them.
+        Extremes at(std::size_t level) const {
+            Extremes seen = *this;
+            seen.greatest.where = {level, no_wedge, false};
+            seen.least.where = {level, no_wedge, true};
+            return seen;
+        }
+    };
+    using Choices = std::vector<Extremes>;
+
+    // Nothing where the wedge does not push.
+    std::optional<Push> wedge_push(const PathWedge& wedge, double factor) const {
+        const SlideHeadThrust<> thrust =
+            slide_head_thrust(wedge.loads, base_dip_, std::tan(problem_.columns->friction_angle), factor);
+        return thrust.state == SlideHeadState::pushes
+                   ? std::optional(Push{thrust.force, std::max(0.0, wedge.depth - thrust.height)})
+                   : std::nullopt;
+    }
+
+    // What the surface's toe lacks, negative where it stands or where a column of it stays; from the top down, `visit`
+    // gets the place of each column in the path, the push on it and what it needs.
+    template <class Visitor>
+    double lacking(const LatticePath& path, double factor, const Visitor& visit) const {
+        const ColumnLaw law(problem_, strength_, factor);
+        Push push;
+        if (path.wedge) {
+            const auto found = wedge_push(lattice_.wedges[path.first + path.level.size() - 2][*path.wedge], factor);
+            if (!found) {
+                return -infinity;
+            }
+            push = *found;
+        }
+        for (std::size_t index = path.level.size(); index-- > 0;) {
+            const PathCell& cell = lattice_.cells[path.first + index - 1][path.level[index]];
+            const double needed = law.needed(cell, push.force, push.depth);
+            visit(index, law, cell, push);
+            if (index == 0) {
+                return needed;
+            }
+            if (!(needed > 0)) {
+                return -infinity;
+            }
+            push = {needed, 0};
+        }
+        return -infinity;
+    }
+    double lacking(const LatticePath& path, double factor) const {
+        return lacking(path, factor, [](auto&&...) {});
+    }
+
+    // The surface whose toe lacks most at a strength.
+    double most_lacking(double factor, LatticePath& path) const {
+        const ColumnLaw law(problem_, strength_, factor);
+        const std::size_t count = lattice_.cells.size();
+        const std::size_t levels = lattice_.levels;
+        Choices chosen(count * levels);
+        // Extreme needs of the next column on each level or a higher one.
+        std::vector<Extremes> above(levels);
+        double most = -infinity;
+        Choice toe{};
+        std::size_t first = 0;
+        std::vector<std::optional<Push>> pushes;
+        for (std::size_t column = count; column-- > 0;) {
+            const bool crack_allowed = lattice_.retreat(lattice_.column_outcrop[column]) >= lattice_.least_width;
+            pushes.clear();
+            for (const PathWedge& wedge : lattice_.wedges[column]) {
+                pushes.push_back(wedge_push(wedge, factor));
+            }
+            std::vector<Extremes> here(levels);
+            for (std::size_t level = 0; level < levels; ++level) {
+                const PathCell& cell = lattice_.cells[column][level];
+                if (!cell.exists) {
+                    continue;
+                }
+                Extremes own;
+                const auto offer = [&](double push, double depth, const Choice& above_it) {
+                    own.take(law.needed(cell, push, depth), above_it, cell.at_face);
+                };
+                for (const Extreme& extreme : {above[level].greatest, above[level].least}) {
+                    if (extreme.reached) {
+                        offer(extreme.need, 0, extreme.where);
+                    }
+                }
+                if (crack_allowed) {
+                    offer(0, 0, {levels, no_wedge, false});
+                }
+                for (std::size_t index = 0; index < pushes.size(); ++index) {
+                    if (pushes[index] && lattice_.wedges[column][index].depth <= cell.upper_reach) {
+                        offer(pushes[index]->force, pushes[index]->depth, {levels, index, false});
+                    }
+                }
+                chosen[column * levels + level] = own;
+                if (!cell.at_face) {
+                    here[level] = own.at(level);
+                } else if (own.greatest.reached && own.greatest.need > most) {
+                    most = own.greatest.need;
+                    first = column;
+                    toe = {level, no_wedge, false};
+                }
+            }
+            for (std::size_t level = levels; level-- > 0;) {
+                if (level + 1 < levels) {
+                    here[level].take(here[level + 1]);
+                }
+            }
+            above = std::move(here);
+        }
+        path = {first + 1, {}, {}};
+        if (!(most > -infinity)) {
+            return most;
+        }
+        for (std::size_t column = first;; ++column) {
+            path.level.push_back(toe.level);
+            const Extremes& own = chosen[column * levels + toe.level];
+            toe = toe.least ? own.least.where : own.greatest.where;
+            if (toe.level == levels) {
+                if (toe.wedge != no_wedge) {
+                    path.wedge = toe.wedge;
+                }
+                return most;
+            }
+        }
+    }
+
+    // Below `failing`, at which the surface lacks something.
+    Limit limit_of(const LatticePath& path, double failing) const {
+        int evaluations = 0;
+        double upper = std::log(failing);
+        double lower = upper;
+        do {
+            lower -= 0.25;
+            ++evaluations;
+            if (lower < -std::log(widest_factor)) {
+                return {LimitState::fails_at_any_strength, 0, evaluations};
+            }
+            if (lacking(path, std::exp(lower)) > 0) {
+                upper = lower;
+            } else {
+                break;
+            }
+        } while (true);
+        while (upper - lower > 1e-14 * (1 + std::abs(upper))) {
+            const double middle = (lower + upper) / 2;
+            ++evaluations;
+            (lacking(path, std::exp(middle)) > 0 ? upper : lower) = middle;
+        }
+        // In equilibrium there unless what the toe lacks jumps, as where a column above begins to move.
+        double scale = 0;
+        for (std::size_t index = 0; index < path.level.size(); ++index) {
+            const PathCell& cell = lattice_.cells[path.first + index - 1][path.level[index]];
+            scale += std::abs(cell.normal) + std::abs(cell.down_dip);
+        }
+        const double factor = std::exp(upper);
+        constexpr double share = 1e-6;
+        return {lacking(path, factor) <= share * scale ? LimitState::found : LimitState::abrupt, factor, evaluations};
+    }
+
+    CriticalPath search() const {
+        CriticalPath critical;
+        critical.factor_of_safety = infinity;
+        LatticePath path;
+        double factor = 1;
+        while (!(++critical.searches, most_lacking(factor, path) > 0)) {
+            factor *= 4;
+            if (factor > widest_factor) {
+                return critical;
+            }
+        }
+        while (critical.searches < most_searches) {
+            const Limit limit = limit_of(path, factor);
+            critical.limit = limit.state;
+            critical.factor_of_safety = limit.value;
+            critical.path = path;
+            if (!(limit.value > 0)) {
+                break;
+            }
+            // Just below: that surface itself stands there.
+            factor = limit.value * (1 - 1e-12);
+            ++critical.searches;
+            if (!(most_lacking(factor, path) > 0)) {
+                break;
+            }
+        }
+        return critical;
+    }
+
+  private:
+    const SteppedPath& problem_;
+    const PathLattice& lattice_;
+    SurfaceStrength strength_;
+    double base_dip_;  // of normals to the joints between columns
+};
+
+}  // namespace
+
+CriticalPath least_stable_path(const SteppedPath& problem, const PathLattice& lattice) {
+    return problem.search.mechanism == SteppedPathMechanism::sliding ? least_stable_sliding(problem, lattice)
+                                                                     : ColumnSearch(problem, lattice).search();
+}
+
+Limit factor_of_safety(const SteppedPath& problem, const PathLattice& lattice, const LatticePath& path) {
+    if (problem.search.mechanism == SteppedPathMechanism::sliding) {
+        return limit_of(SlidingGraph(problem, lattice).along(path));
+    }
+    const ColumnSearch search(problem, lattice);
+    double factor = 1;
+    while (!(search.lacking(path, factor) > 0)) {
+        factor *= 4;
+        if (factor > widest_factor) {
+            return {LimitState::holds_at_any_strength, infinity, 0};
+        }
+    }
+    return search.limit_of(path, factor);
+}
+
+std::vector<MovingColumn> moving_columns(const SteppedPath& problem, const PathLattice& lattice,
+                                         const LatticePath& path, double factor) {
+    std::vector<MovingColumn> columns(path.level.size());
+    ColumnSearch(problem, lattice)
+        .lacking(path, factor, [&](std::size_t index, const ColumnLaw& law, const PathCell& cell, const auto& push) {
+            MovingColumn& column = columns[index];
+            column.push = push.force;
+            column.depth = push.depth;
+            const double turning = cell.at_face ? law.overturning(cell, push.force, push.depth) /
+                                                      std::max(cell.upper_reach, cell.base_length)
+                                                : law.against_turning(cell, push.force, push.depth);
+            const double sliding =
+                cell.at_face ? law.unresisted(cell, push.force) : law.against_sliding(cell, push.force);
+            column.mode = turning >= sliding ? ColumnMode::topples : ColumnMode::slides;
+        });
+    return columns;
+}
+
+}  // namespace delabole
