@@ -1,5 +1,7 @@
 #include "limit_equilibrium/stepped_path/path_search.hpp"
 
+#include "numerics/edge_of_sign.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -428,32 +430,32 @@ class ColumnSearch {
     // Below `failing`, at which the surface lacks something.
     Limit limit_of(const LatticePath& path, double failing) const {
         int evaluations = 0;
-        double upper = std::log(failing);
-        double lower = upper;
-        do {
-            lower -= 0.25;
+        const auto lacks = [&](double logarithm) {
             ++evaluations;
-            if (lower < -std::log(widest_factor)) {
+            return lacking(path, std::exp(logarithm));
+        };
+        SignBracket bracket{std::log(failing), std::log(failing), 0, 0};
+        bracket.at_upper = lacks(bracket.upper);
+        for (;;) {
+            bracket.lower = bracket.upper - 0.25;
+            if (bracket.lower < -std::log(widest_factor)) {
                 return {LimitState::fails_at_any_strength, 0, evaluations};
             }
-            if (lacking(path, std::exp(lower)) > 0) {
-                upper = lower;
-            } else {
+            bracket.at_lower = lacks(bracket.lower);
+            if (!(bracket.at_lower > 0)) {
                 break;
             }
-        } while (true);
-        while (upper - lower > 1e-14 * (1 + std::abs(upper))) {
-            const double middle = (lower + upper) / 2;
-            ++evaluations;
-            (lacking(path, std::exp(middle)) > 0 ? upper : lower) = middle;
+            bracket.upper = bracket.lower;
+            bracket.at_upper = bracket.at_lower;
         }
+        // Past the edge, where it moves.
+        const double factor = std::exp(edge_in(lacks, bracket)) * (1 + 1e-12);
         // In equilibrium there unless what the toe lacks jumps, as where a column above begins to move.
         double scale = 0;
         for (std::size_t index = 0; index < path.level.size(); ++index) {
             const PathCell& cell = lattice_.cells[path.first + index - 1][path.level[index]];
             scale += std::abs(cell.normal) + std::abs(cell.down_dip);
         }
-        const double factor = std::exp(upper);
         constexpr double share = 1e-6;
         return {lacking(path, factor) <= share * scale ? LimitState::found : LimitState::abrupt, factor, evaluations};
     }
@@ -477,8 +479,8 @@ class ColumnSearch {
             if (!(limit.value > 0)) {
                 break;
             }
-            // Just below: that surface itself stands there.
-            factor = limit.value * (1 - 1e-12);
+            // Just before the edge: that surface itself stands there.
+            factor = limit.value * (1 - 4e-12);
             ++critical.searches;
             if (!(most_lacking(factor, path) > 0)) {
                 break;
