@@ -73,7 +73,7 @@ void add_crest_movements(const Motion& motion, const PathLattice& lattice, Stepp
     result.crest_sinking = -last.at(motion.outcrop.back().point).y() / greatest;
     const Polyline& outline = result.parts.back().outline;
     const auto [low, high] = std::ranges::minmax_element(outline, {}, [](const Point& point) { return point.y(); });
-    result.crest_turning = -last.turn * (high->y() - low->y()) / greatest;
+    result.crest_turning = 0 - last.turn * (high->y() - low->y()) / greatest;
 }
 
 Point unit(double dip) {
