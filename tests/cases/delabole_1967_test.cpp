@@ -185,9 +185,8 @@ TEST(Delabole1967, TheConclusionsOfTheThesisAsFarAsLimitEquilibriumHasASay) {
     EXPECT_EQ(finding("(ii)").verdict, ConclusionVerdict::undecided);
     // Sliding opens one crack at the crest, but so do columns that a wedge pushes.
     EXPECT_EQ(finding("(vi)").verdict, ConclusionVerdict::partly);
-    for (const std::string set : {"(iii) joint set B", "(iii) joint set A"}) {
-        EXPECT_EQ(finding(set).tests.back().verdict, ConclusionVerdict::confirmed) << set;
-    }
+    EXPECT_EQ(finding("(iii) joint set B").tests.back().verdict, ConclusionVerdict::confirmed);
+    EXPECT_EQ(finding("(iii) joint set A").tests.back().verdict, ConclusionVerdict::undecided);
     const std::vector<TestFinding> water = finding("(iv)").tests;
     ASSERT_EQ(water.size(), 3U);
     // 2.4.1 finds toppling independent of water: here it takes off less than half of what it takes off sliding.
