@@ -36,7 +36,7 @@ declare -A only_file=([glpk.h]=lib/limit_equilibrium/bound/lp_bound.cpp [klu.h]=
 # Folders inside a room, from the lowest up: each includes only itself and those before it. A folder with such a list
 # has no other folders, and no sources beside them.
 declare -A sub_rooms=(
-    [lib/limit_equilibrium]='columns bound block_row stepped_base'
+    [lib/limit_equilibrium]='columns bound block_row stepped_base stepped_path'
     [lib/dynamic_relaxation]='wide scene blocks contact statics step study checkpoint'
     [fitting]='work probability search posterior mechanism back_analysis studies sensitivity'
     [plots]='drawing figures report'

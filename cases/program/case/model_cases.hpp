@@ -81,6 +81,7 @@ void check_case(Checker& checker, const TiltedColumn<>& column);
 void check_case(Checker& checker, const KinematicsStudy& study);
 void check_case(Checker& checker, const RelaxationStudy& study);
 void check_case(Checker& checker, const FlexuralSlope& slope);
+void check_case(Checker& checker, const SteppedPath& path);
 
 // The pointers only choose the model.
 ModelExample<PlaneFailureStudy<>> example_case(const PlaneFailureStudy<>*);
@@ -91,6 +92,7 @@ ModelExample<TiltedColumn<>> example_case(const TiltedColumn<>*);
 ModelExample<KinematicsStudy> example_case(const KinematicsStudy*);
 ModelExample<RelaxationStudy> example_case(const RelaxationStudy*);
 ModelExample<FlexuralSlope> example_case(const FlexuralSlope*);
+ModelExample<SteppedPath> example_case(const SteppedPath*);
 
 // All that the model can answer, whatever a case asks of it. The values of the model may be out of their ranges; only
 // how many parts it has may matter.
@@ -102,5 +104,6 @@ std::vector<Quantity> possible_outputs(const TiltedColumn<>& column);
 std::vector<Quantity> possible_outputs(const KinematicsStudy& study);
 std::vector<Quantity> possible_outputs(const RelaxationStudy& study);
 std::vector<Quantity> possible_outputs(const FlexuralSlope& slope);
+std::vector<Quantity> possible_outputs(const SteppedPath& path);
 
 }  // namespace delabole

@@ -8,6 +8,7 @@
 #include "limit_equilibrium/block_row/single_block.hpp"
 #include "limit_equilibrium/columns/flexural_toppling.hpp"
 #include "limit_equilibrium/stepped_base/stepped_base_study.hpp"
+#include "limit_equilibrium/stepped_path/stepped_path_parameters.hpp"
 #include "plane_failure/study.hpp"
 #include "water/tilted_column.hpp"
 
@@ -16,6 +17,6 @@
 namespace delabole {
 
 using CaseModel = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, SingleBlock<>, BlockRow<>, TiltedColumn<>,
-                               KinematicsStudy, RelaxationStudy, FlexuralSlope>;
+                               KinematicsStudy, RelaxationStudy, FlexuralSlope, SteppedPath>;
 
 }  // namespace delabole

@@ -427,13 +427,12 @@ FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const
     documents.json["title"] = file.title;
     documents.json["mechanisms"] = Json::array();
     report.blocks.emplace_back(Heading{"Mechanisms"});
+    append_evidence(result, folder, report);
     report.blocks.emplace_back(ranking_table(result));
     report.blocks.emplace_back(Paragraph{
         "Score: the squared pulls of data and priors, and 4 for each datum or piece of field evidence that the "
-        "mechanism "
-        "says nothing about. A mechanism whose geometry is put in matches the observed surfaces by construction; one "
-        "that predicts them has to earn it."});
-    append_evidence(result, folder, report);
+        "mechanism says nothing about. A mechanism whose geometry is put in matches the observed surfaces by "
+        "construction; one that predicts them has to earn it."});
     if (const auto profiles = profiles_figure(problem, result, toe_elevation_of(file.model))) {
         report.blocks.emplace_back(folder.draw(*profiles, "profiles",
                                                "Where the geometry is put in, the profile is no prediction: only a "

@@ -110,8 +110,8 @@ std::string dependence_in_words(const Weighed& all) {
     if (others.empty()) {
         return best +
                " stays first when priors are halved, doubled or flat, when their means are one standard deviation "
-               "lower "
-               "or higher, and when the model error of the factor of safety is halved or doubled, as far as the case "
+               "lower or higher, and when the model error of the factor of safety is halved or doubled, as far as the "
+               "case "
                "has them.";
     }
     return "The ranking depends on what was put in: " + best + " is first as given, another with " +
@@ -235,6 +235,9 @@ void append_evidence(const FitResult& result, const ResultFolder& folder, Report
     if (all.fits.empty()) {
         return;
     }
+    if (const std::string sentence = dependence_in_words(all); !sentence.empty()) {
+        report.blocks.emplace_back(Notice{NoticeKind::verdict, "Whether the ranking can be trusted", {sentence}});
+    }
     report.blocks.emplace_back(evidence_table_of(all));
     report.blocks.emplace_back(Paragraph{
         "Evidence: the likelihood exp(-misfit / 2) averaged over the priors, so that a mechanism pays for parameters "
@@ -248,16 +251,12 @@ void append_evidence(const FitResult& result, const ResultFolder& folder, Report
     }
     if (all.fits.front()->posterior->evidences.size() > 1) {
         report.blocks.emplace_back(dependence_table(all));
-        const std::string sentence = dependence_in_words(all);
-        if (!sentence.empty()) {
-            report.blocks.emplace_back(Paragraph{sentence});
-        }
     }
     if (const auto figure = evidence_dependence_figure(result)) {
         report.blocks.emplace_back(
             folder.draw(*figure, "evidence_dependence",
-                        "Evidence when the standard deviations of all priors, or of the observed "
-                        "factors of safety (the model error), are changed. Bars: 95 % interval "
+                        "Evidence when the standard deviations or the means of all priors, or the standard deviation "
+                        "of the observed factors of safety (the model error), are changed. Bars: 95 % interval "
                         "of the computation."));
     }
     if (const auto figure = chain_agreement_figure(result)) {
