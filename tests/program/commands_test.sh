@@ -249,6 +249,9 @@ delabole run plane_failure.toml --set strength.kind=stepped_surface --set streng
 expect_status 0
 delabole run full_plane_failure.toml --set water.kind=dry --no-report
 expect_status 0
+delabole run "$DELABOLE_SOURCE/cases/relaxation/free_slide.toml" --no-report --out bare_motion
+expect_status 0
+expect "frames" test -s bare_motion/frames/run_blocks.pvd
 delabole fit fit.toml --no-report --out bare_fit
 expect_status 0
 expect_output 'results in bare_fit'

@@ -112,7 +112,11 @@ CaseFile read_case(const std::filesystem::path& path, const std::vector<Setting>
 
 CaseFile parse_case(std::string_view text, std::string_view name, const std::vector<Setting>& settings,
                     const OutputsOf& outputs_of) {
-    Node tree = parse_document(text, name);
+    return case_of_tree(parse_document(text, name), name, settings, outputs_of);
+}
+
+CaseFile case_of_tree(Node tree, std::string_view name, const std::vector<Setting>& settings,
+                      const OutputsOf& outputs_of) {
     Reading reading{std::string(name)};
     std::vector<Problem> setting_problems;
     for (const Setting& setting : settings) {

@@ -114,6 +114,10 @@ CaseFile read_case(const std::filesystem::path& path, const std::vector<Setting>
 CaseFile parse_case(std::string_view text, std::string_view name, const std::vector<Setting>& settings = {},
                     const OutputsOf& outputs_of = known_outputs);
 
+// The same for a tree that no file was read for.
+CaseFile case_of_tree(Node tree, std::string_view name, const std::vector<Setting>& settings = {},
+                      const OutputsOf& outputs_of = known_outputs);
+
 // A complaint about a value that only the model could judge, at the place where the case gives it.
 Problem problem_at(const CaseFile& case_file, const std::string& key, std::string message);
 

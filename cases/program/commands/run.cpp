@@ -124,12 +124,7 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     }
     const Json source = provenance(file, "run", options, watch.seconds());
 
-    Json json;
-    json["status"] = analysis.status;
-    json["title"] = file.title;
-    json["model"] = std::string(model_name(file.model));
-    json["results"] = json_of(analysis.outputs);
-    json["warnings"] = analysis.warnings;
+    Json json = json_of(file, analysis);
     json["provenance"] = source;
 
     Report report{file.title.empty() ? file.name : file.title, file.description, {}};

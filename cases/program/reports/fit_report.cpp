@@ -420,12 +420,40 @@ const CaseModel& model_of(const CaseFile& file, const std::string& mechanism) {
 
 }  // namespace
 
+std::string status_of_fit(const FitResult& result) {
+    const auto any = [&](FitStatus status) {
+        return std::ranges::any_of(result.mechanisms, [&](const MechanismFit& fit) { return fit.status == status; });
+    };
+    if (any(FitStatus::interrupted)) {
+        return "interrupted";
+    }
+    if (any(FitStatus::no_valid_point)) {
+        return "no_valid_point";
+    }
+    if (any(FitStatus::evaluation_limit)) {
+        return "evaluation_limit";
+    }
+    const bool posterior_open = std::ranges::any_of(result.mechanisms, [](const MechanismFit& fit) {
+        return fit.posterior && fit.posterior->posterior.status != PosteriorStatus::converged;
+    });
+    return posterior_open ? "posterior_not_converged" : "converged";
+}
+
+Json json_of_fit(const CaseFile& file, const FitResult& result) {
+    Json json;
+    json["status"] = status_of_fit(result);
+    json["title"] = file.title;
+    json["mechanisms"] = Json::array();
+    for (const MechanismFit& fit : result.mechanisms) {
+        json["mechanisms"].push_back(json_of(fit));
+    }
+    json["evidence"] = json_of_evidence(result);
+    return json;
+}
+
 FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const FitResult& result,
                           const ResultFolder& folder, Report& report) {
-    FitDocuments documents;
-    documents.json["status"] = "ok";
-    documents.json["title"] = file.title;
-    documents.json["mechanisms"] = Json::array();
+    FitDocuments documents{json_of_fit(file, result), {}};
     report.blocks.emplace_back(Heading{"Mechanisms"});
     append_evidence(result, folder, report);
     report.blocks.emplace_back(ranking_table(result));
@@ -440,10 +468,8 @@ FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const
     }
     for (const MechanismFit& fit : result.mechanisms) {
         append_mechanism(report, folder, fit, model_of(file, fit.name), problem);
-        documents.json["mechanisms"].push_back(json_of(fit));
         documents.screen += screen_of(fit) + "\n";
     }
-    documents.json["evidence"] = json_of_evidence(result);
     documents.screen += screen_of_evidence(result);
     return documents;
 }

@@ -35,6 +35,8 @@ std::string in_six_digits(double value, Dimension dimension);
 
 // {"factor_of_safety": 1.247, "crack_depth_m": 4.348, "outcome": "stable"}. Infinite values become the word "infinite".
 Json json_of(const std::vector<NamedOutput>& outputs);
+// result.json of `delabole run`, but for its provenance.
+Json json_of(const CaseFile& file, const Analysis& analysis);
 Json json_number(double value);
 // [lower, upper], in display units.
 Json json_of(const Interval& interval, Dimension dimension);
@@ -68,6 +70,8 @@ std::filesystem::path result_path(const Options& options, const std::string& nam
 // One result of one process: see FolderClaim.
 class ResultFolder {
   public:
+    // Keeps nothing and draws nothing: for those who want the numbers of a report alone.
+    ResultFolder() : threads_(1), with_report_(false), on_interrupt_(OnInterrupt::finish) {}
     // Creates the folder and claims it; of several ranks only the leader does. OutputError where that is impossible, or
     // where a symbolic link stands for something that is to be written; what --out names itself may be one.
     // result.json is to be written last and so says that all the rest is there.
