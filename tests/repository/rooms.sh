@@ -15,7 +15,7 @@ declare -A libraries=(
     [lib]='(unsupported/)?Eigen/|gsl/|(glpk|klu)\.h$|sys/mman\.h$|emmintrin\.h$'
     [fitting]='(unsupported/)?Eigen/|gsl/|nlopt\.hp?p?$|(sqlite3|mpi)\.h$'
     [plots]='(unsupported/)?Eigen/|gsl/|gnuplot-iostream\.h$'
-    [cases]='(unsupported/)?Eigen/|gsl/|toml\+\+/|udunits2\.h$|CLI/|nlohmann/|pybind11/'
+    [cases]='(unsupported/)?Eigen/|gsl/|toml\+\+/|udunits2\.h$|CLI/|nlohmann/|pybind11/|httplib\.h$'
     [tests]='(unsupported/)?Eigen/|gsl/|nlopt\.hp?p?$|gnuplot-iostream\.h$|toml\+\+/|udunits2\.h$|CLI/|nlohmann/|gtest/|gmock/|benchmark/|boost/multiprecision/|fuzzer/'
 )
 # Rooms that each may include, by folder from the root. lib/ is on the include path itself, so its headers are those
@@ -30,7 +30,7 @@ declare -A rooms_below=(
 posix='^(sys/[a-z]+|unistd|fcntl|signal|poll|spawn|termios)\.h$'
 # The one file that may include it: a library whose types nobody else should see.
 declare -A only_file=([glpk.h]=lib/limit_equilibrium/bound/lp_bound.cpp [klu.h]=lib/numerics/sparse_system.cpp
-    [sqlite3.h]=fitting/work/evaluation_store.cpp [mpi.h]=fitting/work/ranks.cpp
+    [sqlite3.h]=fitting/work/evaluation_store.cpp [mpi.h]=fitting/work/ranks.cpp [httplib.h]=cases/program/live/server.cpp
     [sys/mman.h]=lib/dynamic_relaxation/wide/large_array.hpp
     [emmintrin.h]=lib/dynamic_relaxation/wide/lanes.hpp)
 # The one folder whose files may include it.
@@ -43,7 +43,7 @@ declare -A sub_rooms=(
     [fitting]='work probability search posterior mechanism back_analysis studies sensitivity'
     [plots]='drawing figures report'
     [cases]='program python'
-    [cases/program]='reader case terminal results reports models thesis commands'
+    [cases/program]='reader case terminal results reports models live thesis commands'
 )
 most_sources=25
 most_lines=500

@@ -20,6 +20,8 @@ ExitCode trade_command(const std::filesystem::path& path, const Options& options
 ExitCode grid_command(const std::filesystem::path& path, const Options& options);
 // Two cases: inputs and outputs that differ.
 ExitCode compare_command(const Paths& cases, const Options& options);
+// Serves a page on which the case is changed and answers, until it is interrupted.
+ExitCode live_command(const std::filesystem::path& path, const Options& options);
 ExitCode check_command(const Paths& cases, const Options& options);
 ExitCode show_command(const std::filesystem::path& path, const Options& options);
 ExitCode init_command(const std::string& name, const Options& options);

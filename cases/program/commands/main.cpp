@@ -189,6 +189,7 @@ struct Program {
         fit->callback([this] { share_out([this] { return delabole::fit_command(one_case, options); }); });
 
         add_recovery();
+        add_live();
 
         CLI::App* sensitivity = app.add_subcommand(
             "sensitivity", "Which parameter matters, the distribution of an answer, the probability of failure");
@@ -228,6 +229,18 @@ struct Program {
         add_threads(*trade, options);
         trade->footer(example("delabole trade cases/relaxation/single_block.toml"));
         trade->callback([this] { choose([this] { return delabole::trade_command(one_case, options); }); });
+    }
+
+    void add_live() {
+        CLI::App* live = app.add_subcommand(
+            "live", "Look at a case in the browser and change it: the answer follows while points are dragged. Served to "
+                    "this machine alone, at an address that is printed, until Ctrl-C");
+        live->add_option("CASE", one_case, "Case file")->required();
+        add_common(*live, options);
+        add_output(*live, options);
+        add_threads(*live, options);
+        live->footer(example("delabole live cases/plane_failure/wyllie_mah_7_1.toml"));
+        live->callback([this] { choose([this] { return delabole::live_command(one_case, options); }); });
     }
 
     void add_recovery() {

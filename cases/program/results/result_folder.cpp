@@ -224,6 +224,9 @@ void ResultFolder::write(const std::string& name, std::string_view text) const {
 }
 
 FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name, const std::string& caption) const {
+    if (taker_) {
+        taker_(figure, caption);
+    }
     if (!with_report_) {
         return {{}, caption};
     }
