@@ -68,8 +68,8 @@ DELABOLE_MEMBERS(StartBalance, unbalanced_ratio, cut_short)
 DELABOLE_MEMBERS(SlipOverFace, upward, slip)
 DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluated, motion, origin, start_balance,
                  noticed, checks_at_rest, removed, base_slip, dropped_slip, contacts, watch, bond, ledger, unbalanced,
-                 unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, overlap,
-                 outcome, held_by_corners)
+                 unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time, in_thresholds_then,
+                 first_crack, overlap, outcome, held_by_corners)
 
 DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,
                  tensile_strength, bond, residual_cohesion)

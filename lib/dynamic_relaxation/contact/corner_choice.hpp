@@ -64,8 +64,8 @@ struct CornerMotion {
     const std::vector<Motion>& motion;
 };
 
-// Whether the corner is within a hundredth of the smaller block's radius of an end of its edge at which the blocks could
-// bear over another edge as well: before the onset of failure blocks move no farther.
+// Whether the corner is within a hundredth of the smaller block's radius of an end of its edge at which the blocks
+// could bear over another edge as well: before the onset of failure blocks move no farther.
 bool is_on_corner(const Bodies& bodies, const ContactLaw& law, const RelaxationContact& contact,
                   const ContactPosition& at);
 

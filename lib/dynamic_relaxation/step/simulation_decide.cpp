@@ -60,14 +60,24 @@ void Simulation::decide() {
         decide(RelaxationOutcome::motion_not_finite);
         return;
     }
-    if (state_.onset_time < 0 &&
-        (farthest.rotation > settings_.onset_rotation || farthest.displacement > settings_.onset_slide)) {
+    const double in_thresholds =
+        std::max(farthest.rotation / settings_.onset_rotation, farthest.displacement / settings_.onset_slide);
+    if (in_thresholds > 1 && state_.onset_time < 0) {
         state_.onset_time = state_.time;
     }
-    if (state_.onset_time >= 0 && settings_.stop_at_onset) {
-        decide(RelaxationOutcome::onset);
-        return;
+    if (settings_.stop_at_onset && state_.onset_time >= 0) {
+        // What fails gathers speed as it moves on; a block that has been pushed may lean beyond the threshold, slow
+        // down and fall back. On a belt nothing gathers speed.
+        constexpr double far_beyond = 2;
+        const bool moves_on = growing && in_thresholds > state_.in_thresholds_then;
+        if (in_thresholds <= 1) {
+            state_.onset_time = -1;
+        } else if (in_thresholds > far_beyond || moves_on || scene_.belt || last) {
+            decide(RelaxationOutcome::onset);
+            return;
+        }
     }
+    state_.in_thresholds_then = in_thresholds;
     const bool collapsed = farthest.rotation > settings_.collapse_rotation ||
                            farthest.displacement > settings_.collapse_displacement ||
                            std::ranges::find(state_.removed, has_left) != state_.removed.end();
@@ -75,9 +85,10 @@ void Simulation::decide() {
         decide(RelaxationOutcome::collapse);
     } else if (at_rest(last && !settings_.stop_at_equilibrium ? lately : unbalanced) && !try_corners() &&
                (last || settings_.stop_at_equilibrium)) {
-        decide(collapsed           ? RelaxationOutcome::collapse
-               : held_by_corners() ? RelaxationOutcome::held_by_corners
-                                   : RelaxationOutcome::equilibrium);
+        decide(collapsed                                           ? RelaxationOutcome::collapse
+               : settings_.stop_at_onset && state_.onset_time >= 0 ? RelaxationOutcome::onset
+               : held_by_corners()                                 ? RelaxationOutcome::held_by_corners
+                                                                   : RelaxationOutcome::equilibrium);
     } else if (last && state_.onset_time >= 0 && settings_.stop_at_collapse) {
         // It has moved past the thresholds and has found no rest since.
         decide(RelaxationOutcome::onset);
@@ -109,7 +120,8 @@ bool Simulation::try_corners() {
 // one end of them or the other. What the programme cannot answer for is not questioned, nor is a belt, whose
 // resistance turns with the motion.
 bool Simulation::held_by_corners() {
-    if (settings_.corners_bear || scene_.belt || !relies_on_corners({bodies_, state_.motion}, weights(), state_.contacts)) {
+    if (settings_.corners_bear || scene_.belt ||
+        !relies_on_corners({bodies_, state_.motion}, weights(), state_.contacts)) {
         return false;
     }
     std::vector<SharedFace> faces;

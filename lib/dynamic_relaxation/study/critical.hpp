@@ -30,8 +30,8 @@ constexpr std::array<std::string_view, 7> enum_names(CriticalStatus) {
 
 struct CriticalValue {
     CriticalStatus status = CriticalStatus::found;
-    double stands = 0;  // nearest value known to stand
-    double fails = 0;   // nearest value known to fail
+    double stands = 0;             // nearest value known to stand
+    double fails = 0;              // nearest value known to fail
     bool held_by_corners = false;  // at `fails`: the blocks rest, but on corners alone
     double last = 0;               // value of the last run: the one that ended the search where it was not found
     std::uint64_t runs = 0;

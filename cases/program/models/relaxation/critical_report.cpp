@@ -54,8 +54,8 @@ std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
     case CriticalStatus::stands_everywhere:
         return "the blocks stand even at " + last + more;
     case CriticalStatus::fails_everywhere:
-        return "the blocks fail" + std::string(value.held_by_corners ? ", or are held by corners alone," : "") + " even at " +
-               last + less;
+        return "the blocks fail" + std::string(value.held_by_corners ? ", or are held by corners alone," : "") +
+               " even at " + last + less;
     case CriticalStatus::undecided:
         return "at " + last + " the blocks neither came to rest nor failed within settings.duration";
     case CriticalStatus::run_failed:
@@ -187,13 +187,15 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
     }
     if (critical.failed) {
         const FailingBlocks failing = failing_blocks(*critical.failed);
-        append("critical.failing_blocks", "blocks that have begun to move at the nearest value found to fail, or that only corners hold",
+        append("critical.failing_blocks",
+               "blocks that have begun to move at the nearest value found to fail, or that only corners hold",
                Dimension::ratio, static_cast<double>(failing.block.size()), !found);
         append("critical.failing_area", "their area", Dimension::area, failing.area, true);
     }
     if (found && critical.held_by_corners) {
         analysis.warnings.push_back(
-            "at " + in_six_digits(critical.fails, dimension) + " the blocks rest only because corners bear on corners, "
+            "at " + in_six_digits(critical.fails, dimension) +
+            " the blocks rest only because corners bear on corners, "
             "which is not taken for standing: settings.corners_bear = \"on\" finds where they move in spite of that");
     }
     append("critical.runs", "runs made", Dimension::ratio, static_cast<double>(critical.runs), true);

@@ -230,8 +230,8 @@ void append_bound_of_statics(double bound, const CriticalAnswer& critical, Analy
                                 Dimension::ratio, bound, false});
     constexpr double model_error = 0.01;  // blocks turn and joints give way before they fail
     if (critical.status == CriticalStatus::found && critical.value() > (1 + model_error) * bound) {
-        analysis.warnings.push_back("beyond a factor of " + number_in_words(bound) +
-                                    " the blocks rest " + std::string(corners_hold));
+        analysis.warnings.push_back("beyond a factor of " + number_in_words(bound) + " the blocks rest " +
+                                    std::string(corners_hold));
     }
 }
 
@@ -339,7 +339,8 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
     }
     append_run_warnings(made, analysis);
     if (made.result.outcome == RelaxationOutcome::held_by_corners) {
-        const auto held = std::ranges::count(made.result.block, BlockMovement::held_by_corners, &BlockOutcome::movement);
+        const auto held =
+            std::ranges::count(made.result.block, BlockMovement::held_by_corners, &BlockOutcome::movement);
         analysis.warnings.push_back("the blocks rest " + std::string(corners_hold) + ". Without them " +
                                     std::to_string(held) + (held == 1 ? " block" : " blocks") + " would move");
     }
