@@ -18,7 +18,7 @@ namespace delabole {
 //
 // Forces act over faces that lie on each other in the initial geometry, with peak strengths, under the loads of the
 // start; fixed blocks are the base. What corners hold on corners does not count: where many meet, as in joint sets that
-// cross, a slope may stand somewhat above it (of the published problems RJ-5, by 2 %, and RJ-18, by 1 %). Faces have at
+// cross, a slope may stand somewhat above it (the published problem RJ-5, without cohesion, by 2 %). Faces have at
 // each end half of their tensile strength, which is more than an elastic section has; bonded rock has its own strength
 // where that is more than the joint's. Nothing where something is scheduled for later. Infinite where blocks stand
 // without strength, 0 where none is enough. Time: 10 to 60 linear programmes; 0.1 s for 60 blocks, 20 s for 450.
