@@ -1,6 +1,8 @@
 """Cases are read and answered as by the program, to the last bit."""
 
+import copy
 import json
+import pickle
 import subprocess
 
 import delabole
@@ -75,6 +77,17 @@ def test_texts_and_dictionaries_are_cases_too(cases):
         delabole.case({"model": case.model, "fit": object()})
     with pytest.raises(delabole.CaseError, match="is not an input"):
         case.model.case(fit={"parameter": [{"name": "strenght", "lower": 0, "upper": 1}]})
+
+
+def test_cases_and_models_can_be_copied_and_pickled(cases):
+    case = delabole.read(cases / "plane_failure/fig_2_8.toml")
+    again = pickle.loads(pickle.dumps(case))
+    assert (again.hash, again.name) == (case.hash, case.name)
+    model = case.model
+    copied = copy.deepcopy(model)
+    assert pickle.loads(pickle.dumps(model)) == copied == model
+    copied.strength.cohesion = 0
+    assert copied != model
 
 
 def test_what_the_case_has_not_is_said(cases):

@@ -30,6 +30,9 @@ class Case:
     def __repr__(self) -> str:
         return f"<delabole.Case {self.name!r} of model {self._case.model_name}>"
 
+    def __reduce__(self) -> tuple[Callable[[str, str], Case], tuple[str, str]]:
+        return parse, (self.to_toml(), self.name)
+
     @property
     def name(self) -> str:
         """Of the file, or as it was given."""
@@ -133,7 +136,7 @@ class Model(Section):
 
 
 def _texts(settings: Settings) -> dict[str, str]:
-    return {key: value if isinstance(value, str) else repr(value) for key, value in settings.items()}
+    return {key: value if isinstance(value, str) else repr(float(value)) for key, value in settings.items()}
 
 
 def read(path: str | os.PathLike[str], settings: Settings = {}) -> Case:
