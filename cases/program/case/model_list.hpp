@@ -10,12 +10,13 @@
 #include "limit_equilibrium/stepped_base/stepped_base_study.hpp"
 #include "plane_failure/study.hpp"
 #include "water/tilted_column.hpp"
+#include "wedge_failure/parameters.hpp"
 
 #include <variant>
 
 namespace delabole {
 
 using CaseModel = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, SingleBlock<>, BlockRow<>, TiltedColumn<>,
-                               KinematicsStudy, RelaxationStudy, FlexuralSlope>;
+                               KinematicsStudy, RelaxationStudy, FlexuralSlope, WedgeFailureStudy<>>;
 
 }  // namespace delabole
