@@ -201,7 +201,7 @@ expect_status 0
 cp "$scratch/out" shown.toml
 delabole show shown.toml
 expect "showing what is shown changes nothing" cmp "$scratch/out" shown.toml
-for model in plane_failure stepped_base single_block block_row tilted_column kinematics flexural_toppling; do
+for model in plane_failure stepped_base single_block block_row tilted_column kinematics flexural_toppling wedge; do
     delabole init "$model"
     expect_status 0
     cp "$scratch/out" "$model.toml"

@@ -11,12 +11,14 @@
 #include "limit_equilibrium/stepped_path/stepped_path_parameters.hpp"
 #include "plane_failure/study.hpp"
 #include "water/tilted_column.hpp"
+#include "wedge_failure/parameters.hpp"
 
 #include <variant>
 
 namespace delabole {
 
 using CaseModel = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, SingleBlock<>, BlockRow<>, TiltedColumn<>,
-                               KinematicsStudy, RelaxationStudy, FlexuralSlope, SteppedPath>;
+                               KinematicsStudy, RelaxationStudy, FlexuralSlope, SteppedPath,
+                               WedgeFailureStudy<>>;
 
 }  // namespace delabole

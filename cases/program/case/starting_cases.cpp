@@ -199,6 +199,33 @@ column = [
     { width = "1 m", height = "6 m" },
 ]
 )"},
+    {"wedge", R"(schema = 1
+model = "wedge"
+title = "My wedge"
+
+[slope]
+height = "20 m"
+face_dip = "65 deg"
+face_dip_direction = "185 deg"
+upper_surface_dip = "10 deg"
+upper_surface_dip_direction = "185 deg"
+
+[plane_1]
+dip = "45 deg"
+dip_direction = "110 deg"
+strength = { kind = "coulomb", cohesion = "20 kPa", friction_angle = "30 deg" }
+
+[plane_2]
+dip = "65 deg"
+dip_direction = "235 deg"
+strength = { kind = "coulomb", cohesion = "20 kPa", friction_angle = "30 deg" }
+
+[rock]
+unit_weight = "26 kN/m3"
+
+[water]
+kind = "dry"
+)"},
     {"jointed_slope", R"(schema = 1
 model = "relaxation"
 title = "My jointed slope"

@@ -2,6 +2,7 @@
 #include "cases/program/case/case_file.hpp"
 #include "cases/program/case/starting_cases.hpp"
 #include "cases/program/commands/commands.hpp"
+#include "cases/program/commands/description.hpp"
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/spelling.hpp"
 #include "cases/program/terminal/interrupt.hpp"
@@ -113,6 +114,50 @@ std::string reproduce_help() {
     return text;
 }
 
+// What the argument of a command may be, apart from files.
+std::vector<std::string> words_for(const std::string& command) {
+    if (command == "init") {
+        return delabole::starting_case_names();
+    }
+    if (command == "inputs" || command == "outputs") {
+        return delabole::model_names();
+    }
+    std::vector<std::string> words;
+    if (command == "reproduce") {
+        for (const auto& [name, meaning] : delabole::reproducible()) {
+            words.push_back(name);
+        }
+    }
+    return words;
+}
+
+delabole::DescribedCommand described_command(const CLI::App& command) {
+    delabole::DescribedCommand described{.name = command.get_name(),
+                                         .meaning = command.get_description(),
+                                         .words = words_for(command.get_name()),
+                                         .footer = command.get_footer()};
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->get_positional()) {
+            described.argument = option->get_name(true);
+            described.argument_meaning = option->get_description();
+            continue;
+        }
+        delabole::DescribedOption own{.names = {}, .value = {}, .meaning = option->get_description()};
+        for (const std::string& name : option->get_snames()) {
+            own.names.push_back("-" + name);
+        }
+        for (const std::string& name : option->get_lnames()) {
+            own.names.push_back("--" + name);
+        }
+        if (option->get_items_expected_max() > 0) {
+            // Behind the colon CLI11 says what it checks.
+            own.value = option->get_type_name().substr(0, option->get_type_name().find(':'));
+        }
+        described.options.push_back(std::move(own));
+    }
+    return described;
+}
+
 std::string example(const std::string& command) {
     return "Example:\n  " + command;
 }
@@ -134,11 +179,30 @@ struct Program {
         options.ranks = &ranks;
         app.set_version_flag("--version",
                              std::string(delabole::version()) + " (" + std::string(delabole::revision()) + ")");
+        app.add_flag_callback(
+            "--bash-completion", [this] { print_and_end(delabole::bash_completion(described())); },
+            "Print what completes command lines in bash: source <(delabole --bash-completion)");
+        app.add_flag_callback(
+            "--manual-page", [this] { print_and_end(delabole::manual_page(described())); },
+            "Print the manual page: delabole --manual-page | man -l -");
         app.require_subcommand(1);
         app.footer(example("delabole run cases/plane_failure/wyllie_mah_7_1.toml"));
         add_analysis();
         add_case_tools();
         add_proof();
+    }
+
+    [[noreturn]] static void print_and_end(const std::string& text) {
+        std::cout << text;
+        throw CLI::Success();
+    }
+
+    delabole::DescribedProgram described() const {
+        delabole::DescribedProgram program{app.get_name(), std::string(delabole::version()), app.get_description(), {}};
+        for (const CLI::App* command : app.get_subcommands({})) {
+            program.commands.push_back(described_command(*command));
+        }
+        return program;
     }
 
     // A command whose work several ranks can share.
