@@ -18,7 +18,6 @@
 namespace delabole {
 
 using CaseModel = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, SingleBlock<>, BlockRow<>, TiltedColumn<>,
-                               KinematicsStudy, RelaxationStudy, FlexuralSlope, SteppedPath,
-                               WedgeFailureStudy<>>;
+                               KinematicsStudy, RelaxationStudy, FlexuralSlope, SteppedPath, WedgeFailureStudy<>>;
 
 }  // namespace delabole
