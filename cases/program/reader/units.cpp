@@ -289,6 +289,7 @@ std::string_view dimension_phrase(Dimension dimension) {
     case Dimension::angular_speed:
         return "an angular speed";
     case Dimension::ratio:
+    case Dimension::named:
         break;
     }
     return "a ratio";
@@ -325,6 +326,7 @@ std::string_view example_of(Dimension dimension) {
     case Dimension::angular_speed:
         return "\"1 deg/s\"";
     case Dimension::ratio:
+    case Dimension::named:
         break;
     }
     return "0.5";

@@ -30,7 +30,7 @@ std::optional<double> greatest_strength_reduction(const RelaxationScene& scene,
 // answer, or the flag was set before one of the two programmes.
 std::optional<bool> stands_on_faces(const RelaxationScene& scene, const std::atomic<bool>* stop = nullptr);
 
-// Of the blocks that have lost a neighbour to those that are `gone`: those that the others could not hold even if they
+// Of the blocks that have lost a neighbour to those that are `gone`, those that the others could not hold even if they
 // stood fast themselves (the removable blocks of Goodman & Shi 1985, with friction and water). Some that are left may
 // lose their hold with them: ask again with these gone as well.
 std::vector<std::size_t> blocks_without_hold(const RelaxationScene& scene, const Bodies& bodies,
