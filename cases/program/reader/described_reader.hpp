@@ -8,6 +8,7 @@
 #include "parameters/fields.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -250,8 +251,9 @@ std::string requirement(const FieldInfo& info) {
 // known.
 inline std::optional<FieldInfo> resolved(const Section& section, const FieldInfo& info) {
     FieldInfo own = info;
-    if (info.dimension == Dimension::named && section.named()) {
-        const Quantity* named = *section.named();
+    if (info.dimension == Dimension::named) {
+        static const Quantity nothing_named{};  // a ratio
+        const Quantity* named = section.named().value_or(&nothing_named);
         if (named == nullptr) {
             return std::nullopt;
         }
