@@ -4,6 +4,7 @@
 #include "cases/program/case/case_parts.hpp"
 #include "cases/program/reader/described_reader.hpp"
 #include "cases/program/reader/described_writer.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reader/spelling.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace delabole {
 namespace {
 
-constexpr std::int64_t most_points = 10001;
+constexpr double most_points = 10001;
 
 std::optional<double> read_position(Section& section, const Node& node, std::string_view key, const Quantity& input) {
     return read_number(section.reading(), node, section.path_of(key), input.dimension, input.range);
@@ -37,7 +38,10 @@ void read_range(Section& section, const Quantity& input, SweptInput& swept) {
     const Node* from = section.require("from", "first value of the input (or values = [...])");
     const Node* to = section.require("to", "last value of the input");
     std::int64_t points = 101;
-    read_integer(section, "points", 2, most_points, points);
+    if (const Node* node = section.take("points")) {
+        points = read_whole_number(section.reading(), *node, section.path_of("points"), within(2, most_points))
+                     .value_or(points);
+    }
     const auto first = from == nullptr ? std::nullopt : read_position(section, *from, "from", input);
     const auto last = to == nullptr ? std::nullopt : read_position(section, *to, "to", input);
     if (!first || !last) {
@@ -52,22 +56,19 @@ void read_range(Section& section, const Quantity& input, SweptInput& swept) {
 }
 
 // Nothing, with a complaint, where the input is not known.
-std::optional<SweptInput> read_swept(Section& section, const ModelNames& names) {
+std::optional<SweptInput> read_swept(Section& section) {
     for (const std::string_view key : {"also", "values", "from", "to", "points", "axis", "unit"}) {
         section.allow(key);
     }
     SweptInput swept;
-    swept.input = require_text(section, "input", "the input that varies, e.g. strength.friction_angle");
-    const Quantity* input = find_quantity(names.inputs, swept.input);
+    swept.input =
+        read_name(section, "input", NameOf::input, "the input that varies, e.g. strength.friction_angle");
+    const Quantity* input = section.named().value_or(nullptr);
     if (input == nullptr) {
-        if (!swept.input.empty() && names.inputs_known) {
-            section.complain("input", *section.peek("input"),
-                             "is not an input of this case" + suggestion(swept.input, names_in(names.inputs)));
-        }
         return std::nullopt;
     }
     swept.dimension = input->dimension;
-    swept.also = read_others(section, *input, names);
+    read_names(section, "also", NameOf::input, "further inputs that take the same value", swept.also);
     swept.axis = read_optional_text(section, "axis");
     swept.unit = read_optional_text(section, "unit");
     swept.si_per_unit = display_unit(input->dimension).si_per_unit;
@@ -98,7 +99,7 @@ Enum word_or(Section& section, std::string_view key, const Node* node, Enum othe
     return index ? static_cast<Enum>(*index) : otherwise;
 }
 
-SweepCurve read_curve(Section& section, const std::string& output, const ModelNames& names) {
+SweepCurve read_curve(Section& section, const std::string& output) {
     SweepCurve curve;
     curve.label = require_text(section, "label", "the curve in words");
     curve.output = read_optional_text(section, "output");
@@ -109,7 +110,7 @@ SweepCurve read_curve(Section& section, const std::string& output, const ModelNa
         section.require("output", "name of an output of the model (or output of the sweep, for all curves)");
     }
     curve.dash = word_or(section, "dash", section.take("dash"), CurveDash::solid);
-    curve.conditions = read_conditions(section, std::span(&names, 1));
+    curve.conditions = read_conditions(section, "with");
     return curve;
 }
 
@@ -220,7 +221,7 @@ void check_sweep_name(Section& section, const std::string& name, const std::vect
     }
 }
 
-void read_sweep(Section& section, const ModelNames& names, std::vector<CaseSweep>& sweeps) {
+void read_sweep(Section& section, std::vector<CaseSweep>& sweeps) {
     CaseSweep sweep;
     sweep.place = section.place();
     sweep.name = require_text(section, "name", "name of its files");
@@ -232,7 +233,7 @@ void read_sweep(Section& section, const ModelNames& names, std::vector<CaseSweep
     bool varies = false;
     for_each_table(section, "vary", [&](Section& element) {
         varies = true;
-        if (const auto swept = read_swept(element, names)) {
+        if (const auto swept = read_swept(element)) {
             sweep.vary.push_back(*swept);
         }
     });
@@ -242,14 +243,14 @@ void read_sweep(Section& section, const ModelNames& names, std::vector<CaseSweep
     }
     if (const Node* each = section.take("each")) {
         if (const Node* table = as_table(section.reading(), *each, section.path_of("each"))) {
-            Section inner(section.reading(), *table, section.path_of("each"));
-            sweep.each = read_swept(inner, names);
+            Section inner(section, *table, section.path_of("each"));
+            sweep.each = read_swept(inner);
             inner.finish();
         }
     }
     sweep.draw = word_or(section, "draw", section.take("draw"), SweepDrawing::all);
     for_each_table(section, "curve",
-                   [&](Section& element) { sweep.curves.push_back(read_curve(element, output, names)); });
+                   [&](Section& element) { sweep.curves.push_back(read_curve(element, output)); });
     if (sweep.curves.empty()) {
         if (output.empty()) {
             section.require("output", "name of an output of the model, or [[sweep.curve]] with an output each");
@@ -334,11 +335,14 @@ std::vector<double> spaced_values(double from, double to, int points) {
 
 std::vector<CaseSweep> read_sweeps(Section& root, const ModelNames& names) {
     std::vector<CaseSweep> sweeps;
-    for_each_table(root, "sweep", [&](Section& section) { read_sweep(section, names, sweeps); });
+    for_each_table(root, "sweep", [&](Section& section) {
+        section.refer_to({std::span(&names, 1), "an output of the model"});
+        read_sweep(section, sweeps);
+    });
     return sweeps;
 }
 
-void write_sweep(std::string& text, const CaseSweep& sweep, const CaseModel& model) {
+void write_sweep(std::string& text, const CaseSweep& sweep) {
     text += "\n[[sweep]]\n";
     write_line(text, "name", in_quotes(sweep.name));
     write_text(text, "title", sweep.title);
@@ -360,7 +364,9 @@ void write_sweep(std::string& text, const CaseSweep& sweep, const CaseModel& mod
         write_line(text, "label", in_quotes(curve.label));
         write_line(text, "output", in_quotes(curve.output));
         write_line(text, "dash", in_quotes(word_of(curve.dash)));
-        write_conditions(text, curve.conditions, {named_inputs(model)});
+        if (!curve.conditions.empty()) {
+            write_line(text, "with", written_conditions(curve.conditions));
+        }
     }
     for (const PrintedPoints& printed : sweep.printed) {
         write_printed(text, printed);

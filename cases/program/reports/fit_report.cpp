@@ -100,7 +100,7 @@ Table parameter_table(const MechanismFit& fit) {
     return table;
 }
 
-// A pull of rounding is no pull.
+// Residuals below 5e-4 are shown as 0.
 std::string pull_in_words(double pull) {
     return std::abs(pull) < 5e-4 ? "0" : number_in_words(pull);
 }
@@ -401,7 +401,7 @@ std::string screen_of(const MechanismFit& fit) {
     return text;
 }
 
-// Of the case's own section; 0 where it has none.
+// The toe's elevation in the case's own section; 0 where it has none.
 double toe_elevation_of(const CaseModel& model) {
     for (const Quantity& input : named_inputs(model)) {
         if (input.name == "slope.toe_elevation") {
