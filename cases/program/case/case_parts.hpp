@@ -17,6 +17,9 @@ struct ModelNames {
 
 ModelNames names_of(const CaseModel& model, const OutputsOf& outputs_of, bool inputs_known);
 
+// Complains about a name that cannot be that of a file.
+void check_file_name(Section& section, std::string_view key, const std::string& name);
+
 std::vector<std::string> names_in(const std::vector<Quantity>& quantities);
 
 // `with = { "water.filled_ratio" = 1.0 }`: inputs of any of the models. Empty when absent.

@@ -163,17 +163,8 @@ std::vector<FreeParameter> read_parameters(Section& section, const ModelNames& n
 }
 
 void check_mechanism_name(Section& section, const std::string& name, const std::vector<FitMechanism>& others) {
-    const auto plain = [](char character) {
-        return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||
-               (character >= '0' && character <= '9') || character == '_' || character == '-';
-    };
-    if (name.empty()) {
-        return;
-    }
-    if (!std::ranges::all_of(name, plain)) {
-        section.complain("name", *section.peek("name"), "must consist of letters, digits, - and _ (it names files)");
-    }
-    if (std::ranges::find(others, name, &FitMechanism::name) != others.end()) {
+    check_file_name(section, "name", name);
+    if (!name.empty() && std::ranges::find(others, name, &FitMechanism::name) != others.end()) {
         section.complain("name", *section.peek("name"), "names two mechanisms");
     }
 }
@@ -395,6 +386,16 @@ void read_evidence(Section& section, std::vector<FieldEvidence>& evidence) {
 }
 
 }  // namespace
+
+void check_file_name(Section& section, std::string_view key, const std::string& name) {
+    const auto plain = [](char character) {
+        return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||
+               (character >= '0' && character <= '9') || character == '_' || character == '-';
+    };
+    if (!std::ranges::all_of(name, plain)) {
+        section.complain(key, *section.peek(key), "must consist of letters, digits, - and _ (it names files)");
+    }
+}
 
 std::vector<std::string> read_others(Section& parameter, const Quantity& input, const ModelNames& names) {
     std::vector<std::string> others;
