@@ -48,18 +48,8 @@ void check_parameters(Reading& reading, const std::string& list, const std::vect
     }
 }
 
-void check_mechanism_name(Reading& reading, const std::string& key, const std::string& name) {
-    const auto plain = [](char character) {
-        return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||
-               (character >= '0' && character <= '9') || character == '_' || character == '-';
-    };
-    if (!std::ranges::all_of(name, plain)) {
-        reading.complain_at(key, "must consist of letters, digits, - and _ (it names files)");
-    }
-}
-
 void check_mechanism(Reading& reading, const std::string& path, const FitMechanism& mechanism, const FitTask& fit) {
-    check_mechanism_name(reading, path + ".name", mechanism.name);
+    check_file_name(reading, path + ".name", mechanism.name);
     check_parameters(reading, path + ".parameter", mechanism.parameters);
     for (std::size_t index = 0; index < mechanism.own_observations.size(); ++index) {
         check_among(reading, indexed(path + ".observation", index) + ".label", mechanism.own_observations[index].label,
@@ -209,6 +199,16 @@ std::vector<FitMechanism> read_mechanisms(Section& section, const CaseFile& case
 }
 
 }  // namespace
+
+void check_file_name(Reading& reading, const std::string& key, const std::string& name) {
+    const auto plain = [](char character) {
+        return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||
+               (character >= '0' && character <= '9') || character == '_' || character == '-';
+    };
+    if (!std::ranges::all_of(name, plain)) {
+        reading.complain_at(key, "must consist of letters, digits, - and _ (it names files)");
+    }
+}
 
 CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outputs_of) {
     CaseFit fit;
