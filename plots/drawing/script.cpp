@@ -86,7 +86,8 @@ class ScriptWriter {
     // Two entries to a row where there is room: gnuplot's own choice of columns differs between terminals.
     int legend_rows() const {
         constexpr int few = 3;
-        const double column = 0.55 * text_height * static_cast<double>(longest_legend_) + 60;
+        // px, as gnuplot's SVG reckons it, which is the wider of the two terminals.
+        const double column = 0.66 * text_height * static_cast<double>(longest_legend_) + 110;
         return legends_ > few && 2 * column <= figure_.width ? (legends_ + 1) / 2 : legends_;
     }
 
