@@ -48,7 +48,7 @@ py::dict run_case(const CaseObject& object, const py::object& progress, unsigned
     in_background(progress, [&](BackgroundWatch& watch) {
         AnalysisWork work;
         work.threads = threads;
-        work.watch = [&](double share, const std::string& what) {
+        work.watch = [&](double share, const std::string& what, bool) {
             watch.tell(share, what);
             return !watch.stopped();
         };

@@ -83,12 +83,19 @@ class ScriptWriter {
         }
     }
 
-    // One entry to a row: gnuplot's own choice of columns differs between terminals.
+    // Two entries to a row where there is room: gnuplot's own choice of columns differs between terminals.
+    int legend_rows() const {
+        constexpr int few = 3;
+        // px, as gnuplot's SVG reckons it, which is the wider of the two terminals.
+        const double column = 0.66 * text_height * static_cast<double>(longest_legend_) + 110;
+        return legends_ > few && 2 * column <= figure_.width ? (legends_ + 1) / 2 : legends_;
+    }
+
     int legend_height() const {
         if (figure_.legend != LegendPlace::below || legends_ == 0) {
             return 0;
         }
-        return static_cast<int>(std::ceil(legends_ * 1.4 * text_height)) + 8;
+        return static_cast<int>(std::ceil(legend_rows() * 1.4 * text_height)) + 8;
     }
 
     // The canvas grows with a legend below, so that the plot keeps its size.
@@ -101,8 +108,8 @@ class ScriptWriter {
             return;
         }
         const double axis_height = figure_.frame ? 86 : 12;  // px, numbers and title of the x axis
-        script_ << "set key at screen 0.5," << 4.0 / canvas_height()
-                << " center bottom vertical maxcols 1 Left reverse samplen 2 width 1";
+        script_ << "set key at screen 0.5," << 4.0 / canvas_height() << " center bottom vertical maxrows "
+                << legend_rows() << " Left reverse samplen 2 width 1";
         // A long legend in smaller letters rather than over the edge.
         const double share = figure_.width / (0.62 * text_height * static_cast<double>(longest_legend_) + 90);
         if (share < 1) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <locale>
 #include <sstream>
 
@@ -76,7 +77,15 @@ std::string human_number(double value, int significant_digits) {
     std::ostringstream stream;
     stream.imbue(std::locale::classic());
     stream.precision(significant_digits);
-    stream << value;
+    // Thousands are written out, rounded to as many digits, where the stream would go over to an exponent.
+    constexpr double most_written_out = 1e7;
+    const double place = std::pow(10, std::floor(std::log10(std::max(std::abs(value), 1.0))) + 1 - significant_digits);
+    const double rounded = std::round(value / place) * place;
+    if (std::abs(rounded) >= std::pow(10, significant_digits) && std::abs(rounded) < most_written_out) {
+        stream << std::fixed << std::setprecision(0) << rounded;
+    } else {
+        stream << value;
+    }
     return stream.str();
 }
 

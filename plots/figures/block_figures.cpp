@@ -23,6 +23,8 @@ constexpr double greatest_plot_height = 680;  // px
 // Length of the arrow of the greatest force, px.
 constexpr double longest_arrow = 85;
 constexpr double shortest_arrow = 40;
+// Of any force: less would hide behind its head.
+constexpr double visible_arrow = 18;
 
 struct Frame {
     Extent x;
@@ -172,6 +174,7 @@ class BlockPicture {
         }
         if (greatest_force_ > 0) {
             metres_per_newton_ = greatest_arrow() / greatest_force_;
+            least_arrow_ = std::min(visible_arrow * frame_.metres_per_px(), greatest_arrow());
         }
         chains_ = as_chains();
         for (const DrawnForce& force : drawing_.forces) {
@@ -240,7 +243,9 @@ class BlockPicture {
             const Point half = 0.5 * block_size_ * force.force.normalized();
             return {force.at - half, force.at + half};
         }
-        return {force.at, force.at + metres_per_newton_ * force.force};
+        const double size = force.force.norm();
+        const double length = std::max(metres_per_newton_ * size, least_arrow_);
+        return {force.at, force.at + length / size * force.force};
     }
 
     std::vector<Arrows::Shaft> across_labels() const {
@@ -400,8 +405,8 @@ class BlockPicture {
     void add_forces() {
         constexpr std::array kinds{
             std::pair{ForceKind::interblock, Colour::purple}, std::pair{ForceKind::base_reaction, Colour::black},
-            std::pair{ForceKind::thrust, Colour::blue}, std::pair{ForceKind::applied, Colour::vermilion},
-            std::pair{ForceKind::weight, Colour::green}};
+            std::pair{ForceKind::thrust, Colour::blue},       std::pair{ForceKind::applied, Colour::vermilion},
+            std::pair{ForceKind::weight, Colour::green},      std::pair{ForceKind::required, Colour::green}};
         if (chains_) {
             for (const auto& [kind, colour] : kinds) {
                 add_chains(kind, colour);
@@ -464,6 +469,7 @@ class BlockPicture {
     Frame frame_ = {};
     double metres_per_px_ = 1;
     double metres_per_newton_ = 0;
+    double least_arrow_ = 0;     // m
     double greatest_force_ = 0;  // N/m
     bool chains_ = false;
     double block_size_ = 0;  // m, of the middling free block, where forces are chains

@@ -31,10 +31,10 @@ struct DrawnBlock {
     Polyline displaced = {};               // the outline after the displacement shown; empty: none
 };
 
-enum class ForceKind { interblock, base_reaction, thrust, applied, weight };
+enum class ForceKind { interblock, base_reaction, thrust, applied, weight, required };
 
-constexpr std::array<std::string_view, 5> enum_names(ForceKind) {
-    return {"interblock force", "base reaction", "thrust", "applied force", "weight"};
+constexpr std::array<std::string_view, 6> enum_names(ForceKind) {
+    return {"interblock force", "base reaction", "thrust", "applied force", "weight", "required force"};
 }
 
 struct DrawnForce {
@@ -67,9 +67,9 @@ struct BlockDrawing {
 };
 
 // Forces are drawn to one scale, the greatest about one and a half times as long as the blocks are apart; an arrow of a
-// round force beside the blocks is the key to it. So many that their heads would cover the blocks are drawn as force
-// chains: lines through the points of contact along the forces, as thick as the forces are great. Labels: see
-// block_labels.
+// round force beside the blocks is the key to it. The smallest are drawn longer than that, so that they can be seen. So
+// many that their heads would cover the blocks are drawn as force chains: lines through the points of contact along the
+// forces, as thick as the forces are great. Labels: see block_labels.
 Figure block_figure(const BlockDrawing& drawing);
 
 // Interblock forces against the number of the block, N/m. Every column is empty or as long as `block`.

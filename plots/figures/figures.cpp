@@ -30,6 +30,19 @@ Line curve_line(const NamedCurve& curve, std::size_t index, double x_unit, doubl
     return line;
 }
 
+// Gives each curve its legend as a text on it, one further along than the other.
+void label_curves(std::vector<Line>& lines, Figure& figure) {
+    for (std::size_t index = 0; index < lines.size(); ++index) {
+        Line& line = lines[index];
+        if (!line.points.empty()) {
+            figure.labels.push_back({.at = line.points[(index + 1) * line.points.size() / (lines.size() + 1)],
+                                     .text = std::exchange(line.legend, ""),
+                                     .align = Label::Align::centre,
+                                     .colour = line.colour});
+        }
+    }
+}
+
 // Keeps a number and its unit on one line.
 std::string unbroken(std::string_view text) {
     std::string result;
@@ -77,13 +90,15 @@ Figure factor_of_safety_against_water(const WaterDepthCurves& data) {
                   .y = {.title = "factor of safety"}};
     Extent shown;
     shown.include(1);
+    std::vector<Line> lines;
     for (std::size_t index = 0; index < data.curves.size(); ++index) {
-        const Line line = curve_line(data.curves[index], index, 1, 1);
-        for (const Point& point : line.points) {
+        lines.push_back(curve_line(data.curves[index], index, 1, 1));
+        for (const Point& point : lines.back().points) {
             shown.include(point.y());
         }
-        figure.series.emplace_back(line);
     }
+    label_curves(lines, figure);
+    figure.series.insert(figure.series.end(), lines.begin(), lines.end());
     figure.series.emplace_back(Line{.points = {{0, 1}, {1, 1}},
                                     .legend = "factor of safety 1",
                                     .colour = Colour::black,
@@ -150,6 +165,7 @@ Figure failure_locus_figure(const FailureLoci& data) {
                 Line{.points = {{left, bottom}, {right, upper}}, .legend = range.legend, .colour = colour, .width = 5});
         }
     }
+    label_curves(lines, figure);
     figure.series.insert(figure.series.end(), lines.begin(), lines.end());
     return figure;
 }
@@ -159,6 +175,8 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
     std::stable_sort(bars.begin(), bars.end(), [](const SensitivityBar& first, const SensitivityBar& second) {
         return std::abs(first.effect) > std::abs(second.effect);
     });
+    constexpr std::size_t most_bars = 8;
+    bars.resize(std::min(bars.size(), most_bars));
 
     Figure figure{.title = std::string(title), .x = {.title = "change of the factor of safety"}, .y = {.grid = false}};
     Boxes raising{.legend = "makes it safer", .colour = Colour::blue};

@@ -33,6 +33,24 @@ struct LevelMark {
     std::string text = {};
 };
 
+// An arrow with its text at the tip. The greatest force of a section has the longest arrow, those of less than a third
+// of it one of a third.
+struct SectionForce {
+    Point at;         // the arrow's tail
+    Point direction;  // of unit length
+    double force;     // N/m; 0 or less: not drawn
+    std::string text = {};
+};
+
+// A dimension between two points.
+struct Measure {
+    Point from;
+    Point to;
+    std::string text = {};
+};
+
+void add_measure(const Measure& measure, Figure& figure);
+
 // A section, origin at the toe, x into the slope, y up, m. Whatever is empty is left out.
 struct SectionDrawing {
     std::string title = {};
@@ -44,7 +62,10 @@ struct SectionDrawing {
     Polyline observed_profile = {};   // ground left standing
     Polyline predicted_profile = {};  // ground left standing
     std::vector<LevelMark> levels = {};
-    double toe_elevation = 0;  // m; added to heights on the vertical axis
+    std::vector<SectionForce> forces = {};
+    std::vector<Measure> measures = {};
+    std::vector<std::pair<Point, std::string>> notes = {};  // texts at their places
+    double toe_elevation = 0;                               // m; added to heights on the vertical axis
 };
 
 Figure section_figure(const SectionDrawing& drawing);
@@ -90,7 +111,7 @@ struct SensitivityBar {
     double effect;            // signed change of the factor of safety
 };
 
-// Bars sorted by their length, the longest on top. Bars without a finite effect are left out.
+// The eight longest bars, the longest on top. Bars without a finite effect are left out.
 Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars);
 
 // Factor of safety against one quantity of the geometry, with the least one marked.

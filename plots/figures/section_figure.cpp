@@ -52,6 +52,50 @@ double greatest_pressure(const SectionDrawing& drawing) {
     return greatest;
 }
 
+// One for each force that is drawn, in their order.
+std::vector<Arrows::Shaft> force_shafts(const SectionDrawing& drawing) {
+    constexpr double longest = 0.2;          // of the extent of the ground
+    constexpr double least_share = 1.0 / 3;  // of the longest arrow
+    Frame frame;
+    frame.include(drawing.ground);
+    double greatest = 0;
+    for (const SectionForce& force : drawing.forces) {
+        greatest = std::max(greatest, force.force);
+    }
+    std::vector<Arrows::Shaft> shafts;
+    for (const SectionForce& force : drawing.forces) {
+        if (force.force > 0 && !frame.empty()) {
+            const double length = longest * frame.size().maxCoeff() * std::max(least_share, force.force / greatest);
+            shafts.push_back({force.at, force.at + length * force.direction});
+        }
+    }
+    return shafts;
+}
+
+void add_forces(const SectionDrawing& drawing, const Point& raise, Figure& figure) {
+    Arrows arrows{
+        .shafts = force_shafts(drawing), .legend = "forces on what slides, kN/m", .colour = Colour::black, .width = 3};
+    if (arrows.shafts.empty()) {
+        return;
+    }
+    std::size_t index = 0;
+    for (const SectionForce& force : drawing.forces) {
+        if (force.force > 0) {
+            Arrows::Shaft& shaft = arrows.shafts[index++];
+            shaft = {shaft.from + raise, shaft.to + raise};
+            const bool sideways = std::abs(force.direction.x()) > 0.7;
+            // What points into the slope has its text in front of it.
+            figure.labels.push_back({.at = force.direction.x() > 0.7 ? shaft.from : shaft.to,
+                                     .text = force.text,
+                                     .align = sideways ? Label::Align::right : Label::Align::left,
+                                     .raise = sideways                  ? 0
+                                              : force.direction.y() < 0 ? -0.6
+                                                                        : 0.6});
+        }
+    }
+    figure.series.emplace_back(std::move(arrows));
+}
+
 Frame frame_of(const SectionDrawing& drawing) {
     Frame frame;
     for (const Polyline* line : {&drawing.ground, &drawing.failure_plane, &drawing.tension_crack,
@@ -63,6 +107,9 @@ Frame frame_of(const SectionDrawing& drawing) {
     }
     for (const LevelMark& level : drawing.levels) {
         frame.include({{frame.lowest.x(), level.height}});
+    }
+    for (const Arrows::Shaft& shaft : force_shafts(drawing)) {
+        frame.include({shaft.from, shaft.to});
     }
     // Above there is room for the text of the highest level. The ground is cut off at the sides of the frame.
     const double margin = 0.12 * std::max(frame.size().maxCoeff(), 1e-9);
@@ -88,6 +135,12 @@ void add_water(const SectionDrawing& drawing, double height, Figure& figure) {
 }
 
 }  // namespace
+
+void add_measure(const Measure& measure, Figure& figure) {
+    figure.arrows.push_back({.from = measure.from, .to = measure.to, .colour = Colour::grey, .both_heads = true});
+    figure.labels.push_back(
+        {.at = 0.5 * (measure.from + measure.to), .text = measure.text, .align = Label::Align::centre});
+}
 
 Figure section_figure(const SectionDrawing& drawing) {
     const Frame frame = frame_of(drawing);
@@ -151,6 +204,14 @@ Figure section_figure(const SectionDrawing& drawing) {
             points->points = raised(std::move(points->points));
         }
     }
+    const Point raise(0, drawing.toe_elevation);
+    for (const Measure& measure : drawing.measures) {
+        add_measure({measure.from + raise, measure.to + raise, measure.text}, figure);
+    }
+    for (const auto& [at, text] : drawing.notes) {
+        figure.labels.push_back({.at = at + raise, .text = text, .align = Label::Align::right});
+    }
+    add_forces(drawing, raise, figure);
     // The plot is about 540 px wide; title and axis take about 120 px of the height.
     figure.height = static_cast<int>(std::clamp(540 * size.y() / size.x(), 200.0, 680.0)) + 120;
     return figure;

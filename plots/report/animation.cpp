@@ -147,6 +147,10 @@ class Drawing {
         return text + scale_bar() + legend() + "</svg>\n";
     }
 
+    bool labelled() const {
+        return std::ranges::any_of(animation_.blocks, [](const AnimatedBlock& block) { return !block.label.empty(); });
+    }
+
     std::string moment() const {
         const std::size_t frames = animation_.frames.size();
         const AnimationFrame& last = animation_.frames.back();
@@ -407,7 +411,11 @@ std::string animation_html(const BlockAnimation& animation) {
         "<div class=\"controls\" hidden>\n<button type=\"button\">Back</button>\n"
         "<button type=\"button\">Play</button>\n<button type=\"button\">Step</button>\n"
         "<input type=\"range\" min=\"0\" max=\"0\" value=\"0\" step=\"1\" aria-label=\"Frame\">\n"
-        "<select aria-label=\"Speed\"></select>\n</div>\n";
+        "<select aria-label=\"Speed\"></select>\n";
+    if (drawing.labelled()) {
+        html += "<label><input type=\"checkbox\">numbers</label>\n";
+    }
+    html += "</div>\n";
     return html + "<script type=\"application/json\">" + drawing.json() + "</script>\n</div>\n";
 }
 

@@ -1,5 +1,5 @@
-// Moving blocks inside a report: play, pause, step, scrub and speed. The last frame is a plain SVG drawing, which
-// stands there alone where no script runs and on paper.
+// Moving blocks inside a report: play, pause, step, scrub, speed and, when asked for, the blocks' labels. The last
+// frame is a plain SVG drawing, which stands there alone where no script runs and on paper.
 //
 // The scene is turned so that gravity points down. Positions are kept to 1e-4 of what is seen, rotations to 1e-4 rad.
 #pragma once

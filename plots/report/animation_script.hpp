@@ -8,12 +8,14 @@ namespace delabole {
 inline constexpr std::string_view animation_style =
     R"css(.animation text { font: 19px system-ui, sans-serif; fill: #1b1b1b; }
 .animation .label { text-anchor: middle; dominant-baseline: central; paint-order: stroke; stroke: #fff; stroke-width: .2em; stroke-linejoin: round; }
+.animation:not(.numbered) .label { display: none; }
+.animation label { display: flex; align-items: center; gap: .3rem; min-height: 2.75rem; }
 .animation .crack { stroke: #d55e00; stroke-width: 3; stroke-linecap: round; }
-.animation .moment, .animation .controls { max-width: 42rem; margin: .5rem auto 0; font-variant-numeric: tabular-nums; }
+.animation .moment, .animation .controls { max-width: 46rem; margin: .5rem 0 0; font-variant-numeric: tabular-nums; }
 .animation .controls { display: flex; flex-wrap: wrap; gap: .5rem; align-items: center; }
 .animation .controls[hidden] { display: none; }
 .animation button, .animation select { font: inherit; min-height: 2.75rem; min-width: 4.5rem; }
-.animation input { flex: 1 1 12rem; min-width: 8rem; min-height: 2.75rem; margin: 0; }
+.animation input[type=range] { flex: 1 1 12rem; min-width: 8rem; min-height: 2.75rem; margin: 0; }
 @media print { .animation .controls { display: none; } }
 )css";
 
@@ -50,6 +52,7 @@ function bringToLife(box) {
   const moment = box.querySelector('.moment'), controls = box.querySelector('.controls');
   const [back, play, step] = controls.querySelectorAll('button');
   const scrub = controls.querySelector('input'), speed = controls.querySelector('select');
+  const numbers = controls.querySelector('input[type=checkbox]');
   let shown = frames - 1;
 
   function show(frame) {
@@ -125,7 +128,9 @@ function bringToLife(box) {
   step.addEventListener('click', () => go(shown + 1));
   play.addEventListener('click', toggle);
   scrub.addEventListener('input', () => go(Number(scrub.value)));
+  if (numbers) numbers.addEventListener('change', () => box.classList.toggle('numbered', numbers.checked));
   box.addEventListener('keydown', event => {
+    if (event.target === numbers) return;
     if (event.altKey || event.ctrlKey || event.metaKey || event.target === scrub || event.target === speed) return;
     const action = {ArrowLeft: () => go(shown - 1), ArrowRight: () => go(shown + 1), Home: () => go(0),
                     End: () => go(frames - 1), ' ': event.target.tagName === 'BUTTON' ? null : toggle}[event.key];

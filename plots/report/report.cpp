@@ -6,6 +6,7 @@
 #include "plots/report/report_style.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
 
@@ -49,11 +50,48 @@ class Page {
         }
         html_ += "</style>\n</head>\n<body>\n<main>\n<header>\n";
         html_ += element("h1", report.title);
+        html_ += "</header>\n";
+    }
+
+    void add_subtitle(const Report& report) {
         if (!report.subtitle.empty()) {
             html_ += "<p class=\"subtitle\">" + escape_html(report.subtitle) + "</p>\n";
         }
-        html_ += "</header>\n";
     }
+
+    void add_blocks(const std::vector<ReportBlock>& blocks) {
+        for (std::size_t index = 0; index < blocks.size(); ++index) {
+            if (!std::holds_alternative<FigureInReport>(blocks[index])) {
+                std::visit([&](const auto& content) { add(content); }, blocks[index]);
+                continue;
+            }
+            html_ += "<div class=\"figures\">\n";
+            for (; index < blocks.size() && std::holds_alternative<FigureInReport>(blocks[index]); ++index) {
+                add(std::get<FigureInReport>(blocks[index]));
+            }
+            --index;
+            html_ += "</div>\n";
+        }
+    }
+
+    // Links to what has headings in the report, in their order.
+    void gather_contents(const std::vector<ReportBlock>& blocks) {
+        std::string links;
+        int sections = 0;
+        for (const ReportBlock& block : blocks) {
+            const auto* heading = std::get_if<Heading>(&block);
+            if (heading != nullptr && heading->level <= 2) {
+                links += "<li><a href=\"#section-" + std::to_string(++sections) + "\">" + escape_html(heading->text) +
+                         "</a></li>\n";
+            }
+        }
+        constexpr int enough = 3;
+        if (sections >= enough) {
+            contents_ = "<nav class=\"contents\" aria-label=\"Contents\">\n<ol>\n" + links + "</ol>\n</nav>\n";
+        }
+    }
+
+    void add_contents() { html_ += std::exchange(contents_, {}); }
 
     void end(const Report& report) {
         html_ += "</main>\n";
@@ -65,7 +103,37 @@ class Page {
         html_ += "</body>\n</html>\n";
     }
 
-    void add(const Heading& heading) { html_ += element(heading.level <= 2 ? "h2" : "h3", heading.text); }
+    void add(const HeadCard& head) {
+        constexpr std::array<std::string_view, 3> tones{"good", "bad", "open"};
+        html_ += "<section class=\"head ";
+        html_ += tones.at(static_cast<std::size_t>(head.tone));
+        html_ += "\">\n<div class=\"answer\">\n";
+        for (const std::string& sentence : head.sentences) {
+            html_ += element("p", sentence);
+        }
+        add_contents();
+        html_ += "</div>\n";
+        if (const auto* figure = std::get_if<FigureInReport>(&head.picture)) {
+            add(*figure);
+        } else if (const auto* animation = std::get_if<BlockAnimation>(&head.picture)) {
+            add(*animation);
+        }
+        html_ += "</section>\n";
+    }
+
+    void add(const Folded& folded) {
+        html_ += "<details>\n<summary>" + escape_html(folded.title) + "</summary>\n";
+        ++depth_;
+        add_blocks(folded.blocks);
+        --depth_;
+        html_ += "</details>\n";
+    }
+
+    void add(const Heading& heading) {
+        const bool section = heading.level <= 2;
+        html_ += section ? "<h2" + next_section() + ">" : "<h3>";
+        html_ += escape_html(heading.text) + (section ? "</h2>\n" : "</h3>\n");
+    }
 
     void add(const Paragraph& paragraph) { html_ += element("p", paragraph.text); }
 
@@ -93,7 +161,9 @@ class Page {
 
     void add(const Table& table) {
         // tabindex: whoever has no touch screen scrolls a wide table by the arrow keys.
-        html_ += "<div class=\"table\" tabindex=\"0\">\n<table>\n";
+        constexpr std::size_t many = 8;  // columns, for which paper needs smaller letters
+        html_ += "<div class=\"table\" tabindex=\"0\">\n";
+        html_ += table.columns.size() > many ? "<table class=\"wide\">\n" : "<table>\n";
         if (!table.caption.empty()) {
             html_ += element("caption", table.caption);
         }
@@ -140,6 +210,14 @@ class Page {
         end_figure(figure.caption);
     }
 
+    void add(const FigureRow& row) {
+        html_ += "<div class=\"figures small\">\n";
+        for (const FigureInReport& figure : row.figures) {
+            add(figure);
+        }
+        html_ += "</div>\n";
+    }
+
     void add(const BlockAnimation& animation) {
         ++figures_;
         html_ += "<figure>\n" + animation_html(animation);
@@ -155,10 +233,20 @@ class Page {
     }
 
   private:
-    static bool is_animated(const Report& report) {
-        return std::any_of(report.blocks.begin(), report.blocks.end(),
-                           [](const ReportBlock& block) { return std::holds_alternative<BlockAnimation>(block); });
+    static bool holds_animation(const std::vector<ReportBlock>& blocks) {
+        return std::ranges::any_of(blocks, [](const ReportBlock& block) {
+            const auto* head = std::get_if<HeadCard>(&block);
+            const auto* folded = std::get_if<Folded>(&block);
+            return std::holds_alternative<BlockAnimation>(block) ||
+                   (head != nullptr && std::holds_alternative<BlockAnimation>(head->picture)) ||
+                   (folded != nullptr && holds_animation(folded->blocks));
+        });
     }
+
+    static bool is_animated(const Report& report) { return holds_animation(report.blocks); }
+
+    // The place that the table of contents links to. Inside of something folded there are none.
+    std::string next_section() { return depth_ > 0 ? "" : " id=\"section-" + std::to_string(++sections_) + "\""; }
 
     void end_figure(const std::string& caption) {
         html_ += "<figcaption><b>Figure " + std::to_string(figures_) + ".</b> " + escape_html(caption) +
@@ -166,17 +254,40 @@ class Page {
     }
 
     std::string html_;
+    std::string contents_;
     int figures_ = 0;
+    int sections_ = 0;
+    int depth_ = 0;  // of what is folded
 };
 
 }  // namespace
 
+void take_picture(std::vector<ReportBlock>& blocks, HeadCard& head) {
+    const auto picture = std::ranges::find_if(blocks, [](const ReportBlock& block) {
+        return std::holds_alternative<FigureInReport>(block) || std::holds_alternative<BlockAnimation>(block);
+    });
+    if (picture == blocks.end()) {
+        return;
+    }
+    if (auto* figure = std::get_if<FigureInReport>(&*picture)) {
+        head.picture = std::move(*figure);
+    } else {
+        head.picture = std::move(std::get<BlockAnimation>(*picture));
+    }
+    blocks.erase(picture);
+}
+
 std::string report_page(const Report& report) {
     Page page;
     page.begin(report);
-    for (const ReportBlock& block : report.blocks) {
-        std::visit([&](const auto& content) { page.add(content); }, block);
-    }
+    page.gather_contents(report.blocks);
+    // The answer stands before everything that takes longer to read.
+    const bool has_head = !report.blocks.empty() && std::holds_alternative<HeadCard>(report.blocks.front());
+    const auto rest = report.blocks.begin() + (has_head ? 1 : 0);
+    page.add_blocks({report.blocks.begin(), rest});
+    page.add_subtitle(report);
+    page.add_contents();
+    page.add_blocks({rest, report.blocks.end()});
     page.end(report);
     return page.take();
 }

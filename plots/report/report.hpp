@@ -55,13 +55,38 @@ struct FigureInReport {
     std::string caption = {};
 };
 
+// Figures of one kind side by side, small.
+struct FigureRow {
+    std::vector<FigureInReport> figures = {};
+};
+
 // What the result was made from and with: names and values.
 struct Provenance {
     std::vector<std::pair<std::string, std::string>> entries = {};
 };
 
-using ReportBlock =
-    std::variant<Heading, Paragraph, BulletList, Notice, Table, FigureInReport, BlockAnimation, Provenance>;
+enum class AnswerTone { good, bad, open };
+
+// The answer before everything else: at most three sentences, the first of them in bold, and the picture that shows it.
+struct HeadCard {
+    AnswerTone tone = AnswerTone::open;
+    std::vector<std::string> sentences = {};
+    std::variant<std::monostate, FigureInReport, BlockAnimation> picture = {};
+};
+
+struct Folded;
+
+using ReportBlock = std::variant<HeadCard, Heading, Paragraph, BulletList, Notice, Table, FigureInReport, FigureRow,
+                                 BlockAnimation, Provenance, Folded>;
+
+// Details that are shown when the reader opens them. They are printed where they are open.
+struct Folded {
+    std::string title = {};
+    std::vector<ReportBlock> blocks = {};
+};
+
+// Moves the first picture among the blocks to the head; there may be none.
+void take_picture(std::vector<ReportBlock>& blocks, HeadCard& head);
 
 struct Report {
     std::string title = {};
@@ -69,7 +94,9 @@ struct Report {
     std::vector<ReportBlock> blocks = {};
 };
 
-// The page. Figures and animations are numbered in their order; their SVG files are read here.
+// The page. Figures and animations are numbered in their order; their SVG files are read here. Figures that follow each
+// other stand side by side where the page is wide enough. A page of three headings or more has a table of contents,
+// in the head card where it begins with one.
 std::string report_page(const Report& report);
 
 // Writes the page as write_file_atomically does. OutputError when that fails.

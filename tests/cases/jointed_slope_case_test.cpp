@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -105,6 +106,23 @@ TEST(JointedSlopeCase, RunsAndAnswers) {
     const Analysis analysis = analyse_model(parse_case(slope_text, "case").model);
     EXPECT_EQ(analysis.failure, "");
     ASSERT_NE(analysis.find("outcome"), nullptr);
+}
+
+TEST(JointedSlopeCase, WarnsOfASideThatNothingHolds) {
+    const std::string brief = replaced(std::string(slope_text), "duration = \"1 s\"", "duration = \"0.001 s\"");
+    const std::string bench = replaced(brief, "{ x = \"0 m\", y = \"0 m\" }, { x = \"14 m\", y = \"0 m\" }",
+                                       "{ x = \"0 m\", y = \"0 m\" }, { x = \"-5 m\", y = \"0 m\" }, "
+                                       "{ x = \"-5 m\", y = \"-2 m\" }, { x = \"14 m\", y = \"-2 m\" }");
+    const auto warned = [](const std::string& text) {
+        const Analysis analysis = analyse_model(parse_case(text, "case").model);
+        EXPECT_EQ(analysis.failure, "");
+        return std::ranges::any_of(analysis.warnings, [](const std::string& warning) {
+            return warning.find("nothing holds the left side of scene.outline") != std::string::npos;
+        });
+    };
+    EXPECT_FALSE(warned(brief)) << "the toe of the face is the outline's end";
+    EXPECT_TRUE(warned(bench));
+    EXPECT_FALSE(warned(replaced(bench, "below_and_behind", "all_around")));
 }
 
 TEST(JointedSlopeCase, ComplaintsNameTheKey) {

@@ -133,6 +133,11 @@ TEST(RelaxationCase, RefusesWhatContradictsItself) {
     EXPECT_NE(complaint_with("[critical]\nparameter = \"tilt\"\nlower = \"20 deg\"\nupper = \"10 deg\"\n")
                   .find("bounds are reversed"),
               std::string::npos);
+    EXPECT_NE(complaint_with("[settings]\nwatch = \"6 s\"\nstop = \"collapse\"\n").find("takes the place of"),
+              std::string::npos);
+    EXPECT_NE(complaint_with("[settings]\nwatch = \"6 s\"\n[critical]\nparameter = \"tilt\"\n")
+                  .find("does not go with a search"),
+              std::string::npos);
     EXPECT_NE(complaint_with("[settings]\nstart = \"ramped\"\n").find("ramp_time"), std::string::npos);
     EXPECT_NE(complaint_with("[settings]\nconsolidation_time = \"1 s\"\n").find("held_at_first"), std::string::npos);
     EXPECT_NE(complaint_with("[settings]\nmost_steps = 1.5\n").find("most_steps = 1.5: must be a whole number"),
@@ -471,7 +476,7 @@ TEST(RelaxationCase, SaysThatDampingSlowsWhatFails) {
 
 TEST(RelaxationCase, AWatchEndsTheRun) {
     const CaseModel model = parse_case(row_text, "case").model;
-    const Analysis stopped = analyse_model(model, {.watch = [](double, const std::string&) { return false; }});
+    const Analysis stopped = analyse_model(model, {.watch = [](double, const std::string&, bool) { return false; }});
     EXPECT_EQ(stopped.status, "interrupted");
     EXPECT_FALSE(stopped.unfinished.empty());
 }

@@ -174,6 +174,13 @@ TEST_F(FolderClaimTest, RefusesAFileThatIsNotItsList) {
     EXPECT_NE(refusal(), "");
 }
 
+TEST(InDisplayUnit, TakesRoundingForZero) {
+    EXPECT_EQ(in_display_unit(-1.3e-15, Dimension::length), 0);
+    EXPECT_EQ(in_display_unit(2e-17, Dimension::angle), 0);
+    EXPECT_EQ(in_display_unit(1e-9, Dimension::length), 1e-9) << "an overlap of stiff springs";
+    EXPECT_EQ(in_display_unit(1e-20, Dimension::ratio), 1e-20) << "a probability";
+}
+
 TEST(CsvTable, TextsAreNoFormulasAndNumbersStayNumbers) {
     CsvTable table({"name"});
     for (const char* text : {"=1+2", "+cmd|' /C calc'!A0", "-2+3", "@SUM(A1)", "\tx", "\rx", "\nx", "=\"a\",b"}) {

@@ -58,6 +58,31 @@ TEST(RelaxationScene, StiffnessIsOfTheHeaviestBlockUnlessGiven) {
     EXPECT_EQ(scene.material[1].shear_stiffness, 2e9);
 }
 
+TEST(RelaxationStudy, WatchFollowsTheMotionPastItsVerdict) {
+    // A block of 1 m by 1 m on a plane of 40 deg with 20 deg of friction slides away.
+    RelaxationStudy sliding = one_block(degrees(40), degrees(20), 1, 1);
+    const RelaxationResult at_verdict = run(sliding).result;
+    EXPECT_EQ(at_verdict.outcome, RelaxationOutcome::collapse);
+    sliding.settings.emplace().watch = 2 * at_verdict.time;
+    const RelaxationRun followed = run(sliding);
+    EXPECT_EQ(followed.result.outcome, RelaxationOutcome::collapse);
+    EXPECT_NEAR(followed.result.time, 2 * at_verdict.time, 1e-3) << "the last step may pass the end";
+    EXPECT_GT(followed.result.block[0].displacement, 2 * at_verdict.block[0].displacement);
+    EXPECT_FALSE(followed.unfinished());
+
+    RelaxationStudy standing = one_block(degrees(10), degrees(40), 1, 1);
+    standing.settings.emplace().watch = 0.2;
+    const RelaxationRun at_rest = run(standing);
+    EXPECT_EQ(at_rest.result.outcome, RelaxationOutcome::equilibrium);
+    EXPECT_NEAR(at_rest.result.time, 0.2, 1e-3);
+
+    // A third of the way to collapse in time, a tenth of it in distance: beyond onset, which is a hundredth.
+    sliding.settings->watch = 0.3 * at_verdict.time;
+    const RelaxationRun begun = run(sliding);
+    EXPECT_EQ(begun.result.outcome, RelaxationOutcome::onset);
+    EXPECT_FALSE(begun.unfinished());
+}
+
 TEST(RelaxationScene, TheSameBlocksAsARowAndAsPolygonsBehaveAlike) {
     const RelaxationStudy row = one_block(degrees(18.6), degrees(40), 1, 3);
     RelaxationPolygons polygons{};

@@ -19,6 +19,10 @@ TEST(Text, MakesNamesHuman) {
     EXPECT_EQ(human_unit("kN/m3"), "kN/m³");
     EXPECT_EQ(human_unit("kN m/m"), "kN m/m");
     EXPECT_EQ(human_number(0.1 + 0.2, 3), "0.3");
+    EXPECT_EQ(human_number(11410, 4), "11410");
+    EXPECT_EQ(human_number(-123456.7, 4), "-123500");
+    EXPECT_EQ(human_number(9999.6, 4), "10000");
+    EXPECT_EQ(human_number(3e9, 4), "3e+09");
     EXPECT_EQ(human_number(std::nan(""), 3), "none");
     EXPECT_EQ(human_number(-infinity, 3), "-infinite");
 }
@@ -108,7 +112,7 @@ TEST(WaterFigure, MarksThePrintedStatements) {
     const Figure figure = factor_of_safety_against_water(samples::water_depth_curves());
     EXPECT_EQ(with_legend<Points>(figure, "A: printed: stable when half full, c = 0").points[0], Point(0.5, 1));
     EXPECT_EQ(all<Line>(figure).size(), 4U);
-    EXPECT_EQ(figure.labels.size(), 2U);
+    EXPECT_EQ(figure.labels.size(), 5U) << "three curves and two statements";
     EXPECT_EQ(factor_of_safety_against_water({}).y.range->first, 0);
 }
 
@@ -116,12 +120,44 @@ TEST(LocusFigure, ShowsDisplayUnitsAndShadesTheLaboratory) {
     const Figure figure = failure_locus_figure(samples::failure_loci());
     EXPECT_EQ(figure.x.unit, "deg");
     EXPECT_EQ(figure.y.unit, "kPa");
-    const Line dry = with_legend<Line>(figure, "dry");
+    const Line dry = all<Line>(figure).front();
+    EXPECT_EQ(figure.labels.front().text, "dry");
+    EXPECT_TRUE(dry.legend.empty()) << "the curve bears its name itself";
     EXPECT_NEAR(dry.points[0].x(), 40, 1e-6) << "without cohesion and water friction is the dip of the plane";
     const Region band = with_legend<Region>(figure, "laboratory: apparent cohesion");
     EXPECT_DOUBLE_EQ(band.outline[0].y(), 150);
     EXPECT_DOUBLE_EQ(band.outline[2].y(), 250);
     EXPECT_EQ(band.outline[0].x(), figure.x.range->first);
+}
+
+TEST(TornadoFigure, ShowsTheEightGreatest) {
+    std::vector<SensitivityBar> bars;
+    for (int index = 1; index <= 12; ++index) {
+        bars.push_back({"input " + std::to_string(index), "+1", 0.1 * index});
+    }
+    const Figure figure = tornado_figure("title", bars);
+    ASSERT_EQ(figure.y.ticks.size(), 8U);
+    EXPECT_NE(figure.y.ticks.front().second.find("input 12"), std::string::npos);
+    EXPECT_NE(figure.y.ticks.back().second.find("input 5"), std::string::npos);
+}
+
+TEST(SectionFigure, DrawsForcesTheSmallestLongEnoughToBeSeen) {
+    SectionDrawing drawing;
+    drawing.ground = {{0, 0}, {30, 40}, {60, 40}};
+    drawing.forces = {
+        {{20, 20}, {0, -1}, 1000, "W 1000"}, {{10, 10}, {1, 0}, 10, "bolt 10"}, {{0, 0}, {1, 0}, 0, "none"}};
+    drawing.measures = {{{-5, 0}, {-5, 40}, "40 m"}};
+    const Figure figure = section_figure(drawing);
+    const std::vector<Arrows> arrows = all<Arrows>(figure);
+    ASSERT_EQ(arrows.size(), 1U);
+    ASSERT_EQ(arrows[0].shafts.size(), 2U);
+    const auto length = [&](std::size_t index) {
+        return (arrows[0].shafts[index].to - arrows[0].shafts[index].from).norm();
+    };
+    EXPECT_NEAR(length(1), length(0) / 3, 1e-9);
+    ASSERT_EQ(figure.arrows.size(), 1U);
+    EXPECT_TRUE(figure.arrows[0].both_heads);
+    EXPECT_EQ(figure.labels.size(), 3U);
 }
 
 TEST(TornadoFigure, SortsBySizeAndSeparatesSigns) {

@@ -8,7 +8,7 @@ trap 'rm -rf "$work"' EXIT
 failed=0
 
 page() {
-    printf '<!DOCTYPE html>\n<html><head><title>t</title></head><body><h1>t</h1>%s</body></html>\n' "$1"
+    printf '<!DOCTYPE html>\n<html><head><title>t</title></head><body><main><h1>t</h1>%s</main></body></html>\n' "$1"
 }
 drawing='<figure><svg viewBox="0 0 64 45" style="width:100%"><path d="M0,0 L9,9"/></svg></figure>'
 
@@ -34,6 +34,14 @@ expect_refused "missing drawing" "figure 2 has no drawing" "$drawing
 expect_refused "drawing without size" "figure 1 measures" \
     '<figure><svg width="0" height="0"><path d="M0,0 L9,9"/></svg></figure>'
 expect_refused "sideways scrolling on a phone" "px wide in a window of 390 px" "$drawing<div style='width:800px'>wide</div>"
+expect_refused "a desk half empty" "the page uses" "$drawing<style>main { max-width: 800px; }</style>"
+expect_refused "a long answer" "the answer has 4 sentences" "$drawing<div class='answer'><p>1<p>2<p>3<p>4</div>"
+expect_refused "a table cut off on a phone" "table 1 is cut off at" \
+    "$drawing<div style='overflow: hidden'><table><tr><td style='min-width: 500px'>wide</td></tr></table></div>"
+expect_refused "a table cut off on paper" "problems found (a4)" \
+    "$drawing<div style='overflow: auto'><table><tr><td style='min-width: 900px'>wide</td></tr></table></div>"
+expect_refused "a heading alone at the foot of a page" "alone at the foot of a page (a4): page 1: Alone" \
+    "$drawing<h2>Alone</h2><p style='break-before: page'>text</p>"
 expect_refused "ids used twice" "ids are not unique" "$drawing<p id='a'></p><p id='a'></p>"
 expect_refused "something fetched" "outside itself" "$drawing<img src='https://example.org/a.png' alt=''>"
 exit "$failed"

@@ -126,6 +126,55 @@ TEST(ReportPage, AlignsNumbersAndLetsWideTablesScroll) {
     EXPECT_NE(page.find("<td>water.<wbr>water_<wbr>depth, 1.5 a_1</td>"), std::string::npos);
 }
 
+TEST(ReportPage, PutsTheAnswerFirstWithItsPictureAndTheContents) {
+    const FigureFiles files{.status = FigureStatus::gnuplot_missing, .message = "no picture"};
+    const std::string page =
+        drawn_pageof({HeadCard{AnswerTone::bad, {"FS 0.64: fails.", "It takes <bolts>."}, FigureInReport{files, "one"}},
+                      Heading{"Water"}, Heading{"Deeper", 3}, Heading{"Strength"},
+                      Folded{"Chains", {Heading{"Inside"}}}, Heading{"Inputs"}});
+    const std::size_t head = page.find("<section class=\"head bad\">");
+    ASSERT_NE(head, std::string::npos);
+    EXPECT_LT(head, page.find("<p>FS 0.64: fails.</p>"));
+    EXPECT_NE(page.find("<p>It takes &lt;bolts&gt;.</p>"), std::string::npos);
+    EXPECT_LT(page.find("<nav class=\"contents\""), page.find("<b>Figure 1.</b> one"));
+    EXPECT_LT(page.find("<b>Figure 1.</b> one"), page.find("</section>"));
+    for (const char* link : {"<a href=\"#section-1\">Water</a>", "<a href=\"#section-2\">Strength</a>",
+                             "<a href=\"#section-3\">Inputs</a>"}) {
+        EXPECT_NE(page.find(link), std::string::npos) << link;
+    }
+    EXPECT_EQ(count(page, "href=\"#section-"), 3U);
+    EXPECT_NE(page.find("<details>\n<summary>Chains</summary>\n<h2>Inside</h2>"), std::string::npos);
+    expect_balanced(page);
+}
+
+TEST(ReportPage, OfTwoHeadingsHasNoContents) {
+    EXPECT_EQ(drawn_pageof({Heading{"one"}, Heading{"two"}}).find("<nav"), std::string::npos);
+}
+
+TEST(ReportPage, PutsFiguresThatFollowEachOtherSideBySide) {
+    const FigureFiles files{.status = FigureStatus::gnuplot_missing, .message = "no picture"};
+    const FigureInReport figure{files, "caption"};
+    const std::string page =
+        drawn_pageof({figure, figure, Paragraph{"text"}, figure, FigureRow{{figure, figure, figure}}});
+    EXPECT_EQ(count(page, "<div class=\"figures\">"), 2U);
+    EXPECT_EQ(count(page, "<div class=\"figures small\">"), 1U);
+    EXPECT_NE(page.find("<b>Figure 6.</b>"), std::string::npos);
+    expect_balanced(page);
+}
+
+TEST(TakePicture, MovesTheFirstOneToTheHead) {
+    HeadCard head;
+    std::vector<ReportBlock> blocks{Paragraph{"text"}};
+    take_picture(blocks, head);
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(head.picture));
+    blocks.emplace_back(FigureInReport{{}, "first"});
+    blocks.emplace_back(FigureInReport{{}, "second"});
+    take_picture(blocks, head);
+    EXPECT_EQ(std::get<FigureInReport>(head.picture).caption, "first");
+    ASSERT_EQ(blocks.size(), 2U);
+    EXPECT_EQ(std::get<FigureInReport>(blocks[1]).caption, "second");
+}
+
 TEST(ReportPage, SaysWhyAFigureIsMissing) {
     const FigureFiles failed{.status = FigureStatus::gnuplot_missing, .message = "gnuplot is not installed"};
     const FigureFiles vanished{.status = FigureStatus::ok, .svg = "/nowhere/section.svg"};

@@ -324,6 +324,10 @@ Report report(const std::vector<FigureFiles>& drawn) {
     Report report{
         .title = "Back-analysis of the 1967 failure", .subtitle = "Old Delabole slate quarry, west face", .blocks = {}};
     report.blocks = {
+        HeadCard{.tone = AnswerTone::bad,
+                 .sentences = {"FS 0.64: fails.", "FS 1.3 takes 4376 kN/m in bolts at 15 deg.",
+                               "500 m2 of rock slide on a plane at 40 deg."},
+                 .picture = FigureInReport{drawn.front(), "The section."}},
         Notice{
             .kind = NoticeKind::verdict,
             .title = "Not identifiable",
@@ -350,13 +354,26 @@ Report report(const std::vector<FigureFiles>& drawn) {
                        {"water.filled_ratio", "", "0.41", "0.18", "0.63", "0.00", "0.83", "0.40",
                         "seepage at 425 ft and 475 ft"}}},
         Heading{.text = "Figures"}};
-    for (const FigureFiles& files : drawn) {
-        report.blocks.emplace_back(FigureInReport{files, "Sample figure " + files.svg.stem().string() + "."});
+    for (std::size_t index = 1; index + 3 < drawn.size(); ++index) {
+        report.blocks.emplace_back(
+            FigureInReport{drawn[index], "Sample figure " + drawn[index].svg.stem().string() + "."});
     }
-    report.blocks.emplace_back(Heading{.text = "Provenance", .level = 3});
-    report.blocks.emplace_back(Provenance{{{"case", "cases/delabole_1967/delabole_1967.toml"},
-                                           {"hash", "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"},
-                                           {"seed", "1"}}});
+    FigureRow row;
+    for (std::size_t index = drawn.size() - 3; index < drawn.size(); ++index) {
+        row.figures.push_back(FigureInReport{drawn[index], "Small figure."});
+    }
+    report.blocks.emplace_back(Heading{.text = "Small multiples"});
+    report.blocks.emplace_back(std::move(row));
+    Table blocks{.caption = "A table of several pages", .columns = {{"block", true}, {"movement"}}, .rows = {}};
+    for (int block = 1; block <= 120; ++block) {
+        blocks.rows.push_back({std::to_string(block), "slides forward"});
+    }
+    report.blocks.emplace_back(blocks);
+    report.blocks.emplace_back(
+        Folded{"Provenance",
+               {Provenance{{{"case", "cases/delabole_1967/delabole_1967.toml"},
+                            {"hash", "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08"},
+                            {"seed", "1"}}}}});
     return report;
 }
 

@@ -52,6 +52,19 @@ expect "status" test "$(json_value results/good/result.json status)" == '"ok"'
 expect "a factor of safety" grep -qE '"factor_of_safety": 1\.24[67]' results/good/result.json
 expect "the unit is in the name" contains results/good/result.json '"crack_depth_m": 4.34'
 
+title "run: the answer comes first, on the terminal and in the report, and --set shows"
+delabole run good.toml --set water.water_depth='0 m' --out changed
+expect_status 0
+expect "the title says what was set" grep -qF '[water.water_depth = 0 m]' "$scratch/out"
+expect "so does the report's" grep -qF '[water.water_depth = 0 m]</h1>' changed/report.html
+expect "the second line is the verdict" grep -qE '^FS [0-9.]+: (stands|fails by sliding)[.]$' <(sed -n 2p "$scratch/out")
+expect "the head of the report as well" grep -qE '^<p>FS [0-9.]+: (stands|fails by sliding)[.]</p>$' changed/report.html
+expect "no prediction after a failure that did not happen" refuse grep -q 'predicted after' changed/report.html
+
+title "run: what has no meaning has no number, and a height beyond all mountains is asked about"
+delabole run good.toml --set slope.height='40 km' --out high
+expect "asks" grep -q 'slope.height is 40000 m high: is that meant?' "$scratch/out" "$scratch/err"
+
 title "run: a slope whose factor of safety is infinite"
 delabole run good.toml --set failure_plane.dip='0 deg' --set water.water_depth='0 m' --out level
 if [[ $status == 0 ]]; then
@@ -131,13 +144,13 @@ expect_status 1
 title "fit"
 delabole fit good_fit.toml
 expect_status 0
-expect_output 'report in results/good_fit/report.html'
-expect_complete_results results/good_fit
-expect_only_numbers results/good_fit
-expect_figures results/good_fit 3
-expect_result_is_newest results/good_fit
-expect "status" test "$(json_value results/good_fit/result.json status)" == '"converged"'
-expect "the seed of the case is recorded" contains results/good_fit/resolved.toml 'seed = 7'
+expect_output 'report in results/good_fit_fit/report.html'
+expect_complete_results results/good_fit_fit
+expect_only_numbers results/good_fit_fit
+expect_figures results/good_fit_fit 3
+expect_result_is_newest results/good_fit_fit
+expect "status" test "$(json_value results/good_fit_fit/result.json status)" == '"converged"'
+expect "the seed of the case is recorded" contains results/good_fit_fit/resolved.toml 'seed = 7'
 
 title "fit needs a [fit] section"
 delabole fit good.toml --out none
@@ -150,14 +163,14 @@ title "trade"
 delabole trade "$source_folder/cases/relaxation/single_block.toml" --set 'critical.tolerance=0.1 deg'
 expect_status 0
 expect_output 'Errors are differences from 18.4349 deg'
-expect_output 'report in results/single_block/report.html'
-expect_complete_results results/single_block
-expect_only_numbers results/single_block
-expect_figures results/single_block 1
-expect_result_is_newest results/single_block
-expect "status" test "$(json_value results/single_block/result.json status)" == '"finished"'
-expect "a line for each setting" test "$(wc -l <results/single_block/trade.csv)" -ge 30
-expect "some on the front" grep -q ',yes,' results/single_block/trade.csv
+expect_output 'report in results/single_block_trade/report.html'
+expect_complete_results results/single_block_trade
+expect_only_numbers results/single_block_trade
+expect_figures results/single_block_trade 1
+expect_result_is_newest results/single_block_trade
+expect "status" test "$(json_value results/single_block_trade/result.json status)" == '"finished"'
+expect "a line for each setting" test "$(wc -l <results/single_block_trade/trade.csv)" -ge 30
+expect "some on the front" grep -q ',yes,' results/single_block_trade/trade.csv
 
 title "trade without an expected value takes the finest setting for it, and says so"
 sed '/^\[\[expect\]\]/,$d' "$source_folder/cases/relaxation/single_block.toml" >unexpected.toml

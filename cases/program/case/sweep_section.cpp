@@ -67,8 +67,7 @@ std::optional<SweptInput> read_swept(Section& section) {
         section.allow(key);
     }
     SweptInput swept;
-    swept.input =
-        read_name(section, "input", NameOf::input, "the input that varies, e.g. strength.friction_angle");
+    swept.input = read_name(section, "input", NameOf::input, "the input that varies, e.g. strength.friction_angle");
     const Quantity* input = section.named().value_or(nullptr);
     if (input == nullptr) {
         return std::nullopt;
@@ -277,8 +276,7 @@ void read_sweep(Section& section, std::vector<CaseSweep>& sweeps) {
         }
     }
     sweep.draw = word_or(section, "draw", section.take("draw"), SweepDrawing::all);
-    for_each_table(section, "curve",
-                   [&](Section& element) { sweep.curves.push_back(read_curve(element, output)); });
+    for_each_table(section, "curve", [&](Section& element) { sweep.curves.push_back(read_curve(element, output)); });
     if (sweep.curves.empty()) {
         if (output.empty()) {
             section.require("output", "name of an output of the model, or [[sweep.curve]] with an output each");

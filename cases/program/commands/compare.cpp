@@ -63,7 +63,7 @@ std::vector<Compared> pair_up(const List& first, const List& second, const Value
 
 Analysis analysis_of_case(const CaseFile& file, const Options& options) {
     AnalysisWork work;
-    work.watch = [](double, const std::string&) { return !interrupt_flag(); };
+    work.watch = [](double, const std::string&, bool) { return !interrupt_flag(); };
     work.threads = static_cast<unsigned>(options.threads);
     Analysis analysis = analyse_model(file.model, work);
     stop_if_interrupted();

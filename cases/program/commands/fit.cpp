@@ -15,6 +15,9 @@
 #include "fitting/studies/candidate_draws.hpp"
 #include "fitting/work/words.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace delabole {
 
 namespace {
@@ -72,7 +75,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     }
     const std::vector<std::string> left_out = choose_mechanisms(*file.fit, options);
     FitProblem problem = fit_problem_of(file, options.threads, options.seed);
-    const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
+    const ResultFolder folder(options, stem_of(file) + "_fit", OnInterrupt::finish);
     KeptEvaluations kept(options, folder);
     for (std::size_t index = 0; index < problem.mechanisms.size(); ++index) {
         const FitMechanism& mechanism = file.fit->mechanisms[index];
@@ -93,7 +96,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
         return ExitCode::ok;
     }
 
-    Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    Report report{title_of(file, options), file.description, {}};
     const std::string status = status_of_fit(result);
     const std::string reserved = reservation_of_fit(status);
     add_reservation(reserved, status == "interrupted", report);
@@ -113,6 +116,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
         documents.json["conclusions"] = held.json;
         documents.screen += held.screen;
     }
+    std::ranges::move(documents.details, std::back_inserter(report.blocks));
     Json source = provenance(file, "fit", options, watch.seconds());
     source["fit_seconds"] = result.wall_seconds;
     source["algorithm"] = std::string(word_of(problem.settings.algorithm));

@@ -297,8 +297,9 @@ struct Program {
 
     void add_live() {
         CLI::App* live = app.add_subcommand(
-            "live", "Look at a case in the browser and change it: the answer follows while points are dragged. Served to "
-                    "this machine alone, at an address that is printed, until Ctrl-C");
+            "live",
+            "Look at a case in the browser and change it: the answer follows while points are dragged. Served to "
+            "this machine alone, at an address that is printed, until Ctrl-C");
         live->add_option("CASE", one_case, "Case file")->required();
         add_common(*live, options);
         add_output(*live, options);

@@ -108,7 +108,7 @@ ExitCode recover_command(const std::filesystem::path& path, const Options& optio
         return ExitCode::ok;
     }
 
-    Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    Report report{title_of(file, options), file.description, {}};
     const std::string status = status_of(recoveries);
     const std::string reserved = reservation_of_recovery(status);
     add_reservation(reserved, status == "interrupted", report);

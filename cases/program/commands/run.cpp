@@ -20,6 +20,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <system_error>
 
@@ -55,14 +56,19 @@ void write_outputs(const ResultFolder& folder, const Analysis& analysis) {
     folder.write("results.csv", csv.text());
 }
 
-void print(const CaseFile& file, const Analysis& analysis, const ResultFolder& folder) {
+void print(const CaseFile& file, const HeadCard& head, const Analysis& analysis, const ResultFolder& folder,
+           const Options& options) {
     std::vector<std::vector<std::string>> rows;
     for (const NamedOutput& output : analysis.outputs) {
         if (!output.detail) {
             rows.push_back({output.name, shown(output)});
         }
     }
-    std::cout << (file.title.empty() ? file.name : file.title) << '\n' << text_table(rows);
+    std::cout << title_of(file, options) << '\n';
+    for (const std::string& sentence : head.sentences) {
+        std::cout << sentence << '\n';
+    }
+    std::cout << text_table(rows);
     for (const std::string& warning : analysis.warnings) {
         std::cout << "warning: " << warning << '\n';
     }
@@ -103,8 +109,8 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     const CaseAnswer answer = [&] {
         Progress progress(options.quiet);
         AnalysisWork work;
-        work.watch = [&](double share, const std::string& what) {
-            progress.report(share, what);
+        work.watch = [&](double share, const std::string& what, bool may_end_sooner) {
+            progress.report(share, what, may_end_sooner);
             return !interrupt_flag();
         };
         if (!options.quiet) {
@@ -127,7 +133,12 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     Json json = json_of(file, analysis);
     json["provenance"] = source;
 
-    Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    Report own;
+    append_case_figures(file.model, answer, folder, own);
+    HeadCard head = head_card(file.model, answer);
+    take_picture(own.blocks, head);
+    Report report{title_of(file, options), file.description, {}};
+    report.blocks.emplace_back(head);
     if (!analysis.unfinished.empty()) {
         report.blocks.emplace_back(
             Notice{NoticeKind::warning, interrupt_flag() ? "Interrupted" : "Not converged", {analysis.unfinished}});
@@ -135,14 +146,18 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     if (!analysis.warnings.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "Warnings", analysis.warnings});
     }
-    report.blocks.emplace_back(Heading{"Results"});
-    report.blocks.emplace_back(output_table(analysis));
-    append_case_figures(file.model, answer, folder, report);
+    // The numbers of a motion are dozens, and few of them are the answer.
+    if (std::holds_alternative<RelaxationStudy>(file.model)) {
+        own.blocks.emplace_back(Folded{"All results", {output_table(analysis)}});
+    } else {
+        report.blocks.emplace_back(Heading{"Results"});
+        report.blocks.emplace_back(output_table(analysis));
+    }
+    std::ranges::move(own.blocks, std::back_inserter(report.blocks));
     append_sweeps(file, folder, options, json, report);
     report.blocks.emplace_back(Heading{"Inputs"});
     report.blocks.emplace_back(inputs_table(file));
-    report.blocks.emplace_back(Heading{"Provenance"});
-    report.blocks.emplace_back(provenance_block(source));
+    report.blocks.emplace_back(Folded{"Provenance", {provenance_block(source)}});
 
     folder.write("resolved.toml", resolved_toml(file));
     write_outputs(folder, analysis);
@@ -151,7 +166,7 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     if (options.json) {
         std::cout << json_text(json);
     } else if (!options.quiet) {
-        print(file, analysis, folder);
+        print(file, head, analysis, folder, options);
     }
     // Other models have no checkpoint: what stands there is an interrupted run's, which will go on.
     if (!interrupt_flag() && std::holds_alternative<RelaxationStudy>(file.model)) {

@@ -47,7 +47,7 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
         throw CaseError({{file.name, 0, 0, "sensitivity", {}, "the case has no [sensitivity] section"}});
     }
     SensitivityProblem problem = sensitivity_problem_of(file, options.threads, options.seed);
-    const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
+    const ResultFolder folder(options, stem_of(file) + "_sensitivity", OnInterrupt::finish);
     KeptEvaluations kept(options, folder);
     kept.keep(problem.model, file.model);
     problem.ranks = options.ranks;
@@ -58,7 +58,7 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
         return ExitCode::ok;
     }
 
-    Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    Report report{title_of(file, options), file.description, {}};
     const std::string reserved = reservation(result.status);
     add_reservation(reserved, result.status == SensitivityStatus::interrupted, report);
     SensitivityDocuments documents = document_sensitivity(file, problem, result, folder, report);

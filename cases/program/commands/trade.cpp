@@ -92,11 +92,11 @@ ExitCode trade_command(const std::filesystem::path& path, const Options& options
                                : "what the finest setting found, for want of an [[expect]] of " + quantity + " (" +
                                      change_in_words(problem.knobs, problem.settings[problem.finest]) + ")",
                            plan.tolerance / 2};
-    const ResultFolder folder(options, stem_of(file), OnInterrupt::finish);
+    const ResultFolder folder(options, stem_of(file) + "_trade", OnInterrupt::finish);
     const TradeResult result = trade_with_progress(problem, options);
     answer_interrupt();
 
-    Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    Report report{title_of(file, options), file.description, {}};
     const std::string reserved = reservation(result, problem.settings.size());
     add_reservation(reserved, result.status == TradeStatus::interrupted, report);
     const std::vector<std::string> remarks = trade_remarks(study);

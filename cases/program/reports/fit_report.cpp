@@ -1,37 +1,22 @@
 #include "cases/program/reports/fit_report.hpp"
 
 #include "cases/program/reader/units.hpp"
+#include "cases/program/reports/fit_answer.hpp"
 #include "cases/program/reports/posterior_report.hpp"
 #include "cases/program/reports/sensitivity_parts.hpp"
 #include "cases/program/reports/surrogate_report.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
 #include "plots/figures/fit_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace delabole {
 
 namespace {
-
-const ProfileLikelihood* profile_of(const MechanismFit& fit, const std::string& parameter, bool with_priors) {
-    const auto found = std::find_if(fit.profiles.begin(), fit.profiles.end(), [&](const ProfileLikelihood& profile) {
-        return profile.parameter == parameter && profile.with_priors == with_priors;
-    });
-    return found == fit.profiles.end() ? nullptr : &*found;
-}
-
-// An end at a bound of the search is no evidence.
-std::string interval_in_words(const ProfileLikelihood* profile, const FreeParameter& parameter, Dimension dimension) {
-    if (profile == nullptr) {
-        return "";
-    }
-    const auto end = [&](double value, double bound) {
-        return value_in_words(value, dimension) + (value == bound ? " (bound)" : "");
-    };
-    return end(profile->interval_95.lower, parameter.lower) + " to " + end(profile->interval_95.upper, parameter.upper);
-}
 
 std::string determination_in_words(const ProfileLikelihood* profile) {
     if (profile == nullptr) {
@@ -320,10 +305,57 @@ void append_best_figures(Report& report, const ResultFolder& folder, const Mecha
                with_conditions(model, best));
 }
 
+// Misfit over the first two parameters; nothing where the fit holds no map.
+std::optional<FigureInReport> map_of(const MechanismFit& fit, const ResultFolder& folder) {
+    const auto map = misfit_map_figure(fit);
+    return map ? std::optional(folder.draw(
+                     *map, fit.name + "_misfit_map",
+                     "Misfit (data and priors) over the first two parameters with the joint 68 and 95 % regions. Any "
+                     "further parameter is held at the best point, which makes the regions smaller than they are; the "
+                     "profile likelihoods free it."))
+               : std::nullopt;
+}
+
+// Folded: how well each number is known, and how that was found.
+Folded knowledge_of(const MechanismFit& fit, const ResultFolder& folder) {
+    Folded folded{"How well its parameters are known", {}};
+    FigureRow profiles;
+    for (std::size_t index = 0; index < fit.parameters.size(); ++index) {
+        const std::string& name = fit.parameters[index].name;
+        if (const auto profile = profile_likelihood_figure(fit, name)) {
+            profiles.figures.push_back(folder.draw(*profile, fit.name + "_profile_" + std::to_string(index + 1),
+                                                   "Profile likelihood of " + name + "."));
+        }
+    }
+    if (!profiles.figures.empty()) {
+        folded.blocks.emplace_back(std::move(profiles));
+    }
+    if (!fit.identifiability.singular_values.empty()) {
+        folded.blocks.emplace_back(direction_table(fit.identifiability));
+    }
+    if (fit.identifiability.correlation && fit.identifiability.covariance) {
+        folded.blocks.emplace_back(correlation_table(fit));
+    }
+    folded.blocks.emplace_back(minima_table(fit));
+    folded.blocks.emplace_back(Paragraph{evaluations_in_words(fit.evaluations)});
+    return folded;
+}
+
+Folded sampling_of(const MechanismFit& fit, const ResultFolder& folder) {
+    Report posterior;
+    append_posterior(fit, folder, posterior);
+    return {"Its posterior: draws and chains", std::move(posterior.blocks)};
+}
+
+// All of a mechanism but its first figure, which goes to `sections`.
 void append_mechanism(Report& report, const ResultFolder& folder, const MechanismFit& fit, const CaseModel& model,
-                      const FitProblem& problem) {
-    report.blocks.emplace_back(Heading{fit.title.empty() ? fit.name : fit.title});
+                      const FitProblem& problem, FigureRow& sections) {
+    report.blocks.emplace_back(Heading{title_of(fit)});
     report.blocks.emplace_back(Notice{NoticeKind::verdict, "What the data determine", {fit.identifiability.verdict}});
+    if (fit.posterior && !fit.posterior->warnings.empty()) {
+        report.blocks.emplace_back(
+            Notice{NoticeKind::warning, "Before the intervals are believed", fit.posterior->warnings});
+    }
     if (fit.best.empty() && !fit.parameters.empty()) {
         report.blocks.emplace_back(
             Notice{NoticeKind::warning,
@@ -343,10 +375,6 @@ void append_mechanism(Report& report, const ResultFolder& folder, const Mechanis
         write_runs(fit, folder);
     }
     report.blocks.emplace_back(parameter_table(fit));
-    append_posterior(fit, folder, report);
-    if (!fit.identifiability.singular_values.empty()) {
-        report.blocks.emplace_back(direction_table(fit.identifiability));
-    }
     report.blocks.emplace_back(observation_table(fit));
     if (!fit.explained.empty()) {
         report.blocks.emplace_back(Paragraph{"Field evidence explained: " + list_in_words(fit.explained) + "."});
@@ -354,26 +382,20 @@ void append_mechanism(Report& report, const ResultFolder& folder, const Mechanis
     if (!fit.unexplained.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "What it does not explain", fit.unexplained});
     }
-    append_best_figures(report, folder, fit, model, problem);
-    if (const auto map = misfit_map_figure(fit)) {
-        report.blocks.emplace_back(folder.draw(*map, fit.name + "_misfit_map",
-                                               "Misfit (data and priors) over the first two parameters with the joint "
-                                               "68 and 95 % regions. Any further parameter is held at the best point, "
-                                               "which makes the regions smaller than they are; the profiles below "
-                                               "free it."));
+    Report figures;
+    append_best_figures(figures, folder, fit, model, problem);
+    const auto first = std::ranges::find_if(
+        figures.blocks, [](const ReportBlock& block) { return std::holds_alternative<FigureInReport>(block); });
+    if (first != figures.blocks.end()) {
+        sections.figures.push_back(std::move(std::get<FigureInReport>(*first)));
+        sections.figures.back().caption.insert(0, title_of(fit) + ". ");
+        figures.blocks.erase(first);
     }
-    for (std::size_t index = 0; index < fit.parameters.size(); ++index) {
-        const std::string& name = fit.parameters[index].name;
-        if (const auto profile = profile_likelihood_figure(fit, name)) {
-            report.blocks.emplace_back(folder.draw(*profile, fit.name + "_profile_" + std::to_string(index + 1),
-                                                   "Profile likelihood of " + name + "."));
-        }
+    std::ranges::move(figures.blocks, std::back_inserter(report.blocks));
+    report.blocks.emplace_back(knowledge_of(fit, folder));
+    if (fit.posterior) {
+        report.blocks.emplace_back(sampling_of(fit, folder));
     }
-    if (fit.identifiability.correlation && fit.identifiability.covariance) {
-        report.blocks.emplace_back(correlation_table(fit));
-    }
-    report.blocks.emplace_back(minima_table(fit));
-    report.blocks.emplace_back(Paragraph{evaluations_in_words(fit.evaluations)});
     write_tables(fit, folder);
 }
 
@@ -453,9 +475,35 @@ Json json_of_fit(const CaseFile& file, const FitResult& result) {
 
 FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const FitResult& result,
                           const ResultFolder& folder, Report& report) {
-    FitDocuments documents{json_of_fit(file, result), {}};
+    FitDocuments documents{json_of_fit(file, result), {}, {}};
+    HeadCard head = head_card(result);
+    FigureRow sections;
+    Report details;
+    for (const MechanismFit& fit : result.mechanisms) {
+        append_mechanism(details, folder, fit, model_of(file, fit.name), problem, sections);
+        if (&fit != &result.mechanisms.front()) {
+            if (const auto map = map_of(fit, folder)) {
+                details.blocks.emplace_back(*map);
+            }
+        }
+        documents.screen += screen_of(fit) + "\n";
+    }
+    documents.details = std::move(details.blocks);
+    if (!sections.figures.empty()) {
+        head.picture = sections.figures.front();
+        sections.figures.erase(sections.figures.begin());
+    }
+    report.blocks.insert(report.blocks.begin(), std::move(head));
+    if (const auto trade_off = result.mechanisms.empty() ? std::nullopt : map_of(result.mechanisms.front(), folder)) {
+        const std::vector<FreeParameter>& parameters = result.mechanisms.front().parameters;
+        report.blocks.emplace_back(
+            Heading{human_name(parameters[0].name) + " against " + human_name(parameters[1].name)});
+        report.blocks.emplace_back(*trade_off);
+    }
     report.blocks.emplace_back(Heading{"Mechanisms"});
-    append_evidence(result, folder, report);
+    if (!sections.figures.empty()) {
+        report.blocks.emplace_back(std::move(sections));
+    }
     report.blocks.emplace_back(ranking_table(result));
     report.blocks.emplace_back(Paragraph{
         "Score: the squared pulls of data and priors, and 4 for each datum or piece of field evidence that the "
@@ -465,10 +513,6 @@ FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const
         report.blocks.emplace_back(folder.draw(*profiles, "profiles",
                                                "Where the geometry is put in, the profile is no prediction: only a "
                                                "mechanism that searches for its geometry can miss the observed one."));
-    }
-    for (const MechanismFit& fit : result.mechanisms) {
-        append_mechanism(report, folder, fit, model_of(file, fit.name), problem);
-        documents.screen += screen_of(fit) + "\n";
     }
     documents.screen += screen_of_evidence(result);
     return documents;

@@ -6,6 +6,7 @@
 #include "fitting/mechanism/fit_result.hpp"
 
 #include <string>
+#include <vector>
 
 namespace delabole {
 
@@ -16,11 +17,13 @@ std::string status_of_fit(const FitResult& result);
 Json json_of_fit(const CaseFile& file, const FitResult& result);
 
 struct FitDocuments {
-    Json json;           // everything but provenance
-    std::string screen;  // verdicts first, then values
+    Json json;                           // everything but provenance
+    std::string screen;                  // verdicts first, then values
+    std::vector<ReportBlock> details{};  // one mechanism after the other, for the end of the report
 };
 
-// Figures and CSV tables are written into the folder, blocks are appended to the report.
+// Figures and CSV tables are written into the folder, blocks are appended to the report, the answer in front of what it
+// holds already.
 FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const FitResult& result,
                           const ResultFolder& folder, Report& report);
 

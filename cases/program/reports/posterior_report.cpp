@@ -1,6 +1,7 @@
 #include "cases/program/reports/posterior_report.hpp"
 
 #include "cases/program/reader/units.hpp"
+#include "cases/program/reports/fit_answer.hpp"
 #include "fitting/studies/comparison.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/figures/posterior_figures.hpp"
@@ -17,6 +18,9 @@ struct Weighed {
     std::vector<const MechanismFit*> fits;
     std::vector<MechanismWeight> with_field_evidence;
     std::vector<MechanismWeight> data_alone;
+
+    // The probability of a single mechanism is 1 whatever it explains.
+    bool compared() const { return fits.size() > 1; }
 };
 
 std::vector<MechanismWeight> weights_of(const std::vector<const MechanismFit*>& fits, bool with_field_evidence,
@@ -41,10 +45,6 @@ Weighed weighed(const FitResult& result) {
     return all;
 }
 
-std::string title_of(const MechanismFit& fit) {
-    return fit.title.empty() ? fit.name : fit.title;
-}
-
 std::string percent_with_error(const MechanismWeight& weight) {
     const std::string text = number_in_words(100 * weight.probability);
     // An error that cannot be seen beside the number says nothing.
@@ -63,26 +63,31 @@ std::string logarithm_in_words(double value, double error) {
     return std::isfinite(value) ? number_in_words(value) + " +- " + number_in_words(error) : "none";
 }
 
+// Bayes factor and probabilities, where there is something to compare with.
+void append_comparison(const Weighed& all, std::size_t index, std::vector<std::string>& row) {
+    if (all.compared()) {
+        row.push_back(bayes_factor_in_words(all.with_field_evidence[index].log_bayes_factor));
+        row.push_back(percent_with_error(all.with_field_evidence[index]));
+        row.push_back(percent_with_error(all.data_alone[index]));
+    }
+}
+
 Table evidence_table_of(const Weighed& all) {
-    Table table{"Mechanisms by evidence",
-                {{"mechanism"},
-                 {"ln evidence", true},
-                 {"Bayes factor", true},
-                 {"probability, %", true},
-                 {"without field evidence, %", true},
-                 {"ln Occam factor", true},
-                 {"prior without answer, %", true}},
-                {}};
+    Table table{"Mechanisms by evidence", {{"mechanism"}, {"ln evidence", true}}, {}};
+    if (all.compared()) {
+        table.columns.insert(table.columns.end(),
+                             {{"Bayes factor", true}, {"probability, %", true}, {"without field evidence, %", true}});
+    }
+    table.columns.insert(table.columns.end(), {{"ln Occam factor", true}, {"prior without answer, %", true}});
     for (std::size_t index = 0; index < all.fits.size(); ++index) {
         const MechanismPosterior& posterior = *all.fits[index]->posterior;
         const bool estimated = posterior.evidence().status == EvidenceStatus::estimated;
-        table.rows.push_back({title_of(*all.fits[index]),
-                              logarithm_in_words(posterior.log_evidence(), posterior.evidence().standard_error),
-                              bayes_factor_in_words(all.with_field_evidence[index].log_bayes_factor),
-                              percent_with_error(all.with_field_evidence[index]),
-                              percent_with_error(all.data_alone[index]),
-                              estimated ? number_in_words(posterior.log_occam_factor()) : "none",
-                              number_in_words(100 * posterior.evidence().failed_share)});
+        std::vector<std::string> row{title_of(*all.fits[index]),
+                                     logarithm_in_words(posterior.log_evidence(), posterior.evidence().standard_error)};
+        append_comparison(all, index, row);
+        row.push_back(estimated ? number_in_words(posterior.log_occam_factor()) : "none");
+        row.push_back(number_in_words(100 * posterior.evidence().failed_share));
+        table.rows.push_back(std::move(row));
     }
     return table;
 }
@@ -230,6 +235,17 @@ void write_draws(const MechanismFit& fit, const ResultFolder& folder) {
 
 }  // namespace
 
+std::string probability_of_best(const FitResult& result) {
+    const Weighed all = weighed(result);
+    for (std::size_t index = 0; index < all.fits.size() && all.compared(); ++index) {
+        if (all.fits[index] == &result.mechanisms.front()) {
+            return ", with a probability of " + percent_with_error(all.with_field_evidence[index]) + " % among the " +
+                   std::to_string(all.fits.size()) + " compared";
+        }
+    }
+    return {};
+}
+
 void append_evidence(const FitResult& result, const ResultFolder& folder, Report& report) {
     const Weighed all = weighed(result);
     if (all.fits.empty()) {
@@ -239,30 +255,32 @@ void append_evidence(const FitResult& result, const ResultFolder& folder, Report
         report.blocks.emplace_back(Notice{NoticeKind::verdict, "Whether the ranking can be trusted", {sentence}});
     }
     report.blocks.emplace_back(evidence_table_of(all));
-    report.blocks.emplace_back(Paragraph{
+    Folded folded{"Evidence: how it was weighed, and what it depends on", {}};
+    folded.blocks.emplace_back(Paragraph{
         "Evidence: the likelihood exp(-misfit / 2) averaged over the priors, so that a mechanism pays for parameters "
         "that have to be tuned; the Occam factor is what is left of its greatest likelihood. A datum or a piece of "
         "field evidence about which it says nothing counts as missed by two standard deviations. Probabilities hold "
         "if one of these mechanisms is true and all are equally likely beforehand. Errors are those of the "
         "computation."});
     if (const auto figure = evidence_figure(result)) {
-        report.blocks.emplace_back(
+        folded.blocks.emplace_back(
             folder.draw(*figure, "evidence", "Natural logarithm of the evidence and its parts: shorter is better."));
     }
     if (all.fits.front()->posterior->evidences.size() > 1) {
-        report.blocks.emplace_back(dependence_table(all));
+        folded.blocks.emplace_back(dependence_table(all));
     }
     if (const auto figure = evidence_dependence_figure(result)) {
-        report.blocks.emplace_back(
+        folded.blocks.emplace_back(
             folder.draw(*figure, "evidence_dependence",
                         "Evidence when the standard deviations or the means of all priors, or the standard deviation "
                         "of the observed factors of safety (the model error), are changed. Bars: 95 % interval "
                         "of the computation."));
     }
     if (const auto figure = chain_agreement_figure(result)) {
-        report.blocks.emplace_back(folder.draw(*figure, "chain_agreement",
+        folded.blocks.emplace_back(folder.draw(*figure, "chain_agreement",
                                                "How far the chains disagree, by the length that was used of them."));
     }
+    report.blocks.emplace_back(std::move(folded));
     write_evidence(all, folder);
 }
 
@@ -301,14 +319,15 @@ std::string screen_of_evidence(const FitResult& result) {
     if (all.fits.empty()) {
         return {};
     }
-    std::vector<std::vector<std::string>> rows = {
-        {"Evidence", "ln evidence", "Bayes factor", "probability, %", "without field evidence, %"}};
+    std::vector<std::vector<std::string>> rows = {{"Evidence", "ln evidence"}};
+    if (all.compared()) {
+        rows.front().insert(rows.front().end(), {"Bayes factor", "probability, %", "without field evidence, %"});
+    }
     for (std::size_t index = 0; index < all.fits.size(); ++index) {
         const MechanismPosterior& posterior = *all.fits[index]->posterior;
         rows.push_back({"  " + all.fits[index]->name,
-                        logarithm_in_words(posterior.log_evidence(), posterior.evidence().standard_error),
-                        bayes_factor_in_words(all.with_field_evidence[index].log_bayes_factor),
-                        percent_with_error(all.with_field_evidence[index]), percent_with_error(all.data_alone[index])});
+                        logarithm_in_words(posterior.log_evidence(), posterior.evidence().standard_error)});
+        append_comparison(all, index, rows.back());
     }
     const std::string sentence = dependence_in_words(all);
     return text_table(rows) + (sentence.empty() ? "" : "  " + sentence + "\n") + "\n";
@@ -319,10 +338,6 @@ void append_posterior(const MechanismFit& fit, const ResultFolder& folder, Repor
         return;
     }
     const Posterior& posterior = fit.posterior->posterior;
-    if (!fit.posterior->warnings.empty()) {
-        report.blocks.emplace_back(
-            Notice{NoticeKind::warning, "Before the intervals are believed", fit.posterior->warnings});
-    }
     if (posterior.draws.empty()) {
         return;
     }

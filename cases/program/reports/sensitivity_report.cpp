@@ -195,28 +195,39 @@ SensitivityDocuments document_sensitivity(const CaseFile& file, const Sensitivit
             }
         }
     }
-    if (!sentences.empty()) {
-        report.blocks.emplace_back(Notice{NoticeKind::verdict, "Findings", sentences});
-    }
-    document_parameters(subject, report);
+    Report details;
     if (result.propagation) {
-        document_samples(subject, *result.propagation, result.reliability, folder, report, json["propagation"]);
+        document_samples(subject, *result.propagation, result.reliability, folder, details, json["propagation"]);
     }
     if (result.reliability) {
-        document_reliability(subject, *result.reliability, folder, report, json["reliability"]);
+        document_reliability(subject, *result.reliability, folder, details, json["reliability"]);
     }
     if (result.tornado) {
-        document_tornado(subject, *result.tornado, folder, report, json["tornado"]);
+        document_tornado(subject, *result.tornado, folder, details, json["tornado"]);
     }
     if (!result.sweeps.empty()) {
-        document_sweeps(subject, result.sweeps, folder, report, json["sweep"]);
+        document_sweeps(subject, result.sweeps, folder, details, json["sweep"]);
     }
     if (result.morris) {
-        document_morris(subject, *result.morris, folder, report, json["morris"]);
+        document_morris(subject, *result.morris, folder, details, json["morris"]);
     }
     if (result.sobol_indices) {
-        document_indices(subject, *result.sobol_indices, folder, report, json["sobol_indices"]);
+        document_indices(subject, *result.sobol_indices, folder, details, json["sobol_indices"]);
     }
+    constexpr std::size_t most = 3;
+    HeadCard head{AnswerTone::open, sentences, {}};
+    std::ranges::stable_partition(
+        head.sentences, [](const std::string& sentence) { return sentence.starts_with("Probability of failure"); });
+    if (sentences.size() > most) {
+        details.blocks.emplace_back(Heading{"Further findings"});
+        details.blocks.emplace_back(BulletList{{head.sentences.begin() + most, head.sentences.end()}});
+        head.sentences.resize(most);
+    }
+    take_picture(details.blocks, head);
+    report.blocks.insert(report.blocks.begin(), std::move(head));
+    std::ranges::move(details.blocks, std::back_inserter(report.blocks));
+    report.blocks.emplace_back(Heading{"Uncertain parameters"});
+    document_parameters(subject, report);
     for (const std::string& sentence : sentences) {
         documents.screen += sentence + "\n";
     }

@@ -2,6 +2,7 @@
 
 #include "fitting/work/words.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace delabole {
@@ -20,6 +21,16 @@ SensitivityStep sensitivity_step(Dimension dimension, double value, double slope
     default:
         return {0.02 * std::abs(value), "+2 %"};
     }
+}
+
+SensitivityStep sensitivity_step(std::string_view input, const std::vector<FreeParameter>& fitted, Dimension dimension,
+                                 double value, double slope_height, double overburden) {
+    const auto known = std::ranges::find(fitted, input, &FreeParameter::name);
+    if (known == fitted.end() || !known->prior) {
+        return sensitivity_step(dimension, value, slope_height, overburden);
+    }
+    const double spread = known->prior->standard_deviation;
+    return {spread, "+" + value_in_words(spread, dimension)};
 }
 
 }  // namespace delabole

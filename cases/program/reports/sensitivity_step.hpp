@@ -1,9 +1,12 @@
 // The step by which an input is changed for a bar of a tornado figure.
 #pragma once
 
+#include "fitting/posterior/fit_problem.hpp"
 #include "parameters/fields.hpp"
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace delabole {
 
@@ -16,5 +19,9 @@ struct SensitivityStep {
 // anything else. Lengths and stresses are compared with the slope and not with themselves: 5 % of an elevation, or of
 // no cohesion, says nothing.
 SensitivityStep sensitivity_step(Dimension dimension, double value, double slope_height, double overburden);
+
+// The standard deviation of its prior, where the input is one that a fit leaves free; otherwise the step above.
+SensitivityStep sensitivity_step(std::string_view input, const std::vector<FreeParameter>& fitted, Dimension dimension,
+                                 double value, double slope_height, double overburden);
 
 }  // namespace delabole

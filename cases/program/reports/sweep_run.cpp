@@ -157,7 +157,7 @@ class SweepComputation {
     Analysis analysis_at(std::vector<Condition> conditions, double value) const {
         set_input(conditions, sweep_.vary.front(), value);
         AnalysisWork work;
-        work.watch = [](double, const std::string&) { return !interrupt_flag(); };
+        work.watch = [](double, const std::string&, bool) { return !interrupt_flag(); };
         return analyse_model(with_conditions(file_.model, conditions), work);
     }
 

@@ -32,6 +32,13 @@ void mark_none(Analysis& analysis, std::string_view prefix) {
     }
 }
 
+void warn_of_height(const std::string& key, double height, Analysis& analysis) {
+    constexpr double highest = 5000;  // m; more than any mountain stands above its foot
+    if (height > highest) {
+        analysis.warnings.push_back(key + " is " + number_in_words(height) + " m high: is that meant?");
+    }
+}
+
 void append_required_value(Analysis& analysis, const std::string& parameter, double target, const Required& required) {
     const std::string name = "required." + parameter;
     const std::string meaning = parameter + " at a factor of safety of " + number_in_words(target);
@@ -50,16 +57,34 @@ void append_required_value(Analysis& analysis, const std::string& parameter, dou
                  ? ": the factor of safety jumps over it, between "
                  : ": the factor of safety stays between ") +
             number_in_words(required.lowest_factor_of_safety) + " and " +
-            number_in_words(required.highest_factor_of_safety));
+            number_in_words(required.highest_factor_of_safety) + " over the allowed range of " + parameter +
+            ": ask for less, or change another input as well");
         break;
     case RequiredStatus::always_exceeded:
         analysis.outputs.push_back({name, meaning, required.dimension, std::string("always_exceeded")});
         analysis.warnings.push_back(name + ": the factor of safety is at least " +
-                                    number_in_words(required.lowest_factor_of_safety) + " whatever its value");
+                                    number_in_words(required.lowest_factor_of_safety) +
+                                    " whatever its value: nothing is required of it");
         break;
     case RequiredStatus::unknown_parameter:
         throw std::invalid_argument("required: the case has no input '" + parameter + "'");
     }
+}
+
+std::string required_in_words(const std::string& parameter, double target, const Required& required) {
+    const std::string factor = "FS " + number_in_words(target);
+    switch (required.status) {
+    case RequiredStatus::found:
+    case RequiredStatus::several:
+        return factor + " takes " + parameter + " = " + value_in_words(required.value, required.dimension) + ".";
+    case RequiredStatus::never_reached:
+        return "No value of " + parameter + " gives " + factor + ".";
+    case RequiredStatus::always_exceeded:
+        return factor + " is exceeded whatever " + parameter + " is.";
+    case RequiredStatus::unknown_parameter:
+        break;
+    }
+    return {};
 }
 
 CaseModel with_conditions(const CaseModel& model, const std::vector<Condition>& conditions) {
@@ -92,7 +117,18 @@ CaseAnswer analyse_case(const CaseModel& model, const AnalysisWork& work) {
 }
 
 Analysis named_outputs(const CaseModel& model, const CaseAnswer& answer) {
-    return std::visit([&](const auto& study) { return named_outputs(study, own_answer(study, answer)); }, model);
+    Analysis analysis =
+        std::visit([&](const auto& study) { return named_outputs(study, own_answer(study, answer)); }, model);
+    for (const Quantity& input : named_inputs(model)) {
+        if (input.name == "slope.height") {
+            warn_of_height(input.name, input.value, analysis);
+        }
+    }
+    return analysis;
+}
+
+HeadCard head_card(const CaseModel& model, const CaseAnswer& answer) {
+    return std::visit([&](const auto& study) { return head_card(study, own_answer(study, answer)); }, model);
 }
 
 void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report) {

@@ -43,14 +43,21 @@ struct Analysis {
 // "none" for every output whose name begins so; these are details then.
 void mark_none(Analysis& analysis, std::string_view prefix);
 
+// Asks whether a height beyond that of any slope is meant.
+void warn_of_height(const std::string& key, double height, Analysis& analysis);
+
 // The value of a named input at which the factor of safety takes a given value, as "required.<input>".
 void append_required_value(Analysis& analysis, const std::string& parameter, double target, const Required& required);
+
+// The same in a sentence.
+std::string required_in_words(const std::string& parameter, double target, const Required& required);
 
 // Named numbers of the model set to other values than the case's. Unknown names: std::invalid_argument.
 CaseModel with_conditions(const CaseModel& model, const std::vector<Condition>& conditions);
 
-// Told now and then what share of the work is done, 0 to 1, and what is being done; returning false ends the work.
-using AnalysisWatch = std::function<bool(double share, const std::string& what)>;
+// Told now and then what share of the work is done, 0 to 1, what is being done, and whether a verdict may end it
+// sooner; returning false ends the work.
+using AnalysisWatch = std::function<bool(double share, const std::string& what, bool may_end_sooner)>;
 
 // How a model is analysed. The answer depends on none of it, except on a watch that ends the work.
 struct AnalysisWork {

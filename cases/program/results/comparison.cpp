@@ -59,7 +59,7 @@ Comparison compare_number(const CaseFile& file, const Expectation& expected, con
 
 Analysis analysis_of(const CaseFile& file, const std::vector<Condition>& conditions) {
     AnalysisWork work;
-    work.watch = [](double, const std::string&) { return !interrupt_flag(); };
+    work.watch = [](double, const std::string&, bool) { return !interrupt_flag(); };
     return analyse_model(with_conditions(file.model, conditions), work);
 }
 

@@ -54,7 +54,20 @@ Analysis named_outputs(const SteppedPath& path, const SteppedPathResult& result)
 Analysis named_outputs(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer);
 Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer& answer);
 
-// Figures and tables that only this model has, in the report of `delabole run`. The answer's check is valid.
+// The answer in at most three sentences, the first of them the verdict. The answer's check is valid.
+HeadCard head_card(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer);
+HeadCard head_card(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer);
+HeadCard head_card(const SingleBlock<>& problem, const SingleBlockResult& result);
+HeadCard head_card(const BlockRow<>& row, const BlockRowResult& result);
+HeadCard head_card(const TiltedColumn<>& column, const ColumnTilt& tilt);
+HeadCard head_card(const KinematicsStudy& study, const KinematicsResult& result);
+HeadCard head_card(const FlexuralSlope& slope, const FlexuralStability& result);
+HeadCard head_card(const SteppedPath& path, const SteppedPathResult& result);
+HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer);
+HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& answer);
+
+// Figures and tables that only this model has, in the report of `delabole run`, the picture of the answer first. The
+// answer's check is valid.
 void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer, const ResultFolder& folder,
                          Report& report);
 void append_case_figures(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer, const ResultFolder& folder,
@@ -86,6 +99,7 @@ std::variant<AnswerTo<Studies>...> answers_to(const std::variant<Studies...>& mo
 using CaseAnswer = decltype(answers_to(std::declval<const CaseModel&>()));
 CaseAnswer analyse_case(const CaseModel& model, const AnalysisWork& work = {});
 Analysis named_outputs(const CaseModel& model, const CaseAnswer& answer);
+HeadCard head_card(const CaseModel& model, const CaseAnswer& answer);
 void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report);
 
 // The same in the report of `delabole fit`, for a mechanism at its best point.

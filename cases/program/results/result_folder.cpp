@@ -70,11 +70,28 @@ std::vector<Setting> settings_of(const Options& options) {
     return settings;
 }
 
+std::string title_of(const CaseFile& file, const Options& options) {
+    std::string changed;
+    for (const Setting& setting : settings_of(options)) {
+        if (setting.key != "title" && setting.key != "description") {
+            changed += (changed.empty() ? "" : ", ") + setting.key + " = " + setting.value;
+        }
+    }
+    const std::string title = file.title.empty() ? file.name : file.title;
+    return changed.empty() ? title : title + " [" + changed + "]";
+}
+
 std::string column_name(std::string_view name, Dimension dimension) {
     return std::string(name) + std::string(display_unit(dimension).suffix);
 }
 
 double in_display_unit(double value, Dimension dimension) {
+    constexpr double rounding = 1e-12;  // less than the size of an atom, or the weight of a grain of sand
+    const bool rounds = dimension == Dimension::length || dimension == Dimension::area ||
+                        dimension == Dimension::angle || dimension == Dimension::force_per_length;
+    if (rounds && std::abs(value) < rounding) {
+        return 0;
+    }
     return value / display_unit(dimension).si_per_unit;
 }
 

@@ -27,8 +27,12 @@ std::string stem_of(const CaseFile& file);
 
 std::vector<Setting> settings_of(const Options& options);
 
+// The case's title, or its name, with what --set has changed.
+std::string title_of(const CaseFile& file, const Options& options);
+
 // A number in its display unit under a name that carries the unit: "crack_depth_m", "plane_dip_deg".
 std::string column_name(std::string_view name, Dimension dimension);
+// Rounding of lengths, areas, angles and forces (1e-12 in SI) is 0.
 double in_display_unit(double value, Dimension dimension);
 // Six digits for a reader, who compares with printed values; CSV and JSON have all of them.
 std::string in_six_digits(double value, Dimension dimension);
@@ -64,7 +68,8 @@ Provenance provenance_block(const Json& provenance);
 // what it has, the rest is soon repeated and ends by Interrupted.
 enum class OnInterrupt { finish, stop };
 
-// --out, or results/<name>. UsageError for names that are folders of their own there, as "..": the case file "...toml".
+// --out, or results/<name>, where <name> is of the case and of the command, so that `run` and `fit` of one case leave
+// each other alone. UsageError for names that are folders of their own there, as "..": the case file "...toml".
 std::filesystem::path result_path(const Options& options, const std::string& name);
 
 // Takes figures instead of a folder.

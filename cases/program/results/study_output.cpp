@@ -15,8 +15,7 @@ void add_reservation(const std::string& reserved, bool interrupted, Report& repo
 }
 
 ExitCode write_study(const StudyOutput& output, const ResultFolder& folder, const Options& options, Report& report) {
-    report.blocks.emplace_back(Heading{"Provenance"});
-    report.blocks.emplace_back(provenance_block(output.json["provenance"]));
+    report.blocks.emplace_back(Folded{"Provenance", {provenance_block(output.json["provenance"])}});
     folder.write("resolved.toml", resolved_toml(output.file));
     folder.write_report(report);
     folder.write("result.json", json_text(output.json));

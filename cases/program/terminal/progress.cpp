@@ -37,7 +37,21 @@ Progress::~Progress() {
     }
 }
 
-void Progress::report(double share, const std::string& what) {
+std::string TimeLeft::in_words(double elapsed, double share) {
+    if (elapsed >= 2 * newer_.elapsed) {
+        older_ = newer_;
+        newer_ = {elapsed, share};
+    }
+    const double to_do = 1 - share;
+    const double from_all = elapsed * to_do / share;
+    const double from_late = (elapsed - older_.elapsed) * to_do / (share - older_.share);
+    constexpr double agreement = 2;
+    const bool known =
+        share > older_.share && std::max(from_all, from_late) <= agreement * std::min(from_all, from_late);
+    return known ? duration_in_words(std::sqrt(from_all * from_late)) + " left" : "time left not known";
+}
+
+void Progress::report(double share, const std::string& what, bool may_end_sooner) {
     const Clock::time_point now = Clock::now();
     const bool next_part = terminal_ && what != what_;  // it may be long before it reports again
     const Clock::duration interval = terminal_ ? Clock::duration(terminal_interval) : Clock::duration(line_interval);
@@ -49,7 +63,10 @@ void Progress::report(double share, const std::string& what) {
     drawn_ = true;
     const double done = std::clamp(share, 0.0, 1.0);
     const double elapsed = std::chrono::duration<double>(now - start_).count();
-    const std::string left = done > 1e-6 && elapsed > 1 ? duration_in_words(elapsed * (1 - done) / done) + " left" : "";
+    std::string left = done > 1e-6 && elapsed > 1 ? time_left_.in_words(elapsed, done) : "";
+    if (may_end_sooner && !left.empty()) {
+        left = "time left not known: ends at a verdict";
+    }
     const std::string doing = plain_text(what);
     const int percent = static_cast<int>(std::lround(100 * done));
     if (terminal_) {

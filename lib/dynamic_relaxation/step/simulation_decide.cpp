@@ -81,7 +81,9 @@ void Simulation::decide() {
     const bool collapsed = farthest.rotation > settings_.collapse_rotation ||
                            farthest.displacement > settings_.collapse_displacement ||
                            std::ranges::find(state_.removed, has_left) != state_.removed.end();
-    if (collapsed && settings_.stop_at_collapse) {
+    // Motion that is followed for a given time has its verdict at the end.
+    const bool followed = last && !settings_.stop_at_equilibrium && !settings_.stop_at_collapse;
+    if (collapsed && (settings_.stop_at_collapse || followed)) {
         decide(RelaxationOutcome::collapse);
     } else if (at_rest(last && !settings_.stop_at_equilibrium ? lately : unbalanced) && !try_corners() &&
                (last || settings_.stop_at_equilibrium)) {
@@ -89,7 +91,7 @@ void Simulation::decide() {
                : settings_.stop_at_onset && state_.onset_time >= 0 ? RelaxationOutcome::onset
                : held_by_corners()                                 ? RelaxationOutcome::held_by_corners
                                                                    : RelaxationOutcome::equilibrium);
-    } else if (last && state_.onset_time >= 0 && settings_.stop_at_collapse) {
+    } else if (last && state_.onset_time >= 0 && (settings_.stop_at_collapse || followed)) {
         // It has moved past the thresholds and has found no rest since.
         decide(RelaxationOutcome::onset);
     }

@@ -432,6 +432,10 @@ RelaxationSettings relaxation_settings(const RelaxationStudy& study, const Relax
     settings.stop_at_collapse = stop != RelaxationStop::rest;
     settings.taken_away_below = numerics.taken_away_below;
     take(settings.duration, numerics.duration);
+    if (numerics.watch) {
+        settings.duration = *numerics.watch;
+        settings.stop_at_equilibrium = settings.stop_at_collapse = false;
+    }
     take(settings.most_steps, numerics.most_steps);
     take(settings.overlap_limit, numerics.overlap_limit);
     apply_crack_opening(study, scene, settings);

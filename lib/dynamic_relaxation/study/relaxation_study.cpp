@@ -52,9 +52,9 @@ Simulation begun_or_resumed(const RelaxationScene& scene, const RelaxationSettin
 }
 
 bool ends_with_duration(const RelaxationStudy& study) {
-    const RelaxationStop stop =
-        study.settings.value_or(RelaxationNumerics{}).stop.value_or(RelaxationStop::equilibrium);
-    return stop == RelaxationStop::collapse || stop == RelaxationStop::duration;
+    const RelaxationNumerics numerics = study.settings.value_or(RelaxationNumerics{});
+    const RelaxationStop stop = numerics.stop.value_or(RelaxationStop::equilibrium);
+    return numerics.watch || stop == RelaxationStop::collapse || stop == RelaxationStop::duration;
 }
 
 // Why a run has no answer; empty where it has one.

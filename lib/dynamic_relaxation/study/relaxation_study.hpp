@@ -61,6 +61,7 @@ struct RelaxationNumerics {
     std::optional<double> collapse_displacement;
     std::optional<RelaxationStop> stop;
     std::optional<double> duration;
+    std::optional<double> watch;
     std::optional<double> most_steps;
     std::optional<double> taken_away_below;
     std::optional<double> crack_opening;
@@ -104,6 +105,10 @@ struct RelaxationNumerics {
                     "duration, which is then no lack of an answer, or where all rest, also what has collapsed; absent: "
                     "equilibrium"),
             number("duration", &N::duration, Dimension::time, more_than(0), "longest model time; absent: 60 s"),
+            number(
+                "watch", &N::watch, Dimension::time, more_than(0),
+                "model time for which motion is followed whatever comes of it, past equilibrium, onset and collapse, "
+                "in place of stop and duration; absent: the run ends at its verdict"),
             number("most_steps", &N::most_steps, Dimension::ratio, within(1, 1e12),
                    "longest run, a whole number; absent: 1e8"),
             number("taken_away_below", &N::taken_away_below, Dimension::length, any_number(),

@@ -223,16 +223,27 @@ Analysis named_outputs(const BlockRow<>& row, const BlockRowResult& result) {
     return analysis;
 }
 
+HeadCard head_card(const BlockRow<>&, const BlockRowResult& result) {
+    const RowAnswer& answer = result.answer;
+    HeadCard head{AnswerTone::bad, {}, {}};
+    std::string state = "The row fails: it " + human_name(word_of(answer.state)) + ".";
+    if (answer.state == RowState::stands) {
+        head.tone = AnswerTone::good;
+        state = "The row stands.";
+    } else if (answer.state == RowState::stands_if_pressed) {
+        head.tone = AnswerTone::open;
+        state = "The row stands only if its blocks are pressed together.";
+    }
+    head.sentences = {std::move(state),
+                      "It begins to move at a tilt of " + value_in_words(answer.critical_tilt, Dimension::angle) +
+                          (answer.mode.empty() ? "; no mode is admissible, and this is a bound from the unsafe side."
+                                               : ", in mode " + mode_in_words(answer.mode) + ".")};
+    return head;
+}
+
 void append_case_figures(const BlockRow<>& row, const BlockRowResult& result, const ResultFolder& folder,
                          Report& report) {
     const std::string roles = mode_in_words(result.answer.mode);
-    report.blocks.emplace_back(Paragraph{
-        "A mode gives every block a letter, from the lowest up: S slides; F, P and B turn forward about the toe, which "
-        "slides forward (F), does not slide (P) or slides backward (B); = adheres to the block below and turns with "
-        "it; 0 stands; R is pushed back up the plane. The governing mode is the admissible one that begins at the "
-        "least tilt: nothing presses the blocks together. Blocks that are pressed together may stand up to the tilt "
-        "given for contact, and no further."});
-    report.blocks.emplace_back(Heading{"The row in its governing mode"});
     if (result.answer.search == RowSearchKind::upper_bound) {
         report.blocks.emplace_back(
             Paragraph{"No mode is admissible, and so there are no forces to show. The tilt is the bound by linear "
@@ -249,9 +260,16 @@ void append_case_figures(const BlockRow<>& row, const BlockRowResult& result, co
                                              " blocks, too many to be told apart in a drawing."});
     }
     if (!result.block.empty()) {
+        report.blocks.emplace_back(Heading{"The row in its governing mode"});
         report.blocks.emplace_back(block_table(result));
     }
     report.blocks.emplace_back(Heading{"Every mode"});
+    report.blocks.emplace_back(Paragraph{
+        "A mode gives every block a letter, from the lowest up: S slides; F, P and B turn forward about the toe, which "
+        "slides forward (F), does not slide (P) or slides backward (B); = adheres to the block below and turns with "
+        "it; 0 stands; R is pushed back up the plane. The governing mode is the admissible one that begins at the "
+        "least tilt: nothing presses the blocks together. Blocks that are pressed together may stand up to the tilt "
+        "given for contact, and no further."});
     report.blocks.emplace_back(mode_table(result.mode));
     folder.write("modes.csv", modes_csv(result.mode));
     folder.write("blocks.csv", blocks_csv(result));

@@ -80,6 +80,24 @@ Analysis named_outputs(const FlexuralSlope&, const FlexuralStability& result) {
     return analysis;
 }
 
+HeadCard head_card(const FlexuralSlope&, const FlexuralStability& result) {
+    const bool stands = result.toe_push == 0;
+    HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
+    const std::string factor = std::isinf(result.factor_of_safety)
+                                   ? std::string("No tensile strength is needed")
+                                   : "FS " + number_in_words(result.factor_of_safety) + " on tensile strength";
+    head.sentences = {factor + (stands ? ": stands." : ": fails by flexural toppling."),
+                      std::isinf(result.required_tensile_strength)
+                          ? std::string("No tensile strength holds it: the columns are sheared off their feet.")
+                          : "It takes a tensile strength of " +
+                                value_in_words(result.required_tensile_strength, Dimension::stress) + "."};
+    if (!stands) {
+        head.sentences.push_back("The column at the toe lacks a push of " +
+                                 value_in_words(result.toe_push, Dimension::force_per_length) + ".");
+    }
+    return head;
+}
+
 void append_case_figures(const FlexuralSlope& slope, const FlexuralStability& result, const ResultFolder& folder,
                          Report& report) {
     report.blocks.emplace_back(Heading{"The columns"});

@@ -355,6 +355,33 @@ Analysis named_outputs(const KinematicsStudy&, const KinematicsResult& result) {
     return analysis;
 }
 
+HeadCard head_card(const KinematicsStudy&, const KinematicsResult& result) {
+    Analysis summary;
+    append_summary(summary, result);
+    std::vector<std::string> open;
+    std::vector<std::string> closed;
+    for (const NamedOutput& mechanism : summary.outputs) {
+        const std::string& sets = std::get<std::string>(mechanism.value);
+        const std::string name = human_name(mechanism.name);
+        if (sets == "none") {
+            closed.push_back(name);
+        } else {
+            open.push_back(name + " (" + human_name(sets) + ")");
+        }
+    }
+    HeadCard head{open.empty() ? AnswerTone::good : AnswerTone::bad, {}, {}};
+    head.sentences.push_back(open.empty() ? "Geometry and friction leave no movement open."
+                                          : "Geometry and friction leave open: " + list_in_words(open) + ".");
+    if (!closed.empty() && !open.empty()) {
+        head.sentences.push_back("They close: " + list_in_words(closed) + ".");
+    }
+    head.sentences.emplace_back(
+        "This is so at the mean orientations; the tables say for which share of each set's spread, and cohesion, "
+        "water, "
+        "spacing, persistence and height play no part.");
+    return head;
+}
+
 void append_case_figures(const KinematicsStudy& study, const KinematicsResult& result, const ResultFolder& folder,
                          Report& report) {
     const StereonetDrawing drawing = stereonet_drawing(study.model, result);
@@ -362,18 +389,15 @@ void append_case_figures(const KinematicsStudy& study, const KinematicsResult& r
                                    ? " The zones are drawn for level ground behind the crest; the verdicts below know "
                                      "the ground that the case gives."
                                    : "";
-    report.blocks.emplace_back(Paragraph{
-        "Feasible means that geometry and friction leave the movement open, not that it happens: cohesion, water, "
-        "spacing, persistence and the height of the slope play no part. " +
-        std::string(result.poles ? "The poles on the nets are measured; shares of pairs are of planes drawn from both "
-                                   "sets independently of each other."
-                                 : "The poles on the nets are not measurements: they are sampled from what the case "
-                                   "says of each set, every set independently of the others.")});
-    report.blocks.emplace_back(Heading{"Stereonets"});
-    report.blocks.emplace_back(folder.draw(pole_figure(drawing), "stereonet_poles",
-                                           "Poles of the joint sets, their means and the zones in which a "
-                                           "pole slides or topples." +
-                                               ground));
+    report.blocks.emplace_back(folder.draw(
+        pole_figure(drawing), "stereonet_poles",
+        "Poles of the joint sets, their means and the zones in which a pole slides or topples. " +
+            std::string(result.poles ? "The poles are measured; shares of pairs are of planes drawn from both sets "
+                                       "independently of each other."
+                                     : "The poles are not measurements: they are sampled from what the case says of "
+                                       "each set, every set independently of the others.") +
+            ground));
+    report.blocks.emplace_back(Heading{"Mean planes and zones"});
     report.blocks.emplace_back(folder.draw(plane_figure(drawing), "stereonet_planes",
                                            "Mean planes and the lines along which they meet, numbered as the pairs "
                                            "in the tables, with the zones of wedges and toppling columns." +

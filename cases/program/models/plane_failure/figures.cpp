@@ -2,6 +2,7 @@
 
 #include "cases/program/reports/sensitivity_step.hpp"
 #include "fitting/work/words.hpp"
+#include "geometry/polygon.hpp"
 #include "plane_failure/critical.hpp"
 #include "plane_failure/water_diagram.hpp"
 
@@ -99,6 +100,48 @@ SectionDrawing section_drawing(const PlaneFailure<>& problem, const std::string&
     return drawing;
 }
 
+void annotate(const PlaneFailure<>& problem, const PlaneFailureResult& result, SectionDrawing& drawing) {
+    const double height = problem.slope.height;
+    const double left = -0.15 * height;
+    drawing.measures.push_back({{left, 0}, {left, height}, value_in_words(height, Dimension::length)});
+    const auto face_at = [&](double level) { return Point(level / std::tan(problem.slope.face_dip), level); };
+    const auto note = [&](const Point& at, double angle) {
+        drawing.notes.emplace_back(at, value_in_words(angle, Dimension::angle));
+    };
+    note(face_at(0.9 * height) - Point(0.03 * height, 0), problem.slope.face_dip);
+    if (drawing.failure_plane.empty()) {
+        return;
+    }
+    const Point foot = drawing.failure_plane.front();
+    const Point end = drawing.failure_plane.back();
+    note(foot + 0.3 * (end - foot) + height * Point(-0.02, 0.02), result.plane_dip);
+    const Point top = drawing.tension_crack.empty() ? end : drawing.tension_crack.back();
+    Polyline mass{foot, end, top};
+    for (std::size_t index = drawing.ground.size(); index-- > 0;) {
+        const Point& corner = drawing.ground[index];
+        if (corner.x() > foot.x() && corner.x() < top.x() && corner.y() > foot.y()) {
+            mass.push_back(corner);
+        }
+    }
+    const auto text = [](const std::string& name, double force) {
+        return name + " " + number_in_words(force / display_unit(Dimension::force_per_length).si_per_unit);
+    };
+    const Point along = (end - foot).normalized();
+    drawing.forces = {
+        {area_properties(mass).centroid, {0, -1}, result.weight, text("W", result.weight)},
+        {foot + 0.5 * (end - foot),
+         {-along.y(), along.x()},
+         result.base_water_force,
+         text("U", result.base_water_force)},
+        {end + 0.2 * (top - end), {-1, 0}, result.crack_water_force, text("V", result.crack_water_force)}};
+    for (const Bolt<>& bolt : problem.bolt) {
+        drawing.forces.push_back({face_at(bolt.head_height),
+                                  {std::cos(bolt.plunge), -std::sin(bolt.plunge)},
+                                  bolt.force,
+                                  text("bolt", bolt.force)});
+    }
+}
+
 std::optional<WaterDepthCurves> water_depth_curves(const PlaneFailure<>& problem) {
     PlaneFailure<> varied = problem;
     WaterLevel<>* level = level_of(varied.water);
@@ -149,12 +192,14 @@ FailureLoci failure_loci(const PlaneFailure<>& problem) {
     return loci;
 }
 
-std::vector<SensitivityBar> sensitivity_bars(const PlaneFailure<>& problem, const SensitivityResult& sensitivities) {
+std::vector<SensitivityBar> sensitivity_bars(const PlaneFailure<>& problem, const SensitivityResult& sensitivities,
+                                             const std::vector<FreeParameter>& fitted) {
     const double height = problem.slope.height;
     const double overburden = problem.rock.unit_weight * height;
     std::vector<SensitivityBar> bars;
     for (const Sensitivity& input : sensitivities.derivatives) {
-        const SensitivityStep step = sensitivity_step(input.dimension, input.value, height, overburden);
+        const SensitivityStep step =
+            sensitivity_step(input.parameter, fitted, input.dimension, input.value, height, overburden);
         const double effect = input.derivative * step.size;
         if (effect != 0) {
             bars.push_back({input.parameter, step.words, effect});

@@ -11,12 +11,13 @@ namespace delabole {
 
 namespace {
 
-void append_optimum_bolt(Analysis& analysis, const OptimumBolt& optimum) {
+// A bolt without force has no best plunge.
+void append_optimum_bolt(Analysis& analysis, const OptimumBolt& optimum, double force) {
     analysis.outputs.push_back({"optimum_bolt_plunge", "plunge of bolt[1] that makes the factor of safety largest",
                                 Dimension::angle, optimum.plunge});
     analysis.outputs.push_back({"optimum_bolt_factor_of_safety", "factor of safety at that plunge", Dimension::ratio,
                                 optimum.factor_of_safety});
-    if (!(optimum.factor_of_safety > 0)) {
+    if (!(optimum.factor_of_safety > 0) || force == 0) {
         mark_none(analysis, "optimum_bolt");
     }
 }
@@ -59,6 +60,35 @@ Table sensitivity_table(const SensitivityResult& sensitivities, CsvTable& csv) {
             {input.parameter, in_display_unit(input.value, input.dimension), std::string(unit.symbol), per_unit});
     }
     return table;
+}
+
+// "FS 1.3 takes 4376 kN/m in a bolt at 15 deg.": a force alone says little of a bolt.
+std::string required_in_words(const PlaneFailure<>& problem, const RequiredValue<>& request, const Required& required) {
+    const bool found = required.status == RequiredStatus::found || required.status == RequiredStatus::several;
+    for (std::size_t index = 0; index < problem.bolt.size(); ++index) {
+        if (found && request.parameter == "bolt[" + std::to_string(index + 1) + "].force") {
+            return "FS " + number_in_words(request.factor_of_safety) + " takes " +
+                   value_in_words(required.value, required.dimension) + " in bolts at " +
+                   value_in_words(problem.bolt[index].plunge, Dimension::angle) + ".";
+        }
+    }
+    return required_in_words(request.parameter, request.factor_of_safety, required);
+}
+
+std::string outcome_in_words(PlaneFailureOutcome outcome) {
+    switch (outcome) {
+    case PlaneFailureOutcome::stable:
+        return "stands";
+    case PlaneFailureOutcome::slides:
+        return "fails by sliding";
+    case PlaneFailureOutcome::overturns:
+        return "overturns before it slides";
+    case PlaneFailureOutcome::slides_and_overturns:
+        return "fails by sliding and overturning";
+    case PlaneFailureOutcome::lifts_off:
+        break;
+    }
+    return "the loads lift the mass off its base";
 }
 
 // Friction and cohesion within two standard deviations of their priors, the friction that of the mean plane.
@@ -115,21 +145,51 @@ Analysis named_outputs(const PlaneFailureStudy<>& study, const PlaneFailureAnswe
                               answer.required[index]);
     }
     if (answer.optimum_bolt) {
-        append_optimum_bolt(analysis, *answer.optimum_bolt);
+        append_optimum_bolt(analysis, *answer.optimum_bolt, answer.resolved.problem.bolt.front().force);
     }
     warn(analysis, answer.result, answer.resolved.critical_at_boundary);
     return analysis;
 }
 
+HeadCard head_card(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer) {
+    const PlaneFailureResult& result = answer.result;
+    const bool stands = result.outcome == PlaneFailureOutcome::stable;
+    HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
+    head.sentences.push_back(std::isinf(result.factor_of_safety)
+                                 ? "Nothing drives the mass down the plane: the factor of safety is infinite."
+                                 : "FS " + number_in_words(result.factor_of_safety) + ": " +
+                                       outcome_in_words(result.outcome) + ".");
+    std::string required;
+    for (std::size_t index = 0; index < study.required.size(); ++index) {
+        required += (index == 0 ? "" : " ") +
+                    required_in_words(answer.resolved.problem, study.required[index], answer.required[index]);
+    }
+    if (!required.empty()) {
+        head.sentences.push_back(std::move(required));
+    }
+    const double water = result.base_water_force + result.crack_water_force;
+    head.sentences.push_back(
+        value_in_words(result.section_area, Dimension::area) + " of rock, " +
+        value_in_words(result.weight, Dimension::force_per_length) + ", on a plane at " +
+        value_in_words(result.plane_dip, Dimension::angle) + ": " +
+        value_in_words(result.driving_force, Dimension::force_per_length) + " drive, " +
+        value_in_words(result.resisting_force, Dimension::force_per_length) + " resist" +
+        (water > 0 ? "; water takes part with " + value_in_words(result.base_water_force, Dimension::force_per_length) +
+                         " on the base and " + value_in_words(result.crack_water_force, Dimension::force_per_length) +
+                         " in the crack."
+                   : "; the slope is dry."));
+    return head;
+}
+
 void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer, const ResultFolder& folder,
                          Report& report) {
     const PlaneFailure<>& problem = answer.resolved.problem;
-    report.blocks.emplace_back(Heading{"Section"});
     SectionDrawing section = section_drawing(problem, "Slope, failure plane, crack and water");
-    section.predicted_profile = profile_after_failure(problem);
-    report.blocks.emplace_back(folder.draw(section_figure(section), "section",
-                                           "The slope, what slides, and the water pressure on it (not to the scale "
-                                           "of the section)."));
+    annotate(problem, answer.result, section);
+    report.blocks.emplace_back(
+        folder.draw(section_figure(section), "section",
+                    "The slope and what slides. Lengths of arrows and water pressures are not to "
+                    "scale."));
     if (const auto critical = critical_plane_drawing(study, answer.resolved)) {
         report.blocks.emplace_back(folder.draw(critical_figure(*critical), "critical_plane",
                                                "Least factor of safety for each dip of the failure plane."));
@@ -146,7 +206,7 @@ void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAns
     report.blocks.emplace_back(Heading{"Sensitivity"});
     report.blocks.emplace_back(
         folder.draw(tornado_figure("Change of the factor of safety", sensitivity_bars(problem, derivatives)),
-                    "sensitivity", "To first order, from exact derivatives."));
+                    "sensitivity", "To first order, from exact derivatives: the eight greatest."));
     report.blocks.emplace_back(sensitivity_table(derivatives, csv));
     folder.write("sensitivities.csv", csv.text());
 }
@@ -179,8 +239,10 @@ void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const Mechanis
                                                "Factor of safety against the filled ratio of the crack."));
     }
     report.blocks.emplace_back(folder.draw(
-        tornado_figure("Change of the factor of safety", sensitivity_bars(slope, sensitivities(slope))),
-        fit.name + "_sensitivity", "To first order, from exact derivatives at the best point, the geometry held."));
+        tornado_figure("Change of the factor of safety", sensitivity_bars(slope, sensitivities(slope), fit.parameters)),
+        fit.name + "_sensitivity",
+        "To first order, from exact derivatives at the best point, the geometry held; fitted inputs by one standard "
+        "deviation of their priors. The eight greatest."));
 }
 
 }  // namespace delabole

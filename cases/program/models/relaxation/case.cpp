@@ -177,6 +177,9 @@ void check_settings(Checker& checker, const RelaxationNumerics& settings, const 
         checker.complain("settings.taken_away_below",
                          "lies above block " + std::to_string(fault.index + 1) + " before it has moved");
     }
+    if (settings.watch && (settings.stop || settings.duration)) {
+        checker.complain("settings.watch", "takes the place of settings.stop and settings.duration: leave those out");
+    }
     bool held = false;
     for (const RelaxationBlock& block : scene.block) {
         held = held || block.held_at_first;
@@ -187,6 +190,9 @@ void check_settings(Checker& checker, const RelaxationNumerics& settings, const 
 }
 
 void check_critical(Checker& checker, const RelaxationStudy& study) {
+    if (study.settings && study.settings->watch) {
+        checker.complain("settings.watch", "does not go with a search, whose runs end at their verdicts");
+    }
     const CriticalPlan plan = critical_plan(study);
     if (!(plan.lower < plan.upper)) {
         const std::string defaults =
@@ -220,6 +226,7 @@ void check_retrogression(Checker& checker, const RelaxationStudy& study) {
     const RelaxationNumerics settings = study.settings.value_or(RelaxationNumerics{});
     refuse("scene.kind", !std::holds_alternative<RelaxationSlope>(study.model.scene), "only a jointed_slope retreats");
     refuse("settings.stop", settings.stop.has_value(), "each stage ends at equilibrium or at onset");
+    refuse("settings.watch", settings.watch.has_value(), "each stage ends at equilibrium or at onset");
     refuse("history", study.history.has_value(), "its stages have no common time");
     refuse(study.model.removal.empty() ? "scene.stage" : "removal", has_stages(study),
            "draw the slope as it is after excavation");

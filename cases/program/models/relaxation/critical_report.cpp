@@ -2,10 +2,13 @@
 
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/reader/units.hpp"
+#include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <utility>
 
 namespace delabole {
@@ -24,22 +27,6 @@ std::string meaning_of(CriticalParameter parameter) {
         break;
     }
     return "factor on gravity at which the blocks begin to fail";
-}
-
-struct FailingBlocks {
-    std::vector<std::size_t> block = {};
-    double area = 0;  // m2
-};
-
-FailingBlocks failing_blocks(const RelaxationRun& failed) {
-    FailingBlocks failing;
-    for (std::size_t block = 0; block < failed.result.block.size(); ++block) {
-        if (has_failed(failed.result.block[block].movement)) {
-            failing.block.push_back(block);
-            failing.area += area_properties(failed.scene.block[block].outline).area;
-        }
-    }
-    return failing;
 }
 
 // "stands", "fails" and what came of them on one path.
@@ -166,7 +153,112 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
     }
 }
 
+// What a search found, with its bracket.
+std::vector<std::string> search_sentences(const CriticalPlan& plan, const CriticalAnswer& critical) {
+    const Dimension dimension = dimension_of(plan.parameter);
+    const bool is_factor = plan.parameter == CriticalParameter::strength_reduction;
+    const std::string name = is_factor ? "FS" : human_name(name_of_critical(plan.parameter));
+    if (critical.status != CriticalStatus::found) {
+        return {"No " + (is_factor ? "factor of safety" : name) + " found: " + path_in_words(plan, critical) + "."};
+    }
+    std::string verdict = name + " " + value_in_words(critical.value(), dimension);
+    verdict[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(verdict[0])));
+    return {verdict + (is_factor ? (critical.value() >= 1 ? ", by strength reduction: stands." : ": fails.") : "."),
+            "At " + in_six_digits(critical.stands, dimension) + " the blocks stand, at " +
+                in_six_digits(critical.fails, dimension) + " they fail."};
+}
+
+// How a run ended, for those who look at nothing else.
+std::string end_in_words(const RelaxationRun& made) {
+    const RelaxationResult& result = made.result;
+    const std::string after = " after " + value_in_words(result.time, Dimension::time);
+    const std::string area = value_in_words(
+        made.post_failure ? made.post_failure->answer.failed_area : failing_blocks(made).area, Dimension::area);
+    if (made.in_stages) {
+        return made.stage.empty()
+                   ? "Stands: no block fails."
+                   : "Fails: it retreats in " + std::to_string(made.stage.size()) +
+                         (made.stage.size() == 1 ? " stage" : " stages") + ", in which " + area + " fall.";
+    }
+    switch (result.outcome) {
+    case RelaxationOutcome::equilibrium:
+        return result.onset_time ? "Failed, and came to rest: " + area + " had moved" + after + "."
+                                 : "Stands: at rest" + after + ".";
+    case RelaxationOutcome::onset:
+        return "Fails: " + area + " had begun to move" + after + ".";
+    case RelaxationOutcome::collapse:
+        return "Failed: " + area + " in ruins" + after + ".";
+    case RelaxationOutcome::undecided:
+        return result.onset_time ? "Failed: " + area + " in motion" + after + "."
+                                 : "Not decided: the blocks neither came to rest nor failed" + after + ".";
+    case RelaxationOutcome::interrupted:
+        return "Interrupted" + after + " of model time.";
+    default:
+        return "No answer: the run was stopped" + after + ", " + human_name(word_of(result.outcome)) + ".";
+    }
+}
+
+AnswerTone tone_of(const RelaxationRun& made) {
+    if (made.in_stages) {
+        return made.stage.empty() ? AnswerTone::good : AnswerTone::bad;
+    }
+    switch (made.result.outcome) {
+    case RelaxationOutcome::equilibrium:
+        return made.result.onset_time ? AnswerTone::bad : AnswerTone::good;
+    case RelaxationOutcome::onset:
+    case RelaxationOutcome::collapse:
+        return AnswerTone::bad;
+    case RelaxationOutcome::undecided:
+        return made.result.onset_time ? AnswerTone::bad : AnswerTone::open;
+    default:
+        return AnswerTone::open;
+    }
+}
+
 }  // namespace
+
+FailingBlocks failing_blocks(const RelaxationRun& failed) {
+    FailingBlocks failing;
+    for (std::size_t block = 0; block < failed.result.block.size(); ++block) {
+        if (has_failed(failed.result.block[block].movement)) {
+            failing.block.push_back(block);
+            failing.area += area_properties(failed.scene.block[block].outline).area;
+        }
+    }
+    return failing;
+}
+
+HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& answer) {
+    const RelaxationRun& made = answer.run;
+    const RelaxationResult& result = made.result;
+    if (answer.critical) {
+        const CriticalAnswer& critical = *answer.critical;
+        const bool found = critical.status == CriticalStatus::found;
+        const bool is_factor = answer.plan->parameter == CriticalParameter::strength_reduction;
+        HeadCard head{!found                              ? AnswerTone::open
+                      : is_factor && critical.value() < 1 ? AnswerTone::bad
+                                                          : AnswerTone::good,
+                      search_sentences(*answer.plan, critical),
+                      {}};
+        head.sentences.push_back("With the strength and loads as given: " + end_in_words(made));
+        return head;
+    }
+    HeadCard head{tone_of(made), {end_in_words(made)}, {}};
+    if (result.onset_time) {
+        head.sentences.push_back(
+            "The first block passed the thresholds of failure at " +
+            value_in_words(*result.onset_time, Dimension::time) +
+            (result.first_crack
+                 ? ", the first crack opened at " + value_in_words(result.first_crack->time, Dimension::time) + "."
+                 : "."));
+    }
+    const bool watched = study.settings && study.settings->watch;
+    head.sentences.push_back((watched ? "Followed past the verdict, as settings.watch asks; the" : std::string("The")) +
+                             " energy balance closes to " +
+                             number_in_words(100 * std::abs(result.ledger.residual_share())) + " % in " +
+                             number_in_words(static_cast<double>(result.cost.steps)) + " steps.");
+    return head;
+}
 
 void append_critical(Analysis& analysis, const CriticalPlan& plan, const CriticalAnswer& critical) {
     const bool found = critical.status == CriticalStatus::found;

@@ -10,6 +10,14 @@
 
 namespace delabole {
 
+struct FailingBlocks {
+    std::vector<std::size_t> block = {};
+    double area = 0;  // m2
+};
+
+// Those that had begun to move when a run ended.
+FailingBlocks failing_blocks(const RelaxationRun& failed);
+
 void append_critical(Analysis& analysis, const CriticalPlan& plan, const CriticalAnswer& critical);
 
 // Why the search has no answer on one of its paths; empty where it has one on each.

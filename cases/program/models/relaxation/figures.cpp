@@ -93,8 +93,7 @@ void add_cracks(BlockDrawing& drawing, const RelaxationRun& made, const Bodies& 
 
 Figure end_figure(const RelaxationRun& made, const Bodies& bodies) {
     BlockDrawing drawing = drawing_of(made, made.end->motion, bodies, made.result.tilt, true);
-    drawing.title =
-        "After " + value_in_words(made.result.time, Dimension::time) + ": " + human_name(word_of(made.result.outcome));
+    drawing.title = "After " + value_in_words(made.result.time, Dimension::time);
     add_cracks(drawing, made, bodies, made.result.tilt);
     return block_figure(drawing);
 }
@@ -152,27 +151,32 @@ std::optional<Figure> velocity_figure(const RelaxationRun& made, const Bodies& b
 }
 
 Table block_table(const RelaxationRun& made) {
-    Table table{"The blocks at the end; slip over the base is negative forward, towards the toe.",
-                {{"block", true},
-                 {"movement"},
-                 {"rotation, °", true},
-                 {"displacement, mm", true},
-                 {"slip over the base, mm", true}},
-                {}};
-    constexpr double millimetre = 1e-3;
+    Table table{
+        "The blocks at the end; slip over the base is negative forward, towards the toe.",
+        {{"block", true}, {"movement"}, {"rotation, °", true}, {"displacement", true}, {"slip over the base", true}},
+        {}};
     for (std::size_t block = 0; block < made.result.block.size() && table.rows.size() < most_rows; ++block) {
         const BlockOutcome& outcome = made.result.block[block];
         if (outcome.movement != BlockMovement::fixed) {
             table.rows.push_back({std::to_string(block + 1), human_name(word_of(outcome.movement)),
-                                  human_number(outcome.rotation / degrees(1), 4),
-                                  human_number(outcome.displacement / millimetre, 4),
-                                  human_number(outcome.base_slip / millimetre, 4)});
+                                  human_number(outcome.rotation / degrees(1), 3), length_in_words(outcome.displacement),
+                                  length_in_words(outcome.base_slip)});
         }
     }
     return table;
 }
 
 }  // namespace
+
+std::string length_in_words(double length) {
+    constexpr double metre = 1;
+    constexpr double millimetre = 1e-3;
+    constexpr double rounding = 1e-12;
+    if (std::abs(length) < rounding) {
+        return "0";
+    }
+    return std::abs(length) >= metre ? number_in_words(length) + " m" : number_in_words(length / millimetre) + " mm";
+}
 
 Figure mechanism_figure(const RelaxationRun& made, const std::string& title) {
     const Bodies bodies = make_bodies(made.scene);
@@ -192,10 +196,11 @@ void append_block_figures(const RelaxationRun& made, const ResultFolder& folder,
     }
     const Bodies bodies = make_bodies(made.scene);
     report.blocks.emplace_back(Heading{"The blocks"});
-    report.blocks.emplace_back(block_table(made));
+    const auto append_table = [&] { report.blocks.emplace_back(Folded{"Table of the blocks", {block_table(made)}}); };
     if (bodies.size() > most_drawn_blocks) {
         report.blocks.emplace_back(Paragraph{"There are " + std::to_string(bodies.size()) +
                                              " blocks, too many to be told apart in a drawing."});
+        append_table();
         return;
     }
     report.blocks.emplace_back(
@@ -211,6 +216,7 @@ void append_block_figures(const RelaxationRun& made, const ResultFolder& folder,
                     "Forces of the springs at the corners at the end of the run: on free "
                     "blocks by fixed ones, and on the block of the corner by its neighbour. Too many "
                     "for arrows, they are lines along the forces, as thick as these are great."));
+    append_table();
 }
 
 void append_failure_figure(const RelaxationRun& failed, const std::string& title, const std::string& name,

@@ -31,6 +31,9 @@ inline std::string label_of(std::size_t block, bool fixed) {
     return fixed ? "F" : std::to_string(block + 1);
 }
 
+// In metres or, below one, millimetres; 0 where it is rounding.
+std::string length_in_words(double length);
+
 // Blocks at the start and at the end, velocities, contact forces, the table of blocks; nothing where there was no run.
 void append_block_figures(const RelaxationRun& made, const ResultFolder& folder, Report& report);
 

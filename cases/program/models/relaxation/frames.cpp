@@ -87,14 +87,13 @@ void append_frames(const RelaxationRun& made, const ResultFolder& folder, Report
         return;
     }
     const Bodies bodies = make_bodies(made.scene);
-    report.blocks.emplace_back(Heading{"The blocks in motion"});
     report.blocks.emplace_back(animation_of(made, bodies));
     if (interrupt_flag()) {
         // A hundred megabytes of a large slope, which the same command writes once it has gone on to its end.
         report.blocks.emplace_back(Paragraph{"Frames for ParaView are written when the run has come to its end."});
         return;
     }
-    folder.enter({});  // takes the result before away, an emptied folder of frames with it
+    folder.enter({});  // takes the frames of an earlier result away, and the folder with them
     FrameFolder frames(folder.path() / "frames", "run");
     std::vector<std::string> names = frames.file_names(made.frames.size());
     for (std::string& name : names) {

@@ -207,7 +207,7 @@ void append_history(const HistoryRequest& request, const RelaxationRun& made, co
     folder.write("history.csv", history_csv(request, made.history));
     folder.write("movements.csv", movements_csv(made));
     report.blocks.emplace_back(Heading{"History"});
-    report.blocks.emplace_back(movement_table(made));
+    report.blocks.emplace_back(Folded{"Sliding of each block in time", {movement_table(made)}});
     const std::string unit = human_unit(display_unit(Dimension::energy_per_length).symbol);
     const auto draw = [&](const Figure& figure, const std::string& name, const std::string& caption) {
         if (!figure.series.empty()) {

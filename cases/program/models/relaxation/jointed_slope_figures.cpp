@@ -53,6 +53,40 @@ Table cut_table(const RelaxationSlope& slope, const JointedSection& section) {
     return table;
 }
 
+// A side of the outline that holds nothing up, in front of a slope that goes on above it.
+void warn_of_free_side(const RelaxationSlope& slope, Analysis& analysis) {
+    if (slope.frame && slope.frame->sides == FrameSides::all_around) {
+        return;
+    }
+    const std::vector<SectionPoint>& outline = slope.geometry.outline;
+    double left = std::numeric_limits<double>::infinity();
+    double right = -left;
+    double top = right;
+    for (const SectionPoint& point : outline) {
+        left = std::min(left, point.x);
+        right = std::max(right, point.x);
+        top = std::max(top, point.y);
+    }
+    constexpr double rounding = 1e-9;  // of the section's width
+    const double at_left = left + rounding * (right - left);
+    for (std::size_t index = 0; index < outline.size(); ++index) {
+        const SectionPoint& from = outline[index];
+        const SectionPoint& to = outline[(index + 1) % outline.size()];
+        const double higher = std::max(from.y, to.y);
+        if (from.x <= at_left && to.x <= at_left && higher != std::min(from.y, to.y) && higher < top) {
+            analysis.warnings.push_back(
+                "nothing holds the left side of scene.outline, below " + value_in_words(higher, Dimension::length) +
+                " at x = " + value_in_words(left, Dimension::length) +
+                ": blocks may slide out there; scene.frame.sides = \"all_around\" puts fixed rock in front of it");
+        }
+    }
+}
+
+void warn_of_great_height(const RelaxationSlope& slope, Analysis& analysis) {
+    const auto [lowest, highest] = std::ranges::minmax(slope.geometry.outline, {}, &SectionPoint::y);
+    warn_of_height("scene.outline", highest.y - lowest.y, analysis);
+}
+
 }  // namespace
 
 void append_cutting_warnings(const RelaxationSlope& slope, const JointedSection& section, Analysis& analysis) {
@@ -61,6 +95,10 @@ void append_cutting_warnings(const RelaxationSlope& slope, const JointedSection&
             analysis.warnings.push_back(indexed("scene.cut", index) + " (" + slope.geometry.cut[index].name +
                                         ") divides no block");
         }
+    }
+    if (!slope.geometry.outline.empty()) {
+        warn_of_free_side(slope, analysis);
+        warn_of_great_height(slope, analysis);
     }
     if (section.outline_reversed) {
         analysis.warnings.emplace_back("scene.outline runs clockwise and was turned round");
@@ -75,14 +113,16 @@ void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made,
                            Report& report) {
     const JointedSection& section = made.section;
     report.blocks.emplace_back(Heading{"The section"});
-    report.blocks.emplace_back(cut_table(slope, section));
-    report.blocks.emplace_back(
-        Paragraph{"Slivers below the stated share of the middling block, " +
-                  value_in_words(section.typical_area, Dimension::area) + ": " +
-                  std::to_string(section.slivers_merged) + " merged, " + std::to_string(section.slivers_kept) +
-                  " kept. Faces in intact rock: " + std::to_string(section.intact_edges) + ". Cuts nearer than " +
-                  value_in_words(section.snap_distance, Dimension::length) + " to a corner run through it."});
+    const Folded cutting{
+        "How the section was cut",
+        {cut_table(slope, section),
+         Paragraph{"Slivers below the stated share of the middling block, " +
+                   value_in_words(section.typical_area, Dimension::area) + ": " +
+                   std::to_string(section.slivers_merged) + " merged, " + std::to_string(section.slivers_kept) +
+                   " kept. Faces in intact rock: " + std::to_string(section.intact_edges) + ". Cuts nearer than " +
+                   value_in_words(section.snap_distance, Dimension::length) + " to a corner run through it."}}};
     if (made.block.size() > most_drawn_blocks) {
+        report.blocks.emplace_back(cutting);
         return;
     }
     BlockDrawing drawing;
@@ -110,6 +150,7 @@ void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made,
     }
     report.blocks.emplace_back(
         folder.draw(block_figure(drawing), "section", "The section and its blocks, shaded by rock; grey: fixed."));
+    report.blocks.emplace_back(cutting);
 }
 
 }  // namespace delabole

@@ -11,59 +11,53 @@ namespace delabole {
 
 namespace {
 
-constexpr double millimetre = 1e-3;
-
-std::string in_millimetres(double length) {
-    return human_number(length / millimetre, 4);
-}
-
 std::string in_degrees(double angle) {
-    return human_number(angle / degrees(1), 4);
+    return human_number(angle / degrees(1), 3);
 }
 
 Table crack_table(const PostFailure& failure) {
     Table table{"Open joints at the ground behind the crest of the slope.",
-                {{"behind the crest, mm", true}, {"joint"}, {"dip, °", true}, {"opening, mm", true}},
+                {{"behind the crest", true}, {"joint"}, {"dip, °", true}, {"opening", true}},
                 {}};
     for (const CrestCrack& crack : failure.crack) {
-        table.rows.push_back({in_millimetres(crack.position), failure.answer.joint[crack.joint].joint,
-                              in_degrees(crack.dip), in_millimetres(crack.opening)});
+        table.rows.push_back({length_in_words(crack.position), failure.answer.joint[crack.joint].joint,
+                              in_degrees(crack.dip), length_in_words(crack.opening)});
     }
     return table;
 }
 
 Table crest_table(const PostFailure& failure) {
-    Table table{"Blocks at the ground behind the crest: into the slope, upwards, and turning out of the slope.",
-                {{"behind the crest, mm", true},
-                 {"block", true},
-                 {"horizontal, mm", true},
-                 {"vertical, mm", true},
-                 {"rotation, °", true}},
-                {}};
+    Table table{
+        "Blocks at the ground behind the crest: into the slope, upwards, and turning out of the slope.",
+        {{"behind the crest", true}, {"block", true}, {"horizontal", true}, {"vertical", true}, {"rotation, °", true}},
+        {}};
     for (const CrestBlock& block : failure.block) {
-        table.rows.push_back({in_millimetres(block.position), std::to_string(block.block + 1),
-                              in_millimetres(block.movement.horizontal), in_millimetres(block.movement.vertical),
+        table.rows.push_back({length_in_words(block.position), std::to_string(block.block + 1),
+                              length_in_words(block.movement.horizontal), length_in_words(block.movement.vertical),
                               in_degrees(block.movement.rotation)});
     }
     return table;
 }
 
 void write_tables(const PostFailure& failure, const ResultFolder& folder) {
+    const auto length = [](double value) { return in_display_unit(value, Dimension::length); };
+    const auto angle = [](double value) { return in_display_unit(value, Dimension::angle); };
     CsvTable ground({"x_m", "ground_m", "left_standing_m"});
     for (std::size_t index = 0; index < failure.ground.size(); ++index) {
-        ground.add_row({failure.ground[index].x(), failure.ground[index].y(), failure.left_standing[index].y()});
+        ground.add_row({length(failure.ground[index].x()), length(failure.ground[index].y()),
+                        length(failure.left_standing[index].y())});
     }
     folder.write("left_standing.csv", ground.text());
     CsvTable cracks({"position_m", "joint", "dip_deg", "opening_m"});
     for (const CrestCrack& crack : failure.crack) {
         cracks.add_row(
-            {crack.position, failure.answer.joint[crack.joint].joint, crack.dip / degrees(1), crack.opening});
+            {length(crack.position), failure.answer.joint[crack.joint].joint, angle(crack.dip), length(crack.opening)});
     }
     folder.write("crest_cracks.csv", cracks.text());
     CsvTable crest({"position_m", "block", "horizontal_m", "vertical_m", "rotation_deg"});
     for (const CrestBlock& block : failure.block) {
-        crest.add_row({block.position, static_cast<double>(block.block + 1), block.movement.horizontal,
-                       block.movement.vertical, block.movement.rotation / degrees(1)});
+        crest.add_row({length(block.position), static_cast<double>(block.block + 1), length(block.movement.horizontal),
+                       length(block.movement.vertical), angle(block.movement.rotation)});
     }
     folder.write("crest_blocks.csv", crest.text());
 }
@@ -200,8 +194,7 @@ void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, 
     if (made.in_stages) {
         report.blocks.emplace_back(stage_table(made));
     }
-    report.blocks.emplace_back(crack_table(failure));
-    report.blocks.emplace_back(crest_table(failure));
+    report.blocks.emplace_back(Folded{"Cracks and blocks at the crest", {crack_table(failure), crest_table(failure)}});
     write_tables(failure, folder);
 }
 

@@ -87,8 +87,8 @@ class Keeper {
     Keeper(const AnalysisWork& work, const RelaxationStudy& study, KeepFrames frames)
         : work_(work), study_(study), frames_(frames) {}
 
-    bool goes_on(double share, const std::string& what) {
-        ended_ = work_.watch && !work_.watch(share, what);
+    bool goes_on(double share, const std::string& what, bool may_end_sooner = false) {
+        ended_ = work_.watch && !work_.watch(share, what, may_end_sooner);
         return !ended_;
     }
     bool due() const {
@@ -284,7 +284,8 @@ RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisW
     how.frames = blocks <= most_drawn_blocks && !study.retrogression ? KeepFrames::yes : KeepFrames::no;
     how.threads = work.threads;
     Keeper keeper(work, study, how.frames);
-    how.watch = [&](double done) { return keeper.goes_on(share * done, "dynamic relaxation"); };
+    const bool to_its_end = study.settings.value_or(RelaxationNumerics{}).watch.has_value();
+    how.watch = [&](double done) { return keeper.goes_on(share * done, "dynamic relaxation", !to_its_end); };
     how.keep_due = [&] { return keeper.due(); };
     how.keep = [&](const StudyProgress& now) { keeper.keep(now); };
     StudyProgress progress = keeper.take_up();
@@ -356,15 +357,15 @@ Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer
 void append_case_figures(const RelaxationStudy& study, const RelaxationStudyAnswer& answer, const ResultFolder& folder,
                          Report& report) {
     const RelaxationRun& made = answer.run;
-    if (answer.slope) {
-        append_section_figure(std::get<RelaxationSlope>(study.model.scene), *answer.slope, folder, report);
-    }
+    append_frames(made, folder, report);
     if (answer.critical) {
         append_critical_figures(*answer.plan, *answer.critical, folder, report);
     }
-    append_block_figures(made, folder, report);
     append_post_failure(made, folder, report);
-    append_frames(made, folder, report);
+    append_block_figures(made, folder, report);
+    if (answer.slope) {
+        append_section_figure(std::get<RelaxationSlope>(study.model.scene), *answer.slope, folder, report);
+    }
     if (study.history) {
         append_history(*study.history, made, folder, report);
     }

@@ -78,9 +78,17 @@ Analysis named_outputs(const SingleBlock<>&, const SingleBlockResult& result) {
     return analysis;
 }
 
+HeadCard head_card(const SingleBlock<>&, const SingleBlockResult& result) {
+    const bool stands = result.onset_mode == BlockMotion::stable;
+    HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
+    head.sentences = {stands ? "The block stands." : "The block " + human_name(word_of(result.onset_mode)) + ".",
+                      "Factor of safety against sliding " + number_in_words(result.factor_of_safety) +
+                          ", of restoring over overturning moment " + number_in_words(result.overturning_factor) + "."};
+    return head;
+}
+
 void append_case_figures(const SingleBlock<>& problem, const SingleBlockResult& result, const ResultFolder& folder,
                          Report& report) {
-    report.blocks.emplace_back(Heading{"The block"});
     report.blocks.emplace_back(folder.draw(
         block_figure(block_drawing(problem, result)), "block",
         "Weight with the earthquake's inertia and, where the block stands, the effective force of the base; those of "

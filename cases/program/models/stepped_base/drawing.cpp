@@ -201,6 +201,13 @@ BlockDrawing column_drawing(const SteppedBase<>& problem, const ColumnSlope<>& s
     return drawing;
 }
 
+DrawnForce required_force(const ColumnSlope<>& slope, const RequiredCable<>& cable, double force) {
+    const Axes axes(slope.base_dip);
+    const Column<>& column = slope.columns[static_cast<std::size_t>(cable.block) - 1];
+    return {axes.at(column, 0, cable.height), force * Point(std::cos(cable.plunge), -std::sin(cable.plunge)),
+            ForceKind::required};
+}
+
 ForceAlongSlope force_along_columns(const std::vector<ColumnResult>& columns, const std::string& title) {
     ForceAlongSlope data;
     data.title = title;

@@ -21,6 +21,9 @@ BlockDrawing column_drawing(const SteppedBase<>& problem, const ColumnSlope<>& s
                             const std::vector<ColumnResult>& columns, double factor, const std::string& title);
 
 // Force that each column needs from the one below it.
+// A cable whose force was solved for.
+DrawnForce required_force(const ColumnSlope<>& slope, const RequiredCable<>& cable, double force);
+
 ForceAlongSlope force_along_columns(const std::vector<ColumnResult>& columns, const std::string& title);
 
 // Observed and predicted ground after the failure, over a section.

@@ -10,21 +10,33 @@ namespace delabole {
 
 namespace {
 
-void append_section(const SteppedBaseAnswer& answer, const Polyline& observed, const Polyline& predicted,
-                    const std::string& name, const ResultFolder& folder, Report& report) {
+void append_section(const SteppedBaseAnswer& answer, const std::vector<RequiredCable<>>& cables,
+                    const Polyline& observed, const Polyline& predicted, const std::string& name,
+                    const ResultFolder& folder, Report& report) {
     const ColumnState& state = answer.limiting;
     if (state.columns.size() > most_drawn_columns) {
         report.blocks.emplace_back(Paragraph{"There are " + std::to_string(state.columns.size()) +
                                              " columns, too many to be told apart in a section."});
         return;
     }
-    const BlockDrawing drawing =
-        column_drawing(answer.resolved.problem, answer.slope, state.columns, state.factor, "Columns " + state.name);
+    const SteppedBase<>& problem = answer.resolved.problem;
+    BlockDrawing drawing = column_drawing(problem, answer.slope, state.columns, state.factor, "Columns " + state.name);
+    for (std::size_t index = 0; index < cables.size(); ++index) {
+        if (answer.required_cable[index].state == CableState::found) {
+            drawing.forces.push_back(required_force(answer.slope, cables[index], answer.required_cable[index].force));
+        }
+    }
     Figure figure = block_figure(drawing);
+    if (const auto& slope = problem.scene.slope) {
+        const double left = 0.75 * figure.x.range->first;
+        const double toe = slope->toe_elevation.value_or(0);
+        add_measure({{left, toe}, {left, toe + slope->height}, value_in_words(slope->height, Dimension::length)},
+                    figure);
+    }
     add_profiles(figure, observed, predicted, drawing.toe_elevation);
     std::string caption =
-        "Columns by mode, with the forces between them and on their bases to scale (effective forces; those of water "
-        "are not drawn).";
+        "Columns by mode, with the forces between them and on their bases to scale, the smallest longer (effective "
+        "forces; those of water are not drawn).";
     if (!predicted.empty()) {
         caption += " The ground left standing is drawn along the toe corners of the bases, without steps.";
     }
@@ -41,8 +53,8 @@ void append_forces(const ColumnState& state, const std::string& name, const Resu
         "none where both are zero."));
 }
 
-void append_sensitivity(const SteppedBaseAnswer& answer, const std::string& prefix, const ResultFolder& folder,
-                        Report& report) {
+void append_sensitivity(const SteppedBaseAnswer& answer, const std::vector<FreeParameter>& fitted,
+                        const std::string& prefix, const ResultFolder& folder, Report& report) {
     const SteppedBase<>& problem = answer.resolved.problem;
     if (answer.result.limit != LimitState::found) {
         report.blocks.emplace_back(
@@ -55,8 +67,11 @@ void append_sensitivity(const SteppedBaseAnswer& answer, const std::string& pref
         return;
     }
     report.blocks.emplace_back(folder.draw(
-        tornado_figure("Change of the factor of safety", sensitivity_bars(problem, answer.result.factor_of_safety)),
-        prefix + "sensitivity", "By recalculation, one input at a time; the base is held."));
+        tornado_figure("Change of the factor of safety",
+                       sensitivity_bars(problem, answer.result.factor_of_safety, fitted)),
+        prefix + "sensitivity",
+        "By recalculation, one input at a time, the base held: the eight greatest. Fitted inputs are changed by one "
+        "standard deviation of their priors."));
 }
 
 }  // namespace
@@ -67,8 +82,8 @@ void append_case_figures(const SteppedBaseStudy<>& study, const SteppedBaseAnswe
     const SteppedBaseResult& result = answer.result;
     const bool found = result.limit == LimitState::found;
 
-    report.blocks.emplace_back(Heading{"Section"});
-    append_section(answer, {}, found ? profile_after_failure(problem, result) : Polyline{}, "section", folder, report);
+    append_section(answer, study.required_cable, {}, {}, "section", folder, report);
+    report.blocks.emplace_back(Heading{"Forces"});
     append_forces(answer.limiting, "forces", folder, report);
 
     if (study.linear_programming_bound) {
@@ -93,7 +108,7 @@ void append_case_figures(const SteppedBaseStudy<>& study, const SteppedBaseAnswe
             report.blocks.emplace_back(folder.draw(sweep.figure, sweep.file, sweep.caption));
         }
     }
-    append_sensitivity(answer, "", folder, report);
+    append_sensitivity(answer, {}, "", folder, report);
 }
 
 void append_mechanism_figures(const SteppedBaseStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
@@ -107,10 +122,10 @@ void append_mechanism_figures(const SteppedBaseStudy<>& at_best, const Mechanism
     if (!warnings.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "The columns at the best point", warnings});
     }
-    append_section(answer, problem.profile ? problem.profile->profile : Polyline{},
+    append_section(answer, {}, problem.profile ? problem.profile->profile : Polyline{},
                    profile_after_failure(best.model, answer.result), fit.name + "_section", folder, report);
     append_forces(answer.limiting, fit.name + "_forces", folder, report);
-    append_sensitivity(answer, fit.name + "_", folder, report);
+    append_sensitivity(answer, fit.parameters, fit.name + "_", folder, report);
 }
 
 }  // namespace delabole

@@ -36,6 +36,13 @@ void append_required(Analysis& analysis, const SteppedBaseStudy<>& study, const 
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, cable.force});
         } else {
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, std::string(word_of(cable.state))});
+            analysis.warnings.push_back(
+                name + ": " +
+                (cable.state == CableState::not_needed
+                     ? "not_needed, for the slope has that factor of safety without it"
+                     : "cannot_hold, for other columns fail before any tension there would help: put the cable into a "
+                       "column nearer to the toe or higher up in it, ask for a smaller factor of safety, or drain the "
+                       "slope"));
         }
     }
 }
@@ -135,7 +142,74 @@ void warn(Analysis& analysis, const SteppedBaseAnswer& answer) {
     }
 }
 
+std::string movement_in_words(const SteppedBaseResult& result) {
+    const auto columns = [](double count) { return number_in_words(count) + (count == 1 ? " column" : " columns"); };
+    std::string text = "In limiting equilibrium " + columns(result.toppling_count) + " topple and " +
+                       columns(result.sliding_count) + " slide";
+    if (result.toppling_count == 0 || result.sliding_count == 0) {
+        text = "In limiting equilibrium " + (result.toppling_count > 0 ? columns(result.toppling_count) + " topple"
+                                                                       : columns(result.sliding_count) + " slide");
+    }
+    return text + ", " + value_in_words(result.moving_area, Dimension::area) + " in all" +
+           (result.slide_head_thrust > 0
+                ? ", under the thrust of a wedge, " +
+                      value_in_words(result.slide_head_thrust, Dimension::force_per_length) + "."
+                : ".");
+}
+
+std::string limit_in_words(const SteppedBaseResult& result) {
+    const std::string factor = "FS " + number_in_words(result.factor_of_safety);
+    switch (result.limit) {
+    case LimitState::found:
+        return factor + (result.factor_of_safety >= 1                    ? ": stands."
+                         : result.toppling_share >= result.sliding_share ? ": fails by toppling."
+                                                                         : ": fails by sliding.");
+    case LimitState::abrupt:
+        return factor +
+               (result.factor_of_safety >= 1 ? ": stands, but what is weaker fails abruptly." : ": fails abruptly.");
+    case LimitState::holds_at_any_strength:
+        return "Nothing moves even without strength: the factor of safety is infinite.";
+    case LimitState::fails_at_any_strength:
+        break;
+    }
+    return "Fails: no factor on the strength, however large, holds the lowest column.";
+}
+
 }  // namespace
+
+HeadCard head_card(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer) {
+    const SteppedBaseResult& result = answer.result;
+    const bool stands = result.limit == LimitState::holds_at_any_strength ||
+                        (result.limit != LimitState::fails_at_any_strength && result.factor_of_safety >= 1);
+    HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {limit_in_words(result)}, {}};
+    std::string required;
+    const auto add = [&](const std::string& sentence) { required += (required.empty() ? "" : " ") + sentence; };
+    for (std::size_t index = 0; index < study.required.size(); ++index) {
+        add(required_in_words(study.required[index].parameter, study.required[index].factor_of_safety,
+                              answer.required[index]));
+    }
+    for (std::size_t index = 0; index < study.required_cable.size(); ++index) {
+        const RequiredCable<>& cable = study.required_cable[index];
+        const CableForce& found = answer.required_cable[index];
+        const std::string place = "a cable in column " + number_in_words(cable.block) + " at " +
+                                  value_in_words(cable.plunge, Dimension::angle);
+        const std::string factor = "FS " + number_in_words(cable.factor_of_safety);
+        if (found.state == CableState::found) {
+            add(factor + " takes " + value_in_words(found.force, Dimension::force_per_length) + " in " + place + ".");
+        } else if (found.state == CableState::not_needed) {
+            add(factor + " is reached without " + place + ".");
+        } else {
+            add("No force in " + place + " gives " + factor + ".");
+        }
+    }
+    if (!required.empty()) {
+        head.sentences.push_back(std::move(required));
+    }
+    if (result.limit == LimitState::found) {
+        head.sentences.push_back(movement_in_words(result));
+    }
+    return head;
+}
 
 SteppedBaseAnswer analyse_case(const SteppedBaseStudy<>& study, const AnalysisWork&) {
     SteppedBaseAnswer answer{resolve(study)};

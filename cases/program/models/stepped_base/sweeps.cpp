@@ -272,7 +272,8 @@ std::vector<GeometrySweep> geometry_sweeps(const SteppedBase<>& problem, double 
     return sweeps;
 }
 
-std::vector<SensitivityBar> sensitivity_bars(const SteppedBase<>& problem, double factor_of_safety) {
+std::vector<SensitivityBar> sensitivity_bars(const SteppedBase<>& problem, double factor_of_safety,
+                                             const std::vector<FreeParameter>& fitted) {
     double height = 0;
     if (problem.scene.slope) {
         height = problem.scene.slope->height;
@@ -286,7 +287,7 @@ std::vector<SensitivityBar> sensitivity_bars(const SteppedBase<>& problem, doubl
     std::vector<SensitivityBar> bars;
     for_each_named_number(varied, [&](const std::string& path, const FieldInfo& info, double& value) {
         const double given = value;
-        const SensitivityStep step = sensitivity_step(info.dimension, given, height, overburden);
+        const SensitivityStep step = sensitivity_step(path, fitted, info.dimension, given, height, overburden);
         const auto at = [&](double changed) -> std::optional<double> {
             value = changed;
             const std::optional<double> factor = info.range.contains(changed) ? safety_of(varied) : std::nullopt;

@@ -1,6 +1,7 @@
 // How the stability of columns on a stepped base depends on geometry and on every input.
 #pragma once
 
+#include "fitting/posterior/fit_problem.hpp"
 #include "limit_equilibrium/stepped_base/stepped_base.hpp"
 #include "plots/figures/figures.hpp"
 
@@ -25,6 +26,8 @@ bool can_sweep(const SteppedBase<>& problem, const ColumnSlope<>& slope);
 std::vector<GeometrySweep> geometry_sweeps(const SteppedBase<>& problem, double factor_of_safety);
 
 // Change of the factor of safety by recalculation, the 15 largest. An input that cannot be raised is lowered instead.
-std::vector<SensitivityBar> sensitivity_bars(const SteppedBase<>& problem, double factor_of_safety);
+// Fitted inputs are changed by one standard deviation of their priors.
+std::vector<SensitivityBar> sensitivity_bars(const SteppedBase<>& problem, double factor_of_safety,
+                                             const std::vector<FreeParameter>& fitted = {});
 
 }  // namespace delabole

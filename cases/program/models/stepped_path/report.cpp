@@ -112,10 +112,27 @@ Analysis named_outputs(const SteppedPath&, const SteppedPathResult& result) {
     return analysis;
 }
 
+HeadCard head_card(const SteppedPath&, const SteppedPathResult& result) {
+    if (result.surface.empty()) {
+        return result.limit == LimitState::holds_at_any_strength
+                   ? HeadCard{AnswerTone::good, {"No surface along the joints moves, even without strength."}, {}}
+                   : HeadCard{AnswerTone::bad, {"A surface along the joints moves whatever the strength."}, {}};
+    }
+    const bool stands = result.factor_of_safety >= 1;
+    HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
+    head.sentences = {"FS " + number_in_words(result.factor_of_safety) + (stands ? ": stands." : ": fails."),
+                      value_in_words(result.failed_area, Dimension::area) + " move, along a surface that comes out " +
+                          value_in_words(result.retreat, Dimension::length) + " behind the crest."};
+    if (result.column_count > 0) {
+        head.sentences.push_back(number_in_words(result.column_count) + " columns move, " +
+                                 number_in_words(result.toppling_count) + " of them topple.");
+    }
+    return head;
+}
+
 void append_case_figures(const SteppedPath& path, const SteppedPathResult& result, const ResultFolder& folder,
                          Report& report) {
     if (!result.surface.empty()) {
-        report.blocks.emplace_back(Heading{"The surface"});
         report.blocks.emplace_back(folder.draw(section_figure(path, result), "section",
                                                "What moves at the factor of safety, along joints, and what stays."));
     }

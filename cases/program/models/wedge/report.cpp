@@ -1,6 +1,8 @@
 // Wedge failure as the program reports it: answers, warnings, figures.
 #include "cases/program/models/wedge/figures.hpp"
 #include "cases/program/results/model_reports.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
 
 #include <cmath>
 
@@ -113,9 +115,35 @@ Analysis named_outputs(const WedgeFailureStudy<>& study, const WedgeFailureAnswe
     return analysis;
 }
 
+HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer) {
+    const WedgeFailureResult& result = answer.result;
+    const bool stands = result.factor_of_safety >= 1;
+    HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
+    if (result.contact == SlidingContact::none) {
+        head.sentences.emplace_back("Water and loads lift the wedge off both planes: nothing resists.");
+    } else if (std::isinf(result.factor_of_safety)) {
+        head.sentences.emplace_back("Nothing drives the wedge down: the factor of safety is infinite.");
+    } else {
+        head.sentences.push_back("FS " + number_in_words(result.factor_of_safety) + (stands ? ": stands" : ": slides") +
+                                 " on " + human_name(word_of(result.contact)) + ".");
+    }
+    for (std::size_t index = 0; index < study.required.size(); ++index) {
+        if (answer.required[index].status == RequiredStatus::found) {
+            head.sentences.push_back("FS " + number_in_words(study.required[index].factor_of_safety) + " takes " +
+                                     human_name(study.required[index].parameter) + " of " +
+                                     value_in_words(answer.required[index].value, answer.required[index].dimension) +
+                                     ".");
+            break;
+        }
+    }
+    head.sentences.push_back(value_in_words(result.weight, Dimension::force) + " of rock on a line that plunges " +
+                             value_in_words(result.line_plunge, Dimension::angle) + " towards " +
+                             value_in_words(result.line_trend, Dimension::angle) + ".");
+    return head;
+}
+
 void append_case_figures(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer, const ResultFolder& folder,
                          Report& report) {
-    report.blocks.emplace_back(Heading{"Wedge"});
     append_drawings(study.model, answer.result, "", folder, report);
 }
 

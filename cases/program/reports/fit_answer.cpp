@@ -1,0 +1,83 @@
+#include "cases/program/reports/fit_answer.hpp"
+
+#include "cases/program/reports/posterior_report.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+
+namespace delabole {
+
+const ProfileLikelihood* profile_of(const MechanismFit& fit, const std::string& parameter, bool with_priors) {
+    const auto found = std::find_if(fit.profiles.begin(), fit.profiles.end(), [&](const ProfileLikelihood& profile) {
+        return profile.parameter == parameter && profile.with_priors == with_priors;
+    });
+    return found == fit.profiles.end() ? nullptr : &*found;
+}
+
+std::string interval_in_words(const ProfileLikelihood* profile, const FreeParameter& parameter, Dimension dimension) {
+    if (profile == nullptr) {
+        return "";
+    }
+    const auto end = [&](double value, double bound) {
+        return value_in_words(value, dimension) + (value == bound ? " (bound)" : "");
+    };
+    return end(profile->interval_95.lower, parameter.lower) + " to " + end(profile->interval_95.upper, parameter.upper);
+}
+
+std::string title_of(const MechanismFit& fit) {
+    return fit.title.empty() ? fit.name : fit.title;
+}
+
+namespace {
+
+std::string determined_in_words(const MechanismFit& fit) {
+    const std::size_t count = fit.parameters.size();
+    const auto rank = static_cast<std::size_t>(fit.identifiability.rank);
+    const std::string parameters = std::to_string(count) + (count == 1 ? " parameter" : " parameters");
+    if (rank >= count) {
+        return "Near the best point the data determine all of its " + parameters + ".";
+    }
+    const std::string what = rank == 0   ? "none"
+                             : rank == 1 ? "one combination"
+                                         : std::to_string(rank) + " combinations";
+    return "The data determine " + what + " of its " + parameters + ": what follows depends on the priors.";
+}
+
+// The first parameters alone: a case names those first that matter most.
+std::string values_in_words(const MechanismFit& fit) {
+    constexpr std::size_t most = 2;
+    std::string text;
+    for (std::size_t index = 0; index < std::min(most, fit.best.size()); ++index) {
+        const FreeParameter& parameter = fit.parameters[index];
+        const std::string range =
+            interval_in_words(profile_of(fit, parameter.name, true), parameter, fit.dimensions[index]);
+        text += (index == 0 ? "" : "; ") + human_name(parameter.name) + " " +
+                value_in_words(fit.best[index], fit.dimensions[index]) + (range.empty() ? "" : ", 95 % range " + range);
+    }
+    return text;
+}
+
+}  // namespace
+
+HeadCard head_card(const FitResult& result) {
+    HeadCard head{AnswerTone::open, {}, {}};
+    if (result.mechanisms.empty()) {
+        return head;
+    }
+    const MechanismFit& best = result.mechanisms.front();
+    if (best.best.empty() && !best.parameters.empty()) {
+        head.sentences.emplace_back("No mechanism has an answer within the bounds of its parameters.");
+        return head;
+    }
+    head.sentences.push_back(result.mechanisms.size() == 1 ? title_of(best) + " is the one mechanism that was fitted."
+                                                           : title_of(best) + " explains the observations best" +
+                                                                 probability_of_best(result) + ".");
+    head.sentences.push_back(determined_in_words(best));
+    if (const std::string values = values_in_words(best); !values.empty()) {
+        head.sentences.push_back("Best point: " + values + ".");
+    }
+    return head;
+}
+
+}  // namespace delabole
