@@ -21,7 +21,8 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 76> examples{{
+constexpr std::array<ExampleNumber, 77> examples{{
+    {"first_runs", 20.0},
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -120,7 +121,7 @@ double example_number(const FieldInfo& info) {
 template <class Member>
 void fill_with_examples(const FieldInfo& info, Member& member) {
     if constexpr (NumberType<Member>) {
-        member = static_cast<Member>(example_number(info));
+        member = info.has_default ? member : static_cast<Member>(example_number(info));
     } else if constexpr (is_variant<Member>) {
         std::visit([&](auto& alternative) { fill_with_examples(info, alternative); }, member);
     } else if constexpr (std::same_as<Member, std::string>) {
