@@ -21,7 +21,8 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 80> examples{{
+constexpr auto examples = std::to_array<ExampleNumber>({
+    {"first_runs", 20.0},
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -102,7 +103,7 @@ constexpr std::array<ExampleNumber, 80> examples{{
     {"upper_inclination", degrees(50)},
     {"lower_end_height", 5.0},
     {"upper_end_height", 30.0},
-}};
+});
 
 // Stands for the name of an input; template_of replaces it where the model has none of that name.
 constexpr std::string_view example_input = "strength.friction_angle";
@@ -124,7 +125,7 @@ double example_number(const FieldInfo& info) {
 template <class Member>
 void fill_with_examples(const FieldInfo& info, Member& member) {
     if constexpr (NumberType<Member>) {
-        member = static_cast<Member>(example_number(info));
+        member = info.has_default ? member : static_cast<Member>(example_number(info));
     } else if constexpr (is_variant<Member>) {
         std::visit([&](auto& alternative) { fill_with_examples(info, alternative); }, member);
     } else if constexpr (std::same_as<Member, std::string>) {

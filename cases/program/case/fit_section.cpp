@@ -24,6 +24,19 @@ void check_unique(Reading& reading, const std::string& list, const std::vector<E
     }
 }
 
+// Complains about each text of a list that is there and empty.
+template <class Element, class Text>
+void check_not_empty(Reading& reading, const std::string& list, const std::vector<Element>& elements, Text text,
+                     const std::string& key) {
+    for (std::size_t index = 0; index < elements.size(); ++index) {
+        const std::string path = indexed(list, index) + "." + key;
+        if ((elements[index].*text).find_first_not_of(" \t\r\n") == std::string::npos && reading.knows(path) &&
+            !reading.blames(path)) {
+            reading.complain_at(path, "must not be empty");
+        }
+    }
+}
+
 // Complains about a name that is not among those of a list's elements.
 template <class Element>
 void check_among(Reading& reading, const std::string& key, const std::string& name,
@@ -90,6 +103,13 @@ void check_fit(Section& section, const CaseFit& fit) {
     check_unique(reading, "fit.evidence", fit.evidence, &FieldEvidence::name, "name", "names two pieces of evidence");
     check_unique(reading, "fit.candidate", fit.candidates, &FitCandidate::label, "label", "names two candidates");
     check_unique(reading, "fit.conclusion", fit.conclusions, &Conclusion::label, "label", "names two conclusions");
+    check_not_empty(reading, "fit.mechanism", fit.mechanisms, &FitMechanism::name, "name");
+    check_not_empty(reading, "fit.observation", fit.observations, &QuantityObservation::label, "label");
+    check_not_empty(reading, "fit.evidence", fit.evidence, &FieldEvidence::name, "name");
+    check_not_empty(reading, "fit.evidence", fit.evidence, &FieldEvidence::statement, "statement");
+    check_not_empty(reading, "fit.candidate", fit.candidates, &FitCandidate::label, "label");
+    check_not_empty(reading, "fit.conclusion", fit.conclusions, &Conclusion::label, "label");
+    check_not_empty(reading, "fit.conclusion", fit.conclusions, &Conclusion::statement, "statement");
     if (section.contains("parameter")) {
         check_parameters(reading, "fit.parameter", fit.mechanisms.front().parameters);
     } else {

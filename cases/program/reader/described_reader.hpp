@@ -295,7 +295,9 @@ void read_member(Section& section, const FieldInfo& field, Member& member) {
         if (info->has_default) {
             member = read_optional_text(section, info->key);
         } else if (info->name_of == NameOf::nothing) {
-            member = require_text(section, info->key, info->meaning);
+            const Node* node = section.require(info->key, info->meaning);
+            member =
+                node == nullptr ? "" : read_text(section.reading(), *node, section.path_of(info->key)).value_or("");
         } else {
             member = read_name(section, info->key, info->name_of, info->meaning);
         }

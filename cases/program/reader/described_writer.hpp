@@ -73,7 +73,7 @@ namespace detail {
 
 template <class Object>
 Dimension dimension_named(const Object& object, Dimension around) {
-    if constexpr (has_own_dimension<const Object>) {
+    if constexpr (has_own_dimension<Object>) {
         return object.dimension;
     } else {
         return around;

@@ -26,7 +26,7 @@ struct StudySubject {
     std::vector<OutputBound> bounds = {};       // of the quantity
     std::vector<Dimension> swept = {};          // of the quantities of the sweep: this one, then the further ones
 
-    StudySubject(const CaseFile& file, const SensitivityProblem& problem);
+    explicit StudySubject(const SensitivityProblem& problem);
 
     std::string in_words(double value) const;
     double shown(double value) const { return in_display_unit(value, quantity.dimension); }

@@ -110,7 +110,7 @@ std::vector<std::string> findings(const StudySubject& subject, const Sensitivity
 
 }  // namespace
 
-StudySubject::StudySubject(const CaseFile& file, const SensitivityProblem& problem)
+StudySubject::StudySubject(const SensitivityProblem& problem)
     : study(problem.study),
       quantity{study.quantity, study.dimension},
       space(input_space(study)),
@@ -175,7 +175,7 @@ std::string evaluations_in_words(const EvaluationCount& count) {
 
 SensitivityDocuments document_sensitivity(const CaseFile& file, const SensitivityProblem& problem,
                                           const SensitivityResult& result, const ResultFolder& folder, Report& report) {
-    const StudySubject subject(file, problem);
+    const StudySubject subject(problem);
     SensitivityDocuments documents;
     Json& json = documents.json;
     json["title"] = file.title;
