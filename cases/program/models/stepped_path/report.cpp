@@ -40,7 +40,7 @@ Figure section_figure(const SteppedPath& path, const SteppedPathResult& result) 
     return block_figure(drawing);
 }
 
-SteppedPathCheck check_of(std::string_view failure) {
+SteppedPathCheck path_check_of(std::string_view failure) {
     return value_of<SteppedPathCheck>(failure).value_or(SteppedPathCheck::valid);
 }
 
@@ -156,7 +156,7 @@ void append_mechanism_figures(const SteppedPath& at_best, const MechanismFit& fi
 }
 
 std::vector<std::string> blamed_keys(const SteppedPath&, std::string_view failure) {
-    switch (check_of(failure)) {
+    switch (path_check_of(failure)) {
     case SteppedPathCheck::risers_needed:
     case SteppedPathCheck::columns_needed:
         return {"search.mechanism"};
@@ -181,7 +181,7 @@ std::vector<std::string> blamed_keys(const SteppedPath&, std::string_view failur
 }
 
 std::string explain_failure(const SteppedPath&, std::string_view failure, const std::string&) {
-    return std::string(in_words(check_of(failure)));
+    return std::string(in_words(path_check_of(failure)));
 }
 
 }  // namespace delabole
