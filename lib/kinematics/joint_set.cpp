@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 namespace delabole {
@@ -63,12 +64,19 @@ Orientation sampled_plane(const MeanOrientation& mean, UniformStream& uniform) {
     return plane_with_normal((1 - versine) * normal + sine * (std::cos(turned) * down_dip + std::sin(turned) * strike));
 }
 
+Orientation sampled_plane(const PoleWindow& window, UniformStream&) {
+    return {window.window_dip, window.window_dip_direction};
+}
+
 }  // namespace
 
 Orientation mean_orientation(const JointSet& set) {
     if (const auto* range = std::get_if<OrientationRange>(&set.orientation)) {
         return {std::midpoint(range->lower_dip, range->upper_dip),
                 wrapped_azimuth(range->first_dip_direction + clockwise_width(*range) / 2)};
+    }
+    if (const auto* window = std::get_if<PoleWindow>(&set.orientation)) {
+        return {window->window_dip, wrapped_azimuth(window->window_dip_direction)};
     }
     const auto& mean = std::get<MeanOrientation>(set.orientation);
     return {mean.dip, wrapped_azimuth(mean.dip_direction)};
@@ -82,6 +90,20 @@ std::vector<Orientation> sampled_planes(const JointSet& set, std::size_t count, 
     while (planes.size() < count) {
         planes.push_back(
             std::visit([&](const auto& orientation) { return sampled_plane(orientation, uniform); }, set.orientation));
+    }
+    return planes;
+}
+
+std::vector<Orientation> drawn_planes(const std::vector<Orientation>& measured, const std::vector<double>& weights,
+                                      std::size_t count, std::uint64_t seed, std::uint64_t stream) {
+    std::vector<double> up_to(weights.size());
+    std::partial_sum(weights.begin(), weights.end(), up_to.begin());
+    UniformStream uniform(seed, stream);
+    std::vector<Orientation> planes;
+    planes.reserve(count);
+    while (planes.size() < count) {
+        const auto place = std::ranges::upper_bound(up_to, uniform.next() * up_to.back()) - up_to.begin();
+        planes.push_back(measured[std::min(static_cast<std::size_t>(place), measured.size() - 1)]);
     }
     return planes;
 }

@@ -51,22 +51,43 @@ struct MeanOrientation {
     }
 };
 
+// The measured poles within an angle of a direction: a set picked by eye.
+struct PoleWindow {
+    double window_dip;
+    double window_dip_direction;
+    double window_radius;
+    static constexpr auto fields() {
+        using W = PoleWindow;
+        return std::tuple{number("window_dip", &W::window_dip, Dimension::angle, within(0, degrees(90)),
+                                 "dip of the plane in whose pole the window has its middle"),
+                          number("window_dip_direction", &W::window_dip_direction, Dimension::angle,
+                                 within(0, degrees(360)), "its dip direction"),
+                          number("window_radius", &W::window_radius, Dimension::angle, left_open(0, degrees(90)),
+                                 "angle from there within which measured poles belong to the set")};
+    }
+};
+
 struct JointSet {
     std::string name;
-    std::variant<OrientationRange, MeanOrientation> orientation;
+    std::variant<OrientationRange, MeanOrientation, PoleWindow> orientation;
     static constexpr auto fields() {
         return std::tuple{section("name", &JointSet::name, "name of the set"),
                           inlined(&JointSet::orientation, "its orientations")};
     }
 };
 
-// Middle of the ranges, or the mean given.
+// Middle of the ranges or of the window, or the mean given.
 Orientation mean_orientation(const JointSet& set);
 
-// `count` planes of the set. The same for the same seed and stream on every machine up to the rounding of sin, cos and
-// log: the generator is std::mt19937_64, the transforms are ours. Different streams of one seed are independent.
+// `count` planes of the set; of a window, its middle, for what lies in it is measured. The same for the same seed and
+// stream on every machine up to the rounding of sin, cos and log: the generator is std::mt19937_64, the transforms are
+// ours. Different streams of one seed are independent.
 std::vector<Orientation> sampled_planes(const JointSet& set, std::size_t count, std::uint64_t seed,
                                         std::uint64_t stream);
+
+// `count` planes out of measured ones, each as likely as its weight, with the generator above. At least one plane.
+std::vector<Orientation> drawn_planes(const std::vector<Orientation>& measured, const std::vector<double>& weights,
+                                      std::size_t count, std::uint64_t seed, std::uint64_t stream);
 
 struct OrientationStatistics {
     Orientation mean;                   // principal axis of the poles

@@ -33,12 +33,108 @@ bool name_repeated(const std::vector<JointSet>& sets) {
     return false;
 }
 
-template <class Items, class Predicate>
-double share_of(const Items& items, Predicate&& predicate) {
-    return static_cast<double>(std::ranges::count_if(items, predicate)) / static_cast<double>(items.size());
+// A set as it is analysed: as the case gives it, or as its poles were measured.
+struct AnalysedSet {
+    std::string name;
+    Orientation mean;
+    std::vector<Orientation> planes;  // sampled or measured
+    std::vector<double> weights;      // as many
+    std::optional<FisherStatistics> measured;
+};
+
+// Poles of all surveys, and which of the sets each belongs to.
+struct Poles {
+    std::vector<Orientation> planes;
+    std::vector<double> weights;
+};
+
+Poles poles_of(const Kinematics& model) {
+    Poles poles{measured_planes(model), {}};
+    for (const PoleSurvey& survey : model.poles) {
+        for (const Orientation& plane : survey.plane) {
+            poles.weights.push_back(survey.scanline
+                                        ? terzaghi_weight(plane, {survey.scanline->plunge, survey.scanline->trend},
+                                                          survey.scanline->least_angle.value_or(customary_least_angle))
+                                        : 1.0);
+        }
+    }
+    return poles;
 }
 
-// Samples of all sets and what direct toppling needs to know of each plane of theirs.
+template <class Belongs>
+AnalysedSet measured_set(std::string name, const Poles& poles, Belongs&& belongs) {
+    AnalysedSet set{std::move(name), {}, {}, {}, {}};
+    for (std::size_t pole = 0; pole < poles.planes.size(); ++pole) {
+        if (belongs(pole)) {
+            set.planes.push_back(poles.planes[pole]);
+            set.weights.push_back(poles.weights[pole]);
+        }
+    }
+    if (!set.planes.empty()) {
+        set.measured = fisher_statistics(set.planes, set.weights);
+        set.mean = {set.measured->mean_dip, set.measured->mean_dip_direction};
+    }
+    return set;
+}
+
+bool in_window(const PoleWindow& window, const Orientation& plane) {
+    const Direction middle = upward_normal({window.window_dip, window.window_dip_direction});
+    return std::abs(middle.dot(upward_normal(plane))) >= std::cos(window.window_radius);
+}
+
+struct SetsOfStudy {
+    KinematicsCheck check = KinematicsCheck::valid;
+    std::vector<AnalysedSet> sets = {};
+    std::vector<bool> has_set = {};  // of each pole
+    std::vector<double> information_criterion = {};
+};
+
+SetsOfStudy found_sets(const Kinematics& model, const Poles& poles) {
+    PoleClusters clusters = find_clusters(poles.planes, poles.weights, most_sets_searched(model));
+    SetsOfStudy result{.information_criterion = std::move(clusters.information_criterion)};
+    for (std::size_t index = 0; index < clusters.sets.size(); ++index) {
+        AnalysedSet set = measured_set("set_" + std::to_string(index + 1), poles,
+                                       [&](std::size_t pole) { return clusters.of[pole] == index; });
+        if (!set.planes.empty()) {
+            result.sets.push_back(std::move(set));
+        }
+    }
+    for (const std::optional<std::size_t>& set : clusters.of) {
+        result.has_set.push_back(set.has_value());
+    }
+    result.check = result.sets.empty() ? KinematicsCheck::no_set_found : KinematicsCheck::valid;
+    return result;
+}
+
+SetsOfStudy sets_of(const KinematicsStudy& study, const Poles& poles) {
+    const Kinematics& model = study.model;
+    if (model.joint_set.empty()) {
+        return found_sets(model, poles);
+    }
+    const OrientationSampling sampling = sampling_of(study);
+    SetsOfStudy result{.has_set = std::vector<bool>(poles.planes.size())};
+    for (const JointSet& set : model.joint_set) {
+        if (const auto* window = std::get_if<PoleWindow>(&set.orientation)) {
+            result.sets.push_back(measured_set(set.name, poles, [&](std::size_t pole) {
+                const bool inside = in_window(*window, poles.planes[pole]);
+                result.has_set[pole] = result.has_set[pole] || inside;
+                return inside;
+            }));
+            if (result.sets.back().planes.empty()) {
+                result.check = KinematicsCheck::window_without_poles;
+            }
+            continue;
+        }
+        std::vector<Orientation> planes =
+            sampled_planes(set, static_cast<std::size_t>(*sampling.sample_count),
+                           static_cast<std::uint64_t>(*sampling.seed), result.sets.size());
+        std::vector<double> weights(planes.size(), 1.0);
+        result.sets.push_back({set.name, mean_orientation(set), std::move(planes), std::move(weights), {}});
+    }
+    return result;
+}
+
+// Planes of all sets, as many of each, and what direct toppling needs to know of each of them.
 struct Samples {
     std::vector<std::vector<Orientation>> planes;  // planes[set][sample]
     std::vector<std::vector<bool>> can_be_base;    // as above
@@ -47,54 +143,65 @@ struct Samples {
     std::size_t count() const { return planes.front().size(); }
 };
 
-std::vector<std::vector<Orientation>> sampled_sets(const KinematicsStudy& study) {
-    const OrientationSampling sampling = sampling_of(study);
-    std::vector<std::vector<Orientation>> planes;
-    for (const JointSet& set : study.model.joint_set) {
-        planes.push_back(sampled_planes(set, static_cast<std::size_t>(*sampling.sample_count),
-                                        static_cast<std::uint64_t>(*sampling.seed), planes.size()));
-    }
-    return planes;
-}
-
-Samples samples_of(const KinematicsStudy& study) {
+Samples samples_of(const KinematicsStudy& study, const std::vector<AnalysedSet>& sets) {
     const Kinematics& model = study.model;
+    const OrientationSampling sampling = sampling_of(study);
     const auto base = [&](const Orientation& plane) {
         return toppling_base(model.slope, plane, model.strength.friction_angle, model.lateral_limit.direct_toppling);
     };
-    Samples samples{.planes = sampled_sets(study), .can_be_base = {}, .means = {}, .base_at_mean = {}};
-    for (std::size_t set = 0; set < model.joint_set.size(); ++set) {
-        samples.means.push_back(mean_orientation(model.joint_set[set]));
-        samples.base_at_mean.push_back(base(samples.means.back()));
+    Samples samples{.planes = {}, .can_be_base = {}, .means = {}, .base_at_mean = {}};
+    for (const AnalysedSet& set : sets) {
+        samples.planes.push_back(
+            set.measured ? drawn_planes(set.planes, set.weights, static_cast<std::size_t>(*sampling.sample_count),
+                                        static_cast<std::uint64_t>(*sampling.seed), samples.planes.size())
+                         : set.planes);
+        samples.means.push_back(set.mean);
+        samples.base_at_mean.push_back(base(set.mean));
         std::vector<bool>& can_be_base = samples.can_be_base.emplace_back();
-        for (const Orientation& plane : samples.planes[set]) {
+        for (const Orientation& plane : samples.planes.back()) {
             can_be_base.push_back(base(plane) == Feasibility::feasible);
         }
     }
     return samples;
 }
 
-JointSetFeasibility set_feasibility(const Kinematics& model, const Samples& samples, std::size_t set) {
+// Of the planes of a set, by their weights.
+template <class Predicate>
+double share_of(const AnalysedSet& set, Predicate&& predicate) {
+    double all = 0;
+    double such = 0;
+    for (std::size_t index = 0; index < set.planes.size(); ++index) {
+        all += set.weights[index];
+        such += predicate(set.planes[index]) ? set.weights[index] : 0;
+    }
+    return such / all;
+}
+
+JointSetFeasibility set_feasibility(const Kinematics& model, const AnalysedSet& set) {
     const double friction = model.strength.friction_angle;
+    const auto base = [&](const Orientation& plane) {
+        return toppling_base(model.slope, plane, friction, model.lateral_limit.direct_toppling);
+    };
     const auto mechanism = [&](auto&& criterion) {
-        const FeasibilityVerdict mean = criterion(samples.means[set]);
-        const double share = share_of(samples.planes[set], [&](const Orientation& plane) {
-            return criterion(plane).feasibility == Feasibility::feasible;
-        });
+        const FeasibilityVerdict mean = criterion(set.mean);
+        const double share = share_of(
+            set, [&](const Orientation& plane) { return criterion(plane).feasibility == Feasibility::feasible; });
         return MechanismFeasibility{mean.feasibility, mean.critical_friction_angle, share};
     };
-    return {.name = model.joint_set[set].name,
-            .mean = samples.means[set],
-            .apparent_dip = apparent_dip(samples.means[set], model.slope.face_dip_direction),
-            .angular_standard_deviation = orientation_statistics(samples.planes[set]).angular_standard_deviation,
+    return {.name = set.name,
+            .mean = set.mean,
+            .apparent_dip = apparent_dip(set.mean, model.slope.face_dip_direction),
+            .angular_standard_deviation = orientation_statistics(set.planes).angular_standard_deviation,
             .planar_sliding = mechanism([&](const Orientation& plane) {
                 return planar_sliding(model.slope, plane, friction, model.lateral_limit.planar_sliding);
             }),
             .flexural_toppling = mechanism([&](const Orientation& plane) {
                 return flexural_toppling(model.slope, plane, friction, model.lateral_limit.flexural_toppling);
             }),
-            .toppling_base = samples.base_at_mean[set],
-            .toppling_base_share = share_of(samples.can_be_base[set], [](bool base) { return base; })};
+            .toppling_base = base(set.mean),
+            .toppling_base_share =
+                share_of(set, [&](const Orientation& plane) { return base(plane) == Feasibility::feasible; }),
+            .measured = set.measured};
 }
 
 Feasibility axis_between(const Kinematics& model, const Orientation& first, const Orientation& second) {
@@ -125,8 +232,8 @@ bool has_base(const Samples& samples, std::size_t sample, std::size_t first, std
     return false;
 }
 
-PairFeasibility pair_feasibility(const Kinematics& model, const Samples& samples, std::size_t first,
-                                 std::size_t second) {
+PairFeasibility pair_feasibility(const Kinematics& model, const std::vector<AnalysedSet>& sets, const Samples& samples,
+                                 std::size_t first, std::size_t second) {
     const double friction = model.strength.friction_angle;
     std::size_t wedges = 0;
     std::size_t columns = 0;
@@ -147,15 +254,53 @@ PairFeasibility pair_feasibility(const Kinematics& model, const Samples& samples
     const WedgeVerdict wedge = wedge_sliding(model.slope, first_mean, second_mean, friction);
     const Feasibility axis = axis_between(model, first_mean, second_mean);
     const std::optional<std::size_t> base = base_at_mean(samples, first, second);
-    return {.first = model.joint_set[first].name,
-            .second = model.joint_set[second].name,
+    return {.first = sets[first].name,
+            .second = sets[second].name,
             .intersection = intersection(first_mean, second_mean).value_or(LineOrientation{0, 0}),
             .wedge_sliding = {wedge.feasibility, wedge.critical_friction_angle, static_cast<double>(wedges) / count},
             .wedge_contact = wedge.contact,
             .wedge_limiting_friction_angle = wedge.limiting_friction_angle,
             .direct_toppling = axis == Feasibility::feasible && !base ? Feasibility::no_base_plane : axis,
             .direct_toppling_share = static_cast<double>(columns) / count,
-            .toppling_base = base ? model.joint_set[*base].name : std::string{}};
+            .toppling_base = base ? sets[*base].name : std::string{}};
+}
+
+PoleCounts counts_of(const Kinematics& model, const std::vector<Orientation>& planes) {
+    const double friction = model.strength.friction_angle;
+    const auto count_if = [](const auto& items, auto&& predicate) {
+        return static_cast<double>(std::ranges::count_if(items, predicate));
+    };
+    PoleCounts counts{};
+    counts.count = static_cast<double>(planes.size());
+    counts.planar_sliding = count_if(planes, [&](const Orientation& plane) {
+        return planar_sliding(model.slope, plane, friction, model.lateral_limit.planar_sliding).feasibility ==
+               Feasibility::feasible;
+    });
+    counts.flexural_toppling = count_if(planes, [&](const Orientation& plane) {
+        return flexural_toppling(model.slope, plane, friction, model.lateral_limit.flexural_toppling).feasibility ==
+               Feasibility::feasible;
+    });
+    counts.toppling_base = count_if(planes, [&](const Orientation& plane) {
+        return toppling_base(model.slope, plane, friction, model.lateral_limit.direct_toppling) ==
+               Feasibility::feasible;
+    });
+    const std::size_t chosen = std::min(planes.size(), most_poles_intersected);
+    for (std::size_t first = 0; first < chosen; ++first) {
+        for (std::size_t second = first + 1; second < chosen; ++second) {
+            const Orientation& one = planes[first * planes.size() / chosen];
+            const Orientation& other = planes[second * planes.size() / chosen];
+            const Feasibility axis = axis_between(model, one, other);
+            counts.intersections += axis == Feasibility::planes_parallel ? 0 : 1;
+            counts.toppling_axis += axis == Feasibility::feasible ? 1 : 0;
+            counts.wedge_sliding +=
+                wedge_sliding(model.slope, one, other, friction).feasibility == Feasibility::feasible ? 1 : 0;
+        }
+    }
+    return counts;
+}
+
+bool whole(const std::optional<SetSearch>& search) {
+    return !search || std::floor(search->most_sets) == search->most_sets;
 }
 
 Prediction predict(KinematicsStudy study, std::span<const Assignment> assignments) {
@@ -174,8 +319,14 @@ KinematicsCheck check_input(const KinematicsStudy& study) {
     if (!in_range(study)) {
         return KinematicsCheck::input_out_of_range;
     }
-    if (sets.empty()) {
+    if (sets.empty() && study.model.poles.empty()) {
         return KinematicsCheck::no_joint_set;
+    }
+    if (std::ranges::any_of(study.model.poles, [](const PoleSurvey& survey) { return survey.plane.empty(); })) {
+        return KinematicsCheck::survey_without_planes;
+    }
+    if (measured_planes(study.model).size() > most_poles) {
+        return KinematicsCheck::too_many_poles;
     }
     if (sets.size() > most_joint_sets) {
         return KinematicsCheck::too_many_joint_sets;
@@ -190,7 +341,8 @@ KinematicsCheck check_input(const KinematicsStudy& study) {
         return KinematicsCheck::lower_dip_above_upper_dip;
     }
     const OrientationSampling sampling = sampling_of(study);
-    if (std::floor(*sampling.sample_count) != *sampling.sample_count || std::floor(*sampling.seed) != *sampling.seed) {
+    if (!whole(study.model.set_search) || std::floor(*sampling.sample_count) != *sampling.sample_count ||
+        std::floor(*sampling.seed) != *sampling.seed) {
         return KinematicsCheck::setting_not_whole;
     }
     return KinematicsCheck::valid;
@@ -201,29 +353,67 @@ KinematicsResult analyse(const KinematicsStudy& study) {
     if (result.check != KinematicsCheck::valid) {
         return result;
     }
-    Samples samples = samples_of(study);
-    const std::size_t sets = study.model.joint_set.size();
-    for (std::size_t set = 0; set < sets; ++set) {
-        result.joint_set.push_back(set_feasibility(study.model, samples, set));
+    const Kinematics& model = study.model;
+    const Poles poles = poles_of(model);
+    SetsOfStudy found = sets_of(study, poles);
+    if (found.check != KinematicsCheck::valid) {
+        result.check = found.check;
+        return result;
     }
-    for (std::size_t first = 0; first < sets; ++first) {
-        for (std::size_t second = first + 1; second < sets; ++second) {
-            result.pair.push_back(pair_feasibility(study.model, samples, first, second));
+    const Samples samples = samples_of(study, found.sets);
+    for (const AnalysedSet& set : found.sets) {
+        result.joint_set.push_back(set_feasibility(model, set));
+    }
+    for (std::size_t first = 0; first < found.sets.size(); ++first) {
+        for (std::size_t second = first + 1; second < found.sets.size(); ++second) {
+            result.pair.push_back(pair_feasibility(model, found.sets, samples, first, second));
         }
     }
-    result.sampled = std::move(samples.planes);
+    for (AnalysedSet& set : found.sets) {
+        result.sampled.push_back(std::move(set.planes));
+        result.sampled_weights.push_back(std::move(set.weights));
+    }
+    if (!poles.planes.empty()) {
+        result.poles = counts_of(model, poles.planes);
+        for (std::size_t pole = 0; pole < poles.planes.size(); ++pole) {
+            if (!found.has_set[pole]) {
+                result.without_set.push_back(poles.planes[pole]);
+                result.weights_without_set.push_back(poles.weights[pole]);
+            }
+        }
+        result.poles->without_set = static_cast<double>(result.without_set.size());
+    }
+    result.information_criterion = std::move(found.information_criterion);
     return result;
+}
+
+std::size_t most_sets_searched(const Kinematics& model) {
+    constexpr double most = 12;  // of the field's range
+    return model.set_search ? static_cast<std::size_t>(std::clamp(model.set_search->most_sets, 1.0, most)) : 8;
+}
+
+std::vector<Orientation> measured_planes(const Kinematics& model) {
+    std::vector<Orientation> planes;
+    for (const PoleSurvey& survey : model.poles) {
+        planes.insert(planes.end(), survey.plane.begin(), survey.plane.end());
+    }
+    return planes;
 }
 
 ModelInterface model_interface(const KinematicsStudy& study) {
     ModelInterface model;
     model.inputs = inputs_of(study.model);
-    // The number of outputs depends on the number of sets alone: an invalid study, which has none, predicts none
-    // either.
+    // The number of outputs depends on the numbers of sets and poles alone: an invalid study, which has none, predicts
+    // none either.
     KinematicsStudy cheapest = study;
     cheapest.sampling = OrientationSampling{.sample_count = 1, .seed = {}};
     model.outputs = outputs_of(analyse(cheapest));
-    model.predict = [study](std::span<const Assignment> assignments) { return predict(study, assignments); };
+    model.predict = [study, outputs = model.outputs.size()](std::span<const Assignment> assignments) -> Prediction {
+        Prediction prediction = predict(study, assignments);
+        // Poles that move may come to be other sets.
+        const bool other_sets = prediction.failure.empty() && prediction.outputs.size() != outputs;
+        return other_sets ? Prediction{"other_number_of_sets", {}, {}} : prediction;
+    };
     return model;
 }
 

@@ -1,16 +1,22 @@
 // Kinematic feasibility of sliding and toppling for every joint set and every pair of sets, at the mean orientations
 // and as the share of sampled orientations. Criteria and sources: kinematics/criteria.hpp.
 //
+// Measured poles are used as they are: a set picked by a window, or found in them (kinematics/poles.hpp), is its poles,
+// and shares are shares of them by weight. Where no joint set is given, sets are found. Pairs of sets are drawn from
+// both independently of one another. Besides, every pole and every intersection of two poles is counted.
+//
 // Limits: says which movements geometry and friction leave open, not which of them happens. Cohesion, water, spacing,
 // persistence and the height of the slope play no part. The sets are sampled independently of one another.
 #pragma once
 
 #include "kinematics/criteria.hpp"
 #include "kinematics/parameters.hpp"
+#include "kinematics/poles.hpp"
 #include "parameters/model_interface.hpp"
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,24 +26,39 @@ namespace delabole {
 // Time and the number of answers grow with the square of the number of sets.
 inline constexpr std::size_t most_joint_sets = 30;
 
+// The search for sets takes a time that grows with the square of their number.
+inline constexpr std::size_t most_poles = 10'000;
+// Of more poles than these, evenly chosen ones are intersected.
+inline constexpr std::size_t most_poles_intersected = 1'000;
+// At most 12; 8 unless the case says otherwise.
+std::size_t most_sets_searched(const Kinematics& model);
+
 enum class KinematicsCheck {
     valid,
-    no_joint_set,
+    no_joint_set,         // neither sets nor poles
     too_many_joint_sets,  // more than most_joint_sets
     joint_set_without_name,
     joint_set_name_repeated,
     lower_dip_above_upper_dip,
-    setting_not_whole,   // sample_count or seed
+    survey_without_planes,
+    too_many_poles,  // more than most_poles
+    window_without_poles,
+    no_set_found,        // the poles are as likely to scatter evenly
+    setting_not_whole,   // sample_count, seed or most_sets
     input_out_of_range,  // a number outside the range of its field, or not finite
 };
 
-constexpr std::array<std::string_view, 8> enum_names(KinematicsCheck) {
+constexpr std::array<std::string_view, 12> enum_names(KinematicsCheck) {
     return {"valid",
             "no_joint_set",
             "too_many_joint_sets",
             "joint_set_without_name",
             "joint_set_name_repeated",
             "lower_dip_above_upper_dip",
+            "survey_without_planes",
+            "too_many_poles",
+            "window_without_poles",
+            "no_set_found",
             "setting_not_whole",
             "input_out_of_range"};
 }
@@ -65,6 +86,7 @@ struct JointSetFeasibility {
     MechanismFeasibility flexural_toppling;
     Feasibility toppling_base;
     double toppling_base_share;
+    std::optional<FisherStatistics> measured;
     static constexpr auto fields() {
         using J = JointSetFeasibility;
         return std::tuple{section("name", &J::name, "name of the set"),
@@ -77,7 +99,8 @@ struct JointSetFeasibility {
                           section("flexural_toppling", &J::flexural_toppling, "flexural toppling of its layers"),
                           section("toppling_base", &J::toppling_base, "base of direct toppling, at the mean"),
                           number("toppling_base_share", &J::toppling_base_share, Dimension::ratio, any_number(),
-                                 "share of the sampled planes that can be a base of direct toppling")};
+                                 "share of the sampled planes that can be a base of direct toppling"),
+                          section("measured", &J::measured, "statistics of its measured poles")};
     }
 };
 
@@ -109,19 +132,57 @@ struct PairFeasibility {
     }
 };
 
+// All measured poles, each counted once.
+struct PoleCounts {
+    double count;
+    double planar_sliding;
+    double flexural_toppling;
+    double toppling_base;
+    double intersections;
+    double wedge_sliding;
+    double toppling_axis;
+    double without_set;
+    static constexpr auto fields() {
+        using P = PoleCounts;
+        constexpr Interval any = any_number();
+        return std::tuple{
+            number("count", &P::count, Dimension::ratio, any, "measured poles"),
+            number("planar_sliding", &P::planar_sliding, Dimension::ratio, any, "poles of planes that can slide"),
+            number("flexural_toppling", &P::flexural_toppling, Dimension::ratio, any,
+                   "poles of layers that can topple"),
+            number("toppling_base", &P::toppling_base, Dimension::ratio, any,
+                   "poles of planes that can be a base of direct toppling"),
+            number("intersections", &P::intersections, Dimension::ratio, any,
+                   "lines along which two of the planes meet, those of 1000 planes where there are more"),
+            number("wedge_sliding", &P::wedge_sliding, Dimension::ratio, any, "lines along which wedges can slide"),
+            number("toppling_axis", &P::toppling_axis, Dimension::ratio, any,
+                   "lines that can be the axis of toppling columns"),
+            number("without_set", &P::without_set, Dimension::ratio, any, "poles that belong to no set")};
+    }
+};
+
 struct KinematicsResult {
     KinematicsCheck check = KinematicsCheck::input_out_of_range;  // the rest is empty unless valid
     std::vector<JointSetFeasibility> joint_set{};                 // in the order of the input
     std::vector<PairFeasibility> pair{};                          // 1-2, 1-3, ... 2-3, ...
-    std::vector<std::vector<Orientation>> sampled{};              // the planes drawn from each set
+    std::optional<PoleCounts> poles{};                            // where there are measured ones
+    std::vector<std::vector<Orientation>> sampled{};              // the planes drawn from each set, or measured in it
+    std::vector<std::vector<double>> sampled_weights{};           // of the same
+    std::vector<Orientation> without_set{};                       // measured planes that belong to no set
+    std::vector<double> weights_without_set{};
+    std::vector<double> information_criterion{};  // of PoleClusters, where sets were searched for
     static constexpr auto fields() {
         using R = KinematicsResult;
         return std::tuple{section("joint_set", &R::joint_set, "every joint set"),
-                          section("pair", &R::pair, "every pair of joint sets")};
+                          section("pair", &R::pair, "every pair of joint sets"),
+                          section("poles", &R::poles, "all measured poles")};
     }
 };
 
 KinematicsCheck check_input(const KinematicsStudy& study);
+
+// All measured planes, survey by survey.
+std::vector<Orientation> measured_planes(const Kinematics& model);
 
 // Time grows with samples times pairs.
 KinematicsResult analyse(const KinematicsStudy& study);

@@ -6,6 +6,7 @@
 #include "parameters/fields.hpp"
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -52,18 +53,61 @@ struct LateralLimit {
     }
 };
 
+// The line along which joints were counted, a tape or a borehole: it meets joints parallel to it too seldom.
+struct Scanline {
+    double plunge;
+    double trend;
+    std::optional<double> least_angle;
+    static constexpr auto fields() {
+        using S = Scanline;
+        return std::tuple{number("plunge", &S::plunge, Dimension::angle, within(0, degrees(90)), "plunge of the line"),
+                          number("trend", &S::trend, Dimension::angle, within(0, degrees(360)), "trend of the line"),
+                          number("least_angle", &S::least_angle, Dimension::angle, left_open(0, degrees(90)),
+                                 "angle to the line below which a plane weighs no more; absent: 15 deg")};
+    }
+};
+
+struct PoleSurvey {
+    std::optional<std::string> file;
+    std::vector<Orientation> plane;
+    std::optional<Scanline> scanline;
+    static constexpr auto fields() {
+        using P = PoleSurvey;
+        return std::tuple{
+            section("file", &P::file,
+                    "CSV file beside the case with columns dip and dip_direction, trend and plunge of the "
+                    "poles, or strike (right-hand rule) and dip; absent: planes are given here"),
+            section("plane", &P::plane, "a measured plane"),
+            section("scanline", &P::scanline, "line along which planes were counted; absent: no weights")};
+    }
+};
+
+struct SetSearch {
+    double most_sets;
+    static constexpr auto fields() {
+        return std::tuple{number("most_sets", &SetSearch::most_sets, Dimension::ratio, within(1, 12),
+                                 "largest number of sets tried, a whole number")};
+    }
+};
+
 struct Kinematics {
     SlopeOrientation slope;
     JointFriction strength;
     LateralLimit lateral_limit;
     std::vector<JointSet> joint_set;
+    std::vector<PoleSurvey> poles;
+    std::optional<SetSearch> set_search;
 
     static constexpr std::string_view kind = "kinematics";
     static constexpr auto fields() {
         using K = Kinematics;
-        return std::tuple{section("slope", &K::slope, "the face"), section("strength", &K::strength, "joint strength"),
-                          section("lateral_limit", &K::lateral_limit, "limits in plan"),
-                          section("joint_set", &K::joint_set, "the joint sets")};
+        return std::tuple{
+            section("slope", &K::slope, "the face"),
+            section("strength", &K::strength, "joint strength"),
+            section("lateral_limit", &K::lateral_limit, "limits in plan"),
+            section("joint_set", &K::joint_set, "the joint sets; absent, where there are poles: those found in them"),
+            section("poles", &K::poles, "measured planes"),
+            section("set_search", &K::set_search, "how sets are found in poles; absent: up to 8")};
     }
 };
 

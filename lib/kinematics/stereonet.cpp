@@ -147,21 +147,28 @@ Polyline oblique_toppling_axis_zone(const SlopeOrientation& slope, double fricti
 }
 
 double pole_density(const std::vector<Direction>& poles, const Direction& at, double kernel_concentration) {
+    return pole_density(poles, std::vector<double>(poles.size(), 1.0), at, kernel_concentration);
+}
+
+double pole_density(const std::vector<Direction>& poles, const std::vector<double>& weights, const Direction& at,
+                    double kernel_concentration) {
     constexpr double negligible = -30;  // exp(-30) = 1e-13
     const double scale = kernel_concentration / -std::expm1(-2 * kernel_concentration);
     double sum = 0;
-    for (const Direction& pole : poles) {
-        const double cosine = std::abs(pole.dot(at));
+    double total = 0;
+    for (std::size_t pole = 0; pole < poles.size(); ++pole) {
+        const double cosine = std::abs(poles[pole].dot(at));
         const double exponent = kernel_concentration * (cosine - 1);
+        total += weights[pole];
         if (exponent > negligible) {
-            sum += std::exp(exponent) + std::exp(-kernel_concentration * (cosine + 1));
+            sum += weights[pole] * (std::exp(exponent) + std::exp(-kernel_concentration * (cosine + 1)));
         }
     }
-    return poles.empty() ? 0 : scale * sum / static_cast<double>(poles.size());
+    return poles.empty() ? 0 : scale * sum / total;
 }
 
-DensityGrid pole_density_grid(const std::vector<Direction>& poles, double kernel_concentration,
-                              NetProjection projection, std::size_t side) {
+DensityGrid density_grid(const std::function<double(const Direction&)>& density, NetProjection projection,
+                         std::size_t side) {
     DensityGrid grid;
     const double cell = 2 / static_cast<double>(side - 3);
     for (std::size_t index = 0; index < side; ++index) {
@@ -176,11 +183,18 @@ DensityGrid pole_density_grid(const std::vector<Direction>& poles, double kernel
             const Point point(grid.coordinates[static_cast<std::size_t>(column)],
                               grid.coordinates[static_cast<std::size_t>(row)]);
             if (point.norm() <= reach_out) {
-                grid.values(row, column) = pole_density(poles, direction_at(point, projection), kernel_concentration);
+                grid.values(row, column) = density(direction_at(point, projection));
             }
         }
     }
     return grid;
+}
+
+DensityGrid pole_density_grid(const std::vector<Direction>& poles, double kernel_concentration,
+                              NetProjection projection, std::size_t side) {
+    const std::vector<double> weights(poles.size(), 1.0);
+    return density_grid([&](const Direction& at) { return pole_density(poles, weights, at, kernel_concentration); },
+                        projection, side);
 }
 
 std::vector<Polyline> inside_primitive(const Polyline& line) {

@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -75,6 +76,10 @@ Polyline oblique_toppling_axis_zone(const SlopeOrientation& slope, double fricti
 // 1986, who use the same exponential kernel). A pole adds nothing where exp(K (|x.p| - 1)) falls under 1e-13.
 double pole_density(const std::vector<Direction>& poles, const Direction& at, double kernel_concentration);
 
+// The same of poles that weigh differently; as many weights.
+double pole_density(const std::vector<Direction>& poles, const std::vector<double>& weights, const Direction& at,
+                    double kernel_concentration);
+
 // A single pole peaks at K = 100 times the uniform density, as it does under the customary counting circle of 1 % of
 // the net's area.
 inline constexpr double customary_kernel_concentration = 100;
@@ -84,8 +89,11 @@ struct DensityGrid {
     Eigen::MatrixXd values;           // not finite more than one cell outside the primitive
 };
 
-// On `side` times `side` points, side >= 4, one cell wider than the net on each side; time grows with
-// side^2 * poles.size().
+// On `side` times `side` points, side >= 4, one cell wider than the net on each side.
+DensityGrid density_grid(const std::function<double(const Direction&)>& density, NetProjection projection,
+                         std::size_t side);
+
+// Time grows with side^2 * poles.size().
 DensityGrid pole_density_grid(const std::vector<Direction>& poles, double kernel_concentration,
                               NetProjection projection, std::size_t side);
 

@@ -36,8 +36,10 @@ enum class Dimension {
     angle,              // rad
     length,             // m
     area,               // m2 (m3 per metre run)
+    volume,             // m3
     stress,             // Pa
     unit_weight,        // N/m3
+    force,              // N
     force_per_length,   // N/m
     moment_per_length,  // N m/m
     energy_per_length,  // J/m
@@ -65,10 +67,14 @@ constexpr DisplayUnit display_unit(Dimension dimension) {
         return {"m", "_m", 1.0};
     case Dimension::area:
         return {"m2", "_m2", 1.0};
+    case Dimension::volume:
+        return {"m3", "_m3", 1.0};
     case Dimension::stress:
         return {"kPa", "_kPa", 1e3};
     case Dimension::unit_weight:
         return {"kN/m3", "_kN_per_m3", 1e3};
+    case Dimension::force:
+        return {"kN", "_kN", 1e3};
     case Dimension::force_per_length:
         return {"kN/m", "_kN_per_m", 1e3};
     case Dimension::moment_per_length:

@@ -15,11 +15,11 @@
 
 namespace delabole {
 
-enum class DrawnMode { plain, stays, slides, topples, slides_and_topples, moves, fixed };
+enum class DrawnMode { plain, stays, slides, topples, slides_and_topples, moves, held_by_corners, fixed };
 
 // The words of the legend; a plain block has none.
-constexpr std::array<std::string_view, 7> enum_names(DrawnMode) {
-    return {"", "stays", "slides", "topples", "slides and topples", "moves", "fixed"};
+constexpr std::array<std::string_view, 8> enum_names(DrawnMode) {
+    return {"", "stays", "slides", "topples", "slides and topples", "moves", "held by corners", "fixed"};
 }
 
 struct DrawnBlock {

@@ -13,8 +13,8 @@ struct ModeStyle {
 };
 
 inline constexpr std::array drawn_modes{
-    DrawnMode::plain, DrawnMode::stays, DrawnMode::slides, DrawnMode::topples, DrawnMode::slides_and_topples,
-    DrawnMode::moves, DrawnMode::fixed};
+    DrawnMode::plain, DrawnMode::stays,           DrawnMode::slides, DrawnMode::topples, DrawnMode::slides_and_topples,
+    DrawnMode::moves, DrawnMode::held_by_corners, DrawnMode::fixed};
 
 constexpr ModeStyle style_of(DrawnMode mode) {
     switch (mode) {
@@ -28,6 +28,8 @@ constexpr ModeStyle style_of(DrawnMode mode) {
         return {Colour::purple, 0.6};
     case DrawnMode::moves:
         return {Colour::green, 0.35};
+    case DrawnMode::held_by_corners:
+        return {Colour::vermilion, 0.4};
     case DrawnMode::fixed:
         return {Colour::grey, 0.6};
     case DrawnMode::plain:

@@ -1,11 +1,13 @@
 #include "plots/figures/stereonet.hpp"
 
+#include "kinematics/poles.hpp"
 #include "plots/drawing/contour.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -39,9 +41,9 @@ Point on_primitive(double azimuth, double radius) {
     return {radius * std::sin(azimuth), radius * std::cos(azimuth)};
 }
 
-Figure empty_net(const StereonetDrawing& drawing, std::string_view shown) {
+Figure empty_net(std::string_view title, std::string_view shown) {
     constexpr double margin = 1.17;  // room for the azimuths around the primitive
-    Figure figure{.title = drawing.title.empty() ? std::string(shown) : drawing.title + ": " + std::string(shown),
+    Figure figure{.title = title.empty() ? std::string(shown) : std::string(title) + ": " + std::string(shown),
                   .x = {.range = std::pair{-margin, margin}, .grid = false},
                   .y = {.range = std::pair{-margin, margin}, .grid = false},
                   .equal_scales = true,
@@ -52,7 +54,7 @@ Figure empty_net(const StereonetDrawing& drawing, std::string_view shown) {
 }
 
 // Primitive circle, ticks and azimuths: last, over everything that ends at the circle.
-void add_primitive(Figure& figure, NetProjection projection) {
+void add_compass(Figure& figure, NetProjection projection) {
     figure.series.emplace_back(Line{.points = plunge_circle(0, projection, 361), .colour = Colour::black, .width = 2});
     std::vector<Polyline> ticks{{Point(-0.025, 0), Point(0.025, 0)}, {Point(0, -0.025), Point(0, 0.025)}};
     for (int azimuth = 0; azimuth < 360; azimuth += 10) {
@@ -66,6 +68,10 @@ void add_primitive(Figure& figure, NetProjection projection) {
                                  .align = Label::Align::centre,
                                  .boxed = false});
     }
+}
+
+void add_primitive(Figure& figure, NetProjection projection) {
+    add_compass(figure, projection);
     figure.labels.push_back({.at = {1.16, -1.14},
                              .text = projection == NetProjection::equal_area ? "equal area, lower hemisphere"
                                                                              : "equal angle, lower hemisphere",
@@ -74,13 +80,23 @@ void add_primitive(Figure& figure, NetProjection projection) {
                              .boxed = false});
 }
 
-void add_face(Figure& figure, const StereonetDrawing& drawing) {
-    const SlopeOrientation& slope = drawing.slope;
-    figure.series.emplace_back(
-        Line{.points = great_circle({slope.face_dip, slope.face_dip_direction}, drawing.projection),
-             .legend = "face " + attitude(slope.face_dip, slope.face_dip_direction),
-             .colour = Colour::black,
-             .width = 4});
+void add_face(Figure& figure, const Orientation& face, NetProjection projection) {
+    figure.series.emplace_back(Line{.points = great_circle(face, projection),
+                                    .legend = "face " + attitude(face.dip, face.dip_direction),
+                                    .colour = Colour::black,
+                                    .width = 4});
+}
+
+void add_planes(Figure& figure, const std::vector<DrawnJointSet>& sets, NetProjection projection) {
+    for (std::size_t index = 0; index < sets.size(); ++index) {
+        const DrawnJointSet& set = sets[index];
+        figure.series.emplace_back(
+            Line{.points = great_circle(set.mean, projection),
+                 .legend = human_name(set.name) + " " + attitude(set.mean.dip, set.mean.dip_direction),
+                 .colour = of_set(set_colours, index),
+                 .dash = of_set(set_dashes, index),
+                 .width = 3});
+    }
 }
 
 void add_zone(Figure& figure, Polyline outline, std::string legend, Colour colour) {
@@ -90,31 +106,38 @@ void add_zone(Figure& figure, Polyline outline, std::string legend, Colour colou
     }
 }
 
-std::vector<Direction> counted_poles(const StereonetDrawing& drawing) {
-    constexpr std::size_t most_counted = 1000;
-    std::vector<Direction> poles;
-    for (const DrawnJointSet& set : drawing.joint_set) {
-        for (std::size_t index = 0; index < std::min(most_counted, set.planes.size()); ++index) {
-            poles.push_back(upward_normal(set.planes[index]));
+struct CountedPoles {
+    std::vector<Direction> normals;
+    std::vector<double> weights;
+    void add(const std::vector<Orientation>& planes, const std::vector<double>& own_weights, std::size_t most) {
+        for (std::size_t index = 0; index < std::min(most, planes.size()); ++index) {
+            normals.push_back(upward_normal(planes[index]));
+            weights.push_back(own_weights.empty() ? 1.0 : own_weights[index]);
         }
     }
+};
+
+CountedPoles counted_poles(const StereonetDrawing& drawing) {
+    constexpr std::size_t most_sampled = 1000;
+    CountedPoles poles;
+    for (const DrawnJointSet& set : drawing.joint_set) {
+        poles.add(set.planes, set.weights, drawing.measured ? set.planes.size() : most_sampled);
+    }
+    poles.add(drawing.without_set, drawing.weights_without_set, drawing.without_set.size());
     return poles;
 }
 
-void add_contours(Figure& figure, const StereonetDrawing& drawing) {
-    const std::vector<Direction> poles = counted_poles(drawing);
-    if (poles.empty() || drawing.grid_side < 4) {
-        return;
-    }
-    const DensityGrid grid =
-        pole_density_grid(poles, drawing.kernel_concentration, drawing.projection, drawing.grid_side);
+// At level, then what `next` makes of it, and so on up to the highest value; `legend` is told the levels.
+void add_contours(Figure& figure, const DensityGrid& grid, double level, double (*next)(double),
+                  const std::function<std::string(const std::string& levels)>& legend) {
     double highest = 0;
     for (const double value : grid.values.reshaped()) {
         highest = std::isfinite(value) ? std::max(highest, value) : highest;
     }
     std::vector<Polyline> parts;
     std::string levels;
-    for (double level = 2; level < highest && level <= 64; level *= 2) {
+    constexpr int most_levels = 8;
+    for (int count = 0; count < most_levels && level < highest; ++count, level = next(level)) {
         for (const Polyline& chain : contour_lines(grid.coordinates, grid.coordinates, grid.values, level)) {
             for (Polyline& part : inside_primitive(chain)) {
                 parts.push_back(std::move(part));
@@ -124,11 +147,27 @@ void add_contours(Figure& figure, const StereonetDrawing& drawing) {
     }
     if (!parts.empty()) {
         figure.series.emplace_back(
-            Line{.points = broken_line(parts),
-                 .legend = "density of the " + drawing.planes_are + " poles, " + levels + " times uniform",
-                 .colour = Colour::grey,
-                 .width = 1.5});
+            Line{.points = broken_line(parts), .legend = legend(levels), .colour = Colour::grey, .width = 1.5});
     }
+}
+
+std::string poles_are(const StereonetDrawing& drawing) {
+    return drawing.measured ? "measured" : "sampled";
+}
+
+void add_density_contours(Figure& figure, const StereonetDrawing& drawing) {
+    const CountedPoles poles = counted_poles(drawing);
+    if (poles.normals.empty() || drawing.grid_side < 4) {
+        return;
+    }
+    const auto density = [&](const Direction& at) {
+        return pole_density(poles.normals, poles.weights, at, drawing.kernel_concentration);
+    };
+    add_contours(
+        figure, density_grid(density, drawing.projection, drawing.grid_side), 2, [](double level) { return 2 * level; },
+        [&](const std::string& levels) {
+            return "density of the " + poles_are(drawing) + " poles, " + levels + " times uniform";
+        });
 }
 
 void add_poles(Figure& figure, const StereonetDrawing& drawing) {
@@ -137,18 +176,29 @@ void add_poles(Figure& figure, const StereonetDrawing& drawing) {
     for (std::size_t index = 0; index < drawing.joint_set.size(); ++index) {
         const DrawnJointSet& set = drawing.joint_set[index];
         Points poles{.colour = of_set(set_colours, index), .marker = of_set(set_markers, index), .size = 0.4};
-        for (std::size_t plane = 0; plane < std::min(most_drawn, set.planes.size()); ++plane) {
+        const std::size_t drawn = drawing.measured ? set.planes.size() : std::min(most_drawn, set.planes.size());
+        for (std::size_t plane = 0; plane < drawn; ++plane) {
             poles.points.push_back(projected_pole(set.planes[plane], drawing.projection));
         }
         if (poles.points.empty()) {
             continue;
         }
         if (!named) {
-            poles.legend =
-                "small marks: " + drawing.planes_are + " poles, at most " + std::to_string(most_drawn) + " of each set";
+            poles.legend = "small marks: " + poles_are(drawing) + " poles" +
+                           (drawing.measured ? "" : ", at most " + std::to_string(most_drawn) + " of each set");
             named = true;
         }
         figure.series.emplace_back(std::move(poles));
+    }
+    Points others{.legend = "measured poles that belong to no set",
+                  .colour = Colour::grey,
+                  .marker = Marker::circle,
+                  .size = 0.5};
+    for (const Orientation& plane : drawing.without_set) {
+        others.points.push_back(projected_pole(plane, drawing.projection));
+    }
+    if (!others.points.empty()) {
+        figure.series.emplace_back(std::move(others));
     }
 }
 
@@ -214,7 +264,7 @@ void add_intersection_labels(Figure& figure, const std::vector<DrawnIntersection
 Figure pole_figure(const StereonetDrawing& drawing) {
     const NetProjection projection = drawing.projection;
     const std::string friction = degrees_text(drawing.friction_angle);
-    Figure figure = empty_net(drawing, "poles");
+    Figure figure = empty_net(drawing.title, "poles");
     add_zone(
         figure,
         planar_sliding_zone(drawing.slope, drawing.friction_angle, drawing.lateral_limit.planar_sliding, projection),
@@ -227,8 +277,8 @@ Figure pole_figure(const StereonetDrawing& drawing) {
                  "° of the face",
              Colour::sky);
     add_poles(figure, drawing);
-    add_contours(figure, drawing);
-    add_face(figure, drawing);
+    add_density_contours(figure, drawing);
+    add_face(figure, {drawing.slope.face_dip, drawing.slope.face_dip_direction}, projection);
     figure.series.emplace_back(Line{.points = daylight_envelope(drawing.slope, projection),
                                     .legend = "daylight envelope of the face",
                                     .colour = Colour::black,
@@ -244,10 +294,69 @@ Figure pole_figure(const StereonetDrawing& drawing) {
     return figure;
 }
 
+Figure kamb_figure(const StereonetDrawing& drawing) {
+    Figure figure = empty_net(drawing.title, "Kamb's density of the measured poles");
+    const CountedPoles poles = counted_poles(drawing);
+    add_poles(figure, drawing);
+    if (!poles.normals.empty()) {
+        const auto density = [&](const Direction& at) { return kamb_density(poles.normals, poles.weights, at); };
+        add_contours(
+            figure, density_grid(density, drawing.projection, drawing.grid_side), 3,
+            [](double level) { return level + 3; },
+            [](const std::string& levels) { return levels + " standard deviations above uniform poles"; });
+    }
+    add_primitive(figure, drawing.projection);
+    return figure;
+}
+
+Figure rosette_figure(const std::string& title, const std::vector<Orientation>& planes,
+                      const std::vector<double>& weights) {
+    constexpr std::size_t classes = 18;
+    constexpr double width = std::numbers::pi / classes;
+    std::array<double, classes> petals{};
+    for (std::size_t index = 0; index < planes.size(); ++index) {
+        const double strike = std::fmod(planes[index].dip_direction + right_angle, std::numbers::pi);
+        petals[std::min(static_cast<std::size_t>(strike / width), classes - 1)] += weights.empty() ? 1 : weights[index];
+    }
+    const double largest = *std::ranges::max_element(petals);
+    double total = 0;
+    for (const double petal : petals) {
+        total += petal;
+    }
+    constexpr double margin = 1.17;
+    Figure figure{.title = title,
+                  .x = {.range = std::pair{-margin, margin}, .grid = false},
+                  .y = {.range = std::pair{-margin, margin}, .grid = false},
+                  .equal_scales = true,
+                  .frame = false,
+                  .width = 560,
+                  .height = 560};
+    bool named = false;
+    for (std::size_t petal = 0; petal < classes && largest > 0; ++petal) {
+        for (const double end : {0.0, std::numbers::pi}) {
+            const double radius = std::sqrt(petals[petal] / largest);
+            Polyline outline{Point(0, 0)};
+            for (int step = 0; step <= 10 && radius > 0; ++step) {
+                outline.push_back(on_primitive(end + (static_cast<double>(petal) + step / 10.0) * width, radius));
+            }
+            if (outline.size() > 2) {
+                figure.series.emplace_back(Region{
+                    .outline = outline,
+                    .legend = named ? "" : "strikes; at the circle " + human_number(100 * largest / total, 3) + " %",
+                    .colour = Colour::blue,
+                    .opacity = 0.6});
+                named = true;
+            }
+        }
+    }
+    add_compass(figure, NetProjection::equal_area);
+    return figure;
+}
+
 Figure plane_figure(const StereonetDrawing& drawing) {
     const NetProjection projection = drawing.projection;
     const std::string friction = degrees_text(drawing.friction_angle);
-    Figure figure = empty_net(drawing, "mean planes and intersections");
+    Figure figure = empty_net(drawing.title, "mean planes and intersections");
     add_zone(figure, wedge_sliding_zone(drawing.slope, drawing.friction_angle, projection),
              "intersections along which wedges slide", Colour::rock);
     add_zone(
@@ -256,16 +365,8 @@ Figure plane_figure(const StereonetDrawing& drawing) {
         Colour::sky);
     add_zone(figure, oblique_toppling_axis_zone(drawing.slope, drawing.friction_angle, projection),
              "oblique axes, within " + friction + "° of vertical", Colour::light_grey);
-    add_face(figure, drawing);
-    for (std::size_t index = 0; index < drawing.joint_set.size(); ++index) {
-        const DrawnJointSet& set = drawing.joint_set[index];
-        figure.series.emplace_back(
-            Line{.points = great_circle(set.mean, projection),
-                 .legend = human_name(set.name) + " " + attitude(set.mean.dip, set.mean.dip_direction),
-                 .colour = of_set(set_colours, index),
-                 .dash = of_set(set_dashes, index),
-                 .width = 3});
-    }
+    add_face(figure, {drawing.slope.face_dip, drawing.slope.face_dip_direction}, projection);
+    add_planes(figure, drawing.joint_set, projection);
     figure.series.emplace_back(Line{.points = plunge_circle(drawing.friction_angle, projection),
                                     .legend = "friction circle, lines plunging " + friction + "°",
                                     .colour = Colour::black,
@@ -278,6 +379,32 @@ Figure plane_figure(const StereonetDrawing& drawing) {
     add_intersection_labels(figure, drawing.intersection, lines.points);
     if (!lines.points.empty()) {
         figure.series.emplace_back(std::move(lines));
+    }
+    add_primitive(figure, projection);
+    return figure;
+}
+
+Figure wedge_net_figure(const WedgeNet& net) {
+    const NetProjection projection = net.projection;
+    Figure figure = empty_net(net.title, "planes of the wedge");
+    add_face(figure, plane_with_normal(upward_normal(net.face)), projection);
+    figure.series.emplace_back(
+        Line{.points = great_circle(net.upper_surface, projection),
+             .legend = "upper surface " + attitude(net.upper_surface.dip, net.upper_surface.dip_direction),
+             .colour = Colour::grey,
+             .width = 2});
+    add_planes(figure, net.planes, projection);
+    figure.series.emplace_back(Points{.points = {projected_line(net.line, projection)},
+                                      .legend = "line of intersection " + attitude(net.line.plunge, net.line.trend),
+                                      .colour = Colour::black,
+                                      .size = 2});
+    if (net.sliding && net.sliding->plunge >= 0) {
+        figure.series.emplace_back(
+            Points{.points = {projected_line(*net.sliding, projection)},
+                   .legend = "direction of sliding " + attitude(net.sliding->plunge, net.sliding->trend),
+                   .colour = Colour::vermilion,
+                   .marker = Marker::circle,
+                   .size = 3});
     }
     add_primitive(figure, projection);
     return figure;

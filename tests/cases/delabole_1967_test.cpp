@@ -46,22 +46,36 @@ bool leaves_unexplained(const MechanismFit& fit, const std::string& word) {
 }
 
 TEST(Delabole1967, FrictionAndWaterAreNotDeterminedSeparately) {
-    const MechanismFit& fit = mechanism("structural_sliding");
+    const MechanismFit& fit = mechanism("stepped_sliding");
     ASSERT_EQ(fit.status, FitStatus::converged);
     EXPECT_EQ(fit.identifiability.rank, 1);
     EXPECT_NE(fit.identifiability.verdict.find("only one combination is determined"), std::string::npos);
-    EXPECT_NE(data_alone(fit, "strength.friction_angle").determination, Determination::determined);
+    EXPECT_NE(data_alone(fit, "steps.friction_angle").determination, Determination::determined);
     EXPECT_NE(data_alone(fit, "water.water_elevation").determination, Determination::determined);
 }
 
-TEST(Delabole1967, StructuralSlidingNeedsWaterFarAboveTheSeepageLevels) {
-    const MechanismFit& fit = mechanism("structural_sliding");
+// Steps into the slope are driven by water alone, so that the lightest mass fails first: the smallest that counts.
+TEST(Delabole1967, SlidingOnCleavageNeedsHighWaterAndLeavesAnotherSurface) {
+    const MechanismFit& fit = mechanism("stepped_sliding");
     // A regression of the compromise between data and priors; three digits are what the README shows.
-    EXPECT_NEAR(fit.best[0], degrees(11.6), degrees(0.05));
-    EXPECT_NEAR(fit.best[1], 154, 0.5);
-    EXPECT_GT(fit.best[1], 475 * foot);  // the upper seepage level
-    EXPECT_TRUE(leaves_unexplained(fit, "water.water_elevation"));
-    EXPECT_TRUE(leaves_unexplained(fit, "strength.friction_angle"));
+    EXPECT_NEAR(fit.best[0], degrees(18.8), degrees(0.1));
+    EXPECT_NEAR(fit.best[1], 144, 0.5);
+    EXPECT_GT(fit.best[1], 450 * foot);  // one standard deviation of the prior above the average
+    EXPECT_TRUE(leaves_unexplained(fit, "post-failure profile"));
+}
+
+// Found, not put in: 14.4 m behind the crest and 899 m2 were observed.
+TEST(Delabole1967, ColumnsAndWedgeLeaveNearlyTheSurfaceObserved) {
+    const MechanismFit& fit = mechanism("stepped_toppling");
+    const auto& outputs = problem_of_1967().mechanisms.front().model.outputs;
+    const auto output = [&](const std::string& name) {
+        return fit.prediction.outputs[place_of(outputs, name).value()];
+    };
+    EXPECT_NEAR(output("retreat"), 12.6, 0.05);
+    EXPECT_NEAR(output("failed_area"), 1002, 5);
+    EXPECT_NEAR(output("knee_height"), 5.7, 0.1);
+    EXPECT_FALSE(leaves_unexplained(fit, "post-failure profile"));
+    EXPECT_TRUE(leaves_unexplained(fit, "lower_steps is 1"));
 }
 
 TEST(Delabole1967, CriticalSlidingCannotPlaceTheCrack) {
@@ -80,7 +94,7 @@ TEST(Delabole1967, CriticalSlidingCannotPlaceTheCrack) {
 }
 
 TEST(Delabole1967, SlidingExplainsNoneOfTheMovementsAtTheCrest) {
-    for (const std::string name : {"structural_sliding", "critical_sliding"}) {
+    for (const std::string name : {"stepped_sliding", "critical_sliding"}) {
         const MechanismFit& fit = mechanism(name);
         EXPECT_TRUE(leaves_unexplained(fit, "parallel_crest_cracks")) << name;
         EXPECT_TRUE(leaves_unexplained(fit, "crest_block_rotation")) << name;
@@ -88,35 +102,39 @@ TEST(Delabole1967, SlidingExplainsNoneOfTheMovementsAtTheCrest) {
 }
 
 // Field evidence counts by what a mechanism predicts: every one parts from the rock behind the crest, none in limiting
-// equilibrium turns blocks there, and the wedge's is the only joint that opens behind it.
+// equilibrium turns blocks there, and the wedge's is the only joint that moves behind it. The upper surface is one
+// joint where joints are the surface.
 TEST(Delabole1967, LimitEquilibriumPredictsOneCrackAtTheCrestAndNoMore) {
     for (const MechanismFit& fit : result_of_1967().mechanisms) {
-        EXPECT_EQ(fit.explained, std::vector<std::string>{"tension_crack_at_crest"}) << fit.name;
+        const std::vector<std::string> of_joints{"planar_upper_surface", "tension_crack_at_crest"};
+        const std::vector<std::string> of_rock{"tension_crack_at_crest"};
+        EXPECT_EQ(fit.explained, fit.name == "critical_sliding" ? of_rock : of_joints) << fit.name;
     }
-    EXPECT_TRUE(leaves_unexplained(mechanism("slide_head_toppling"), "crest_cracks is 1"));
+    EXPECT_TRUE(leaves_unexplained(mechanism("stepped_toppling"), "crest_cracks is 1"));
 }
 
 // The thesis's conclusion (2.4.2): toppling driven by wedges explains the evidence best, and needs no high water.
 TEST(Delabole1967, TopplingRanksFirstAndNeedsNoHighWater) {
     ASSERT_EQ(result_of_1967().mechanisms.size(), 3U);
-    EXPECT_EQ(result_of_1967().mechanisms[0].name, "slide_head_toppling");
+    EXPECT_EQ(result_of_1967().mechanisms[0].name, "stepped_toppling");
     EXPECT_EQ(result_of_1967().mechanisms[1].name, "critical_sliding");
-    const MechanismFit& fit = mechanism("slide_head_toppling");
+    const MechanismFit& fit = mechanism("stepped_toppling");
     ASSERT_EQ(fit.status, FitStatus::converged);
     EXPECT_FALSE(leaves_unexplained(fit, "water.water_elevation"));
     // Regressions of the compromise between data and priors; three digits are what the README shows.
-    EXPECT_NEAR(fit.best[0], degrees(29.5), degrees(0.1));
-    EXPECT_NEAR(fit.best[1], 129, 0.5);
-    EXPECT_NEAR(fit.best[2], 11.8, 0.1);
+    EXPECT_NEAR(fit.best[0], degrees(25.6), degrees(0.1));
+    EXPECT_NEAR(fit.best[1], 130, 0.5);
+    EXPECT_NEAR(fit.best[2], 9.08, 0.05);
+    EXPECT_NEAR(fit.best[4], 163e3, 1e3);
     EXPECT_LT(fit.best[1], 475 * foot);  // the upper seepage level
-    EXPECT_LT(fit.identifiability.rank, 4);
-    for (const std::string parameter : {"joints.friction_angle", "water.water_elevation", "columns.spacing"}) {
+    EXPECT_LT(fit.identifiability.rank, 5);
+    for (const std::string parameter : {"water.water_elevation", "columns.spacing", "steps.friction_angle"}) {
         EXPECT_NE(data_alone(fit, parameter).determination, Determination::determined) << parameter;
     }
 }
 
-// What the README says of the probabilities, and that it does not hang on the widths and means of the priors.
-TEST(Delabole1967, TopplingIsFirstByEvidenceWhateverThePriors) {
+// What the README says of the probabilities, and that they hang on the priors.
+TEST(Delabole1967, WhichMechanismIsFirstHangsOnThePriors) {
     const auto& mechanisms = result_of_1967().mechanisms;
     for (const MechanismFit& fit : mechanisms) {
         ASSERT_TRUE(fit.posterior) << fit.name;
@@ -131,17 +149,22 @@ TEST(Delabole1967, TopplingIsFirstByEvidenceWhateverThePriors) {
             evidences.push_back({fit.posterior->log_evidence(fit.posterior->evidence(), field),
                                  fit.posterior->evidence().standard_error});
         }
-        // Three standard errors of the computation. No mechanism has more of the field evidence than another.
-        EXPECT_NEAR(weigh(evidences)[0].probability, 0.909, 0.003) << field;
+        // Three standard errors of the computation. The critical plane predicts nothing of planes and pays for none of
+        // the joints: without field evidence it is first.
+        EXPECT_NEAR(weigh(evidences)[0].probability, field ? 0.617 : 0.180, 0.01) << field;
     }
     for (std::size_t index = 0; index < mechanisms[0].posterior->evidences.size(); ++index) {
         const auto log_evidence = [&](std::size_t mechanism) {
             const MechanismPosterior& posterior = *mechanisms[mechanism].posterior;
             return posterior.log_evidence(posterior.evidences[index].evidence, true);
         };
-        const double lead = log_evidence(0) - std::max(log_evidence(1), log_evidence(2));
-        // Errors of the evidences are below 0.05.
-        EXPECT_GT(lead, 0.3) << word_of(mechanisms[0].posterior->evidences[index].variant);
+        const EvidenceVariant variant = mechanisms[0].posterior->evidences[index].variant;
+        const bool plane_first =
+            variant == EvidenceVariant::priors_flat || variant == EvidenceVariant::prior_means_higher;
+        const double lead = log_evidence(0) - log_evidence(1);
+        // Errors of the evidences are below 0.05, but 0.14 where priors are doubled or flat.
+        EXPECT_GT(plane_first ? -lead : lead, 0) << word_of(variant);
+        EXPECT_GT(log_evidence(0) - log_evidence(2), 1) << word_of(variant);
     }
 }
 
@@ -155,22 +178,29 @@ TEST(Delabole1967, TheConclusionsOfTheThesisAsFarAsLimitEquilibriumHasASay) {
         EXPECT_NE(found, conclusions.end()) << label;
         return findings[static_cast<std::size_t>(found - conclusions.begin())];
     };
-    // Toppling has the probability asked for, and the wedge drives; but the share of what moves that topples is more
+    // The wedge drives; toppling has not the probability asked for, and the share of what moves that topples is more
     // than half at some draws and less at others.
-    EXPECT_EQ(finding("(i)").verdict, ConclusionVerdict::undecided);
-    EXPECT_EQ(finding("(ii)").verdict, ConclusionVerdict::not_tested);
-    EXPECT_EQ(finding("(vi)").verdict, ConclusionVerdict::not_tested);
+    EXPECT_EQ(finding("(i)").verdict, ConclusionVerdict::partly);
+    EXPECT_EQ(finding("(i)").tests.back().verdict, ConclusionVerdict::confirmed);
+    EXPECT_EQ(finding("(ii)").verdict, ConclusionVerdict::undecided);
+    // Sliding opens one crack at the crest, but so do columns that a wedge pushes.
+    EXPECT_EQ(finding("(vi)").verdict, ConclusionVerdict::partly);
+    EXPECT_EQ(finding("(iii) joint set B").tests.back().verdict, ConclusionVerdict::confirmed);
+    EXPECT_EQ(finding("(iii) joint set A").tests.back().verdict, ConclusionVerdict::undecided);
     const std::vector<TestFinding> water = finding("(iv)").tests;
     ASSERT_EQ(water.size(), 3U);
     // 2.4.1 finds toppling independent of water: here it takes off less than half of what it takes off sliding.
     EXPECT_EQ(water[0].verdict, ConclusionVerdict::confirmed);
-    EXPECT_EQ(water[1].verdict, ConclusionVerdict::confirmed);
+    EXPECT_EQ(water[1].verdict, ConclusionVerdict::undecided);
     EXPECT_GT(water[1].value, water[0].value / 2);
     EXPECT_EQ(water[2].verdict, ConclusionVerdict::not_tested);
 }
 
 TEST(Delabole1967, PosteriorAgreesWithTheProfileLikelihood) {
     for (const MechanismFit& fit : result_of_1967().mechanisms) {
+        if (fit.name == "stepped_toppling") {
+            continue;  // its misfit jumps where another surface fails first, and profiles stop at the jumps
+        }
         for (std::size_t index = 0; index < fit.parameters.size(); ++index) {
             const ParameterPosterior& posterior = fit.posterior->posterior.parameters[index];
             const auto profile = std::find_if(fit.profiles.begin(), fit.profiles.end(), [&](const auto& one) {

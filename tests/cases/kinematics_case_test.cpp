@@ -75,7 +75,7 @@ TEST(KinematicsCase, RefusesWhatContradictsItself) {
 
 TEST(KinematicsCase, RefusesTooFewAndTooManySets) {
     EXPECT_EQ(complaint(sets_text.substr(0, sets_text.find("[[joint_set]]"))),
-              "slope.toml:1:1: joint_set: is required: at least one [[joint_set]]");
+              "slope.toml:1:1: joint_set: is required: at least one [[joint_set]], or measured [[poles]]");
     std::string many(sets_text);
     for (std::size_t set = 2; set <= most_joint_sets; ++set) {
         many +=

@@ -4,10 +4,16 @@
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "dynamic_relaxation/study/strength_bound.hpp"
 #include "tests/support/random_slopes.hpp"
+#include "tests/support/redrawn_studies.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <map>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,17 +22,16 @@ namespace delabole {
 namespace {
 
 CaseFile published_case(std::string_view name) {
-    for (const BuiltInCase& built_in : published_cases()) {
-        if (built_in.name == name) {
-            return parse_case(built_in.text, name);
-        }
-    }
-    throw std::logic_error("no such case");
+    return built_in_case("published", name);
 }
 
 TEST(PublishedProblems, AreReadAndSayWhatTheyExpect) {
-    EXPECT_EQ(published_cases().size(), 20U);  // RJ-1 has four
-    for (const BuiltInCase& built_in : published_cases()) {
+    std::size_t count = 0;
+    for (const BuiltInCase& built_in : built_in_cases()) {
+        if (built_in.folder != "published") {
+            continue;
+        }
+        ++count;
         const CaseFile file = published_case(built_in.name);
         const auto& study = std::get<RelaxationStudy>(file.model);
         ASSERT_TRUE(study.critical) << built_in.name;
@@ -36,6 +41,7 @@ TEST(PublishedProblems, AreReadAndSayWhatTheyExpect) {
         EXPECT_NE(std::string(thesis_published_factors).find("," + std::string(built_in.name) + ","), std::string::npos)
             << built_in.name << " is not in the table of published factors";
     }
+    EXPECT_EQ(count, 23U);  // RJ-1 has four
 }
 
 // Those whose search takes less than a second or two of processor time.
@@ -49,17 +55,76 @@ TEST(PublishedProblems, QuickOnesHaveTheFactorsThatTheyExpect) {
     }
 }
 
-// Columns that topple, and blocks that slide on joints which daylight.
+// The value found, in the drawing's own frame.
+struct Redrawn {
+    std::string name;
+    RelaxationStudy study;
+    double sign = 1;
+    double shift = 0;  // of a tilt, rad
+};
+
+// In all the ways that the study can be drawn; the first is the study itself. Sets by other traces of jointed slopes
+// alone.
+std::vector<Redrawn> redrawn(const RelaxationStudy& study) {
+    const RelaxationStudy polygons = testing::as_polygons(study);
+    const bool tilts = std::holds_alternative<TiltSearch>(*study.critical);
+    constexpr double turn = 0.6;
+    std::vector<Redrawn> all{{"as drawn", study},
+                             {"as polygons", polygons},
+                             {"mirrored", testing::polygons_mirrored(polygons), tilts ? -1.0 : 1.0},
+                             {"turned", testing::polygons_turned(polygons, turn), 1, tilts ? turn : 0},
+                             {"moved by 10 km", testing::polygons_moved_away(polygons, 1e4)},
+                             {"other order", testing::polygons_in_another_order(polygons, 1)},
+                             {"more vertices", testing::polygons_with_more_vertices(polygons)}};
+    if (std::holds_alternative<RelaxationSlope>(study.model.scene)) {
+        all.push_back({"sets by another trace", testing::with_sets_by_another_trace(study)});
+    }
+    return all;
+}
+
+// Columns that topple, with and without a force, blocks that slide on joints which daylight, and bonded rock. With
+// DELABOLE_PUBLISHED=all every problem, which takes an hour, or those named; and a count of the drawings that agree.
 TEST(PublishedProblems, HaveOneFactorHoweverTheyAreDrawn) {
-    for (const std::string_view name : {"rj_2", "rj_6"}) {
-        const auto study = std::get<RelaxationStudy>(published_case(name).model);
-        const CriticalAnswer as_drawn = find_critical(study);
-        for (const RelaxationStudy& other : {testing::mirrored(study), testing::with_sets_by_another_trace(study)}) {
-            const CriticalAnswer answer = find_critical(other);
-            ASSERT_EQ(answer.status, CriticalStatus::found) << name;
-            // Rounding may take the bracket to the next one.
-            EXPECT_NEAR(answer.value(), as_drawn.value(), 1.01 * (as_drawn.fails - as_drawn.stands)) << name;
+    std::vector<std::string> names{"rj_1d", "rj_2", "rj_6", "rj_19"};
+    if (const char* const asked = std::getenv("DELABOLE_PUBLISHED")) {
+        names.clear();
+        std::istringstream words(asked);
+        for (std::string word; words >> word;) {
+            names.push_back(word);
         }
+        if (names == std::vector<std::string>{"all"}) {
+            names.clear();
+            for (const BuiltInCase& built_in : built_in_cases()) {
+                if (built_in.folder == "published") {
+                    names.emplace_back(built_in.name);
+                }
+            }
+        }
+    }
+    std::map<std::string, std::pair<std::size_t, std::size_t>> held;
+    for (const std::string& name : names) {
+        const std::vector<Redrawn> drawings = redrawn(std::get<RelaxationStudy>(published_case(name).model));
+        std::optional<CriticalAnswer> as_drawn;
+        for (const Redrawn& drawing : drawings) {
+            const CriticalAnswer answer = find_critical(drawing.study);
+            if (!as_drawn) {
+                as_drawn = answer;
+            }
+            const double value = drawing.sign * answer.value() + drawing.shift;
+            // Rounding may take the bracket to the next one.
+            const double allowed = 1.01 * std::abs(as_drawn->fails - as_drawn->stands);
+            const bool same = answer.status == as_drawn->status && std::abs(value - as_drawn->value()) <= allowed;
+            // A vertex in the middle of a face is one more place at which it bears: thrusts of toppling columns act
+            // lower, as on deformable blocks, and cohesion is shared out otherwise. Counted, but not expected.
+            EXPECT_TRUE(same || drawing.name == "more vertices")
+                << name << ", " << drawing.name << ": " << word_of(answer.status) << " " << value << ", as drawn "
+                << word_of(as_drawn->status) << " " << as_drawn->value();
+            held[drawing.name].first += same ? 1 : 0;
+            ++held[drawing.name].second;
+        }
+    }
+    for (const auto& [name, count] : held) {
+        std::cout << name << ": " << count.first << " of " << count.second << '\n';
     }
 }
 

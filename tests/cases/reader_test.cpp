@@ -138,8 +138,8 @@ TEST(Reader, AllProblemsTogetherInOrder) {
 
 TEST(Reader, WhatConcernsSeveralKeys) {
     EXPECT_EQ(complaint_after("kind = \"coulomb\"", "kind = \"stepped_surface\"\nroughness_angle = \"60 deg\""),
-              "slope.toml:22:19: strength.roughness_angle = \"60 deg\": friction_angle + roughness_angle must be less "
-              "than 90 deg");
+              "slope.toml:22:19: strength.roughness_angle = \"60 deg\": friction_angle + roughness_angle must not "
+              "exceed 89.9 deg");
     EXPECT_EQ(complaint_after("water_depth = \"10 m\"", "water_elevation = \"425 ft\""),
               "slope.toml:28:19: water.water_elevation = \"425 ft\": is an elevation, so slope.toe_elevation is "
               "required too");

@@ -432,17 +432,27 @@ TEST(RelaxationCase, SearchesThatCannotBeAreRefused) {
 TEST(RelaxationCase, SaysThatASlopeStandsOnCornersAlone) {
     const std::string through_toe = slope_over("{ x = \"0 m\", y = \"0 m\" }");
     const Analysis held = analysis_of(through_toe);
-    EXPECT_EQ(word(held, "outcome"), "equilibrium");
-    EXPECT_TRUE(warns(held, "the blocks stand only because corners bear on corners"));
+    EXPECT_EQ(word(held, "outcome"), "held_by_corners");
+    EXPECT_TRUE(held.unfinished.empty());
+    EXPECT_TRUE(warns(held, "the blocks rest only because corners bear on corners"));
+    const Analysis counted = analysis_of(through_toe + "corners_bear = \"on\"\n");
+    EXPECT_EQ(word(counted, "outcome"), "equilibrium");
+    EXPECT_FALSE(warns(counted, "the blocks rest only"));
     const Analysis slides = analysis_of(slope_over("{ x = \"0 m\", y = \"0.2 m\" }"));
     EXPECT_EQ(word(slides, "outcome"), "onset");
-    EXPECT_FALSE(warns(slides, "the blocks stand only"));
+    EXPECT_FALSE(warns(slides, "the blocks rest only"));
 
-    const Analysis searched = analysis_of(through_toe + "[critical]\nparameter = \"strength_reduction\"\n");
-    EXPECT_TRUE(warns(searched, "beyond a factor of 0.52 the blocks stand only"));
+    const std::string search = "[critical]\nparameter = \"strength_reduction\"\n";
+    const double of_plane = std::tan(degrees(20)) / std::tan(degrees(35));
+    const Analysis searched = analysis_of(through_toe + search);
+    EXPECT_TRUE(warns(searched, "which is not taken for standing"));
+    EXPECT_NEAR(std::get<double>(searched.find("factor_of_safety")->value), of_plane, 0.005);  // the bracket
+    const Analysis on_corners = analysis_of(through_toe + "corners_bear = \"on\"\n" + search);
+    EXPECT_TRUE(warns(on_corners, "beyond a factor of 0.52 the blocks rest only"));
+    EXPECT_GT(std::get<double>(on_corners.find("factor_of_safety")->value), 1.2);
     const NamedOutput* bound = searched.find("critical.bound_of_statics");
     ASSERT_NE(bound, nullptr);
-    EXPECT_NEAR(std::get<double>(bound->value), std::tan(degrees(20)) / std::tan(degrees(35)), 1e-6);
+    EXPECT_NEAR(std::get<double>(bound->value), of_plane, 1e-6);
 }
 
 TEST(RelaxationCase, SaysThatBlocksRestElsewhere) {

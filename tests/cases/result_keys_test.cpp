@@ -147,6 +147,17 @@ TEST(ResultKeys, Kinematics) {
     EXPECT_EQ(word(parallel, "pair[1].toppling_base"), "none");
 }
 
+TEST(ResultKeys, SteppedPath) {
+    const auto path = example<SteppedPath>();
+    SteppedPath held = path;
+    held.search.mechanism = SteppedPathMechanism::sliding;
+    held.steps.dip = degrees(-10);
+    held.water = Dry{};
+    EXPECT_EQ(keys_of(path), keys_of(held));
+    EXPECT_EQ(word(held, "factor_of_safety"), "\"infinite\"");
+    EXPECT_EQ(word(held, "failed_area"), "none");
+}
+
 TEST(ResultKeys, FlexuralToppling) {
     auto slope = example<FlexuralSlope>();
     FlexuralSlope flat = slope;
@@ -180,6 +191,7 @@ TEST(Lengths, AreBoundedInEveryModelOfLimitEquilibrium) {
     expect_lengths_bounded(example<BlockRow<>>());
     expect_lengths_bounded(example<SingleBlock<>>());
     expect_lengths_bounded(example<FlexuralSlope>());
+    expect_lengths_bounded(example<SteppedPath>());
 }
 
 TEST(Lengths, BeyondTheRangeAreRefusedByName) {

@@ -30,6 +30,8 @@ TEST(Units, UnitsOfRockMechanics) {
     EXPECT_DOUBLE_EQ(si("26 kN m-3", Dimension::unit_weight), 26e3);
     EXPECT_DOUBLE_EQ(si("165 lbf/ft3", Dimension::unit_weight), 165 * 157.08746384624618);
     EXPECT_DOUBLE_EQ(si("400 kN/m", Dimension::force_per_length), 400e3);
+    EXPECT_DOUBLE_EQ(si("100 lbf", Dimension::force), 444.82216152605);
+    EXPECT_DOUBLE_EQ(si("2 yd3", Dimension::volume), 2 * 0.764554857984);
     EXPECT_DOUBLE_EQ(si("5 kN m/m", Dimension::moment_per_length), 5e3);
     EXPECT_DOUBLE_EQ(si("3 m²", Dimension::area), 3);
     EXPECT_DOUBLE_EQ(si("2.7 t/m3", Dimension::density), 2700);
@@ -86,8 +88,8 @@ TEST(Units, NothingHidesInAUnit) {
 
 TEST(Units, WrittenQuantitiesReadBackIdentically) {
     for (const Dimension dimension :
-         {Dimension::ratio, Dimension::angle, Dimension::length, Dimension::area, Dimension::stress,
-          Dimension::unit_weight, Dimension::force_per_length, Dimension::moment_per_length,
+         {Dimension::ratio, Dimension::angle, Dimension::length, Dimension::area, Dimension::stress, Dimension::volume,
+          Dimension::force, Dimension::unit_weight, Dimension::force_per_length, Dimension::moment_per_length,
           Dimension::energy_per_length, Dimension::density, Dimension::stiffness, Dimension::time, Dimension::speed,
           Dimension::acceleration, Dimension::angular_speed}) {
         double value = 1.2345678e-7;

@@ -190,6 +190,7 @@ TEST(Template, OptionalSectionsAreValid) {
                           {"# [tilting]", "# [[force]]", "# [[pressure]]", "# [[joint_water]]", "# [[shaking]]",
                            "# [[removal]]", "# [settings]", "# [critical]", "# [history]"});
     expect_valid_sections("kinematics", {"# [slope.upper_surface]", "# [sampling]"});
+    expect_valid_sections("wedge", {"# [seismic]", "# [[load]]", "# [[bolt]]", "# [[required]]"});
 }
 
 // Cross joints cut columns that carry their own weight alone, which the sections above give loads.

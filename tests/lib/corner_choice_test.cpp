@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -75,6 +76,12 @@ double limit(double dip) {
     return std::atan(low);
 }
 
+RelaxationStudy with_corners_that_bear(RelaxationStudy study) {
+    study.settings->corners_bear = OffOn::on;
+    return study;
+}
+
+// Where corners bear, as those of steel do.
 TEST(Toe, SlidesAndStandsTheSameHoweverItsPlaneIsDrawn) {
     for (const double dip : {20.0, 35.0, 50.0}) {
         const std::vector<std::pair<std::string, SlopeCut>> drawings{
@@ -86,7 +93,8 @@ TEST(Toe, SlidesAndStandsTheSameHoweverItsPlaneIsDrawn) {
         for (const auto& [name, plane] : drawings) {
             // deg; what joints of finite stiffness cost is 0.03.
             for (const double beyond : {-3.0, -0.1, 0.1, 3.0}) {
-                EXPECT_EQ(run(toe(plane, limit(dip) + degrees(beyond), {{-15, 0}})).result.outcome,
+                const RelaxationStudy study = toe(plane, limit(dip) + degrees(beyond), {{-15, 0}});
+                EXPECT_EQ(run(with_corners_that_bear(study)).result.outcome,
                           beyond > 0 ? RelaxationOutcome::equilibrium : RelaxationOutcome::onset)
                     << name << ", " << dip << ", " << beyond;
             }
@@ -131,11 +139,44 @@ TEST(Toe, StandsOnItsCornerAloneBelowTheFrictionOfItsPlane) {
     }
 }
 
-TEST(Toe, AgainstAWallIsHeld) {
+// Rock bears over faces: up to the friction of the plane its tip alone holds the wedge.
+TEST(Toe, DoesNotStandOnItsCorner) {
+    const double dip = 35;
+    for (const SlopeCut& plane : {plane_from(dip, 0), plane_from(dip, -8), plane_from(dip, -40),
+                                  plane_through(dip, {0, 0}), plane_through(dip, {2, 2 * std::tan(degrees(dip))})}) {
+        const std::vector<std::pair<double, RelaxationOutcome>> outcomes{{10, RelaxationOutcome::onset},
+                                                                         {20, RelaxationOutcome::held_by_corners},
+                                                                         {34.9, RelaxationOutcome::held_by_corners},
+                                                                         {35.1, RelaxationOutcome::equilibrium}};
+        for (const auto& [friction, outcome] : outcomes) {
+            const RelaxationResult result = run(toe(plane, degrees(friction), {{-15, 0}})).result;
+            EXPECT_EQ(result.outcome, outcome) << friction;
+            const auto held = std::ranges::count(result.block, BlockMovement::held_by_corners, &BlockOutcome::movement);
+            EXPECT_EQ(held > 0, outcome == RelaxationOutcome::held_by_corners) << friction;
+        }
+    }
+}
+
+TEST(Toe, HasTheFactorOfSafetyOfItsPlane) {
+    for (const double friction : {20.0, 50.0}) {
+        RelaxationStudy study = toe(plane_through(35, {0, 0}), degrees(friction), {{-15, 0}});
+        study.critical = ReductionSearch{};
+        const CriticalAnswer found = find_critical(study);
+        ASSERT_EQ(found.status, CriticalStatus::found) << friction;
+        EXPECT_TRUE(found.held_by_corners) << friction;
+        // Within the bracket.
+        EXPECT_NEAR(found.value(), std::tan(degrees(friction)) / std::tan(degrees(35)), 0.005) << friction;
+        ASSERT_TRUE(found.failed) << friction;
+        EXPECT_EQ(found.failed->result.outcome, RelaxationOutcome::held_by_corners) << friction;
+    }
+}
+
+// In the corner between its plane and a wall there is no way out for the tip.
+TEST(Toe, AgainstAWallIsHeldByItsCorner) {
     for (const double begin : {0.0, -8.0}) {
-        EXPECT_EQ(run(toe(plane_from(35, begin), degrees(10), {{0, 6}, {-15, 6}})).result.outcome,
-                  RelaxationOutcome::equilibrium)
-            << begin;
+        const RelaxationStudy study = toe(plane_from(35, begin), degrees(10), {{0, 6}, {-15, 6}});
+        EXPECT_EQ(run(study).result.outcome, RelaxationOutcome::held_by_corners) << begin;
+        EXPECT_EQ(run(with_corners_that_bear(study)).result.outcome, RelaxationOutcome::equilibrium) << begin;
     }
 }
 

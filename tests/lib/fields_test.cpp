@@ -153,6 +153,8 @@ TEST(DisplayUnit, ConvertsToSI) {
     EXPECT_EQ(display_unit(Dimension::area).si_per_unit, 1);
     EXPECT_EQ(display_unit(Dimension::stress).si_per_unit, 1000);
     EXPECT_EQ(display_unit(Dimension::unit_weight).si_per_unit, 1000);
+    EXPECT_EQ(display_unit(Dimension::volume).si_per_unit, 1);
+    EXPECT_EQ(display_unit(Dimension::force).si_per_unit, 1000);
     EXPECT_EQ(display_unit(Dimension::force_per_length).si_per_unit, 1000);
     EXPECT_EQ(display_unit(Dimension::moment_per_length).si_per_unit, 1000);
     // pi / 180 rounded once, times 180 rounded once: two halves of an ulp.
@@ -166,6 +168,8 @@ TEST(DisplayUnit, EveryDimensionButRatioNamesItsUnitInColumns) {
     EXPECT_EQ(display_unit(Dimension::area).suffix, "_m2");
     EXPECT_EQ(display_unit(Dimension::stress).suffix, "_kPa");
     EXPECT_EQ(display_unit(Dimension::unit_weight).suffix, "_kN_per_m3");
+    EXPECT_EQ(display_unit(Dimension::volume).suffix, "_m3");
+    EXPECT_EQ(display_unit(Dimension::force).suffix, "_kN");
     EXPECT_EQ(display_unit(Dimension::force_per_length).suffix, "_kN_per_m");
     EXPECT_EQ(display_unit(Dimension::moment_per_length).suffix, "_kN_m_per_m");
 }

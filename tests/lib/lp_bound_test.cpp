@@ -49,6 +49,42 @@ TEST(LpBound, OneBlockSlidesOrTopples) {
     }
 }
 
+TEST(LeastImbalance, IsNoneWhereTheBoundIsNotReached) {
+    RandomProblem random(3003);
+    for (int repeat = 0; repeat < 300; ++repeat) {
+        std::vector<RectangularBlock> row;
+        const int blocks = 1 + static_cast<int>(random.uniform(0, 12));
+        for (int block = 0; block < blocks; ++block) {
+            row.push_back({1, std::exp(random.uniform(-1, 1.5)), std::exp(random.uniform(8, 11))});
+        }
+        const Assembly level = assemble_row(row, {degrees(random.uniform(1, 60)), degrees(random.uniform(1, 60))});
+        const LpBound bound = largest_tilt(level);
+        ASSERT_EQ(bound.status, LpStatus::optimal);
+        for (const double share : {0.999, 1.001}) {
+            Assembly pushed = level;
+            for (Body& body : pushed.bodies) {
+                body.load.force.x() -= share * bound.value * body.weight;
+            }
+            const LeastImbalance found = least_imbalance(pushed);
+            ASSERT_EQ(found.status, LpStatus::optimal);
+            EXPECT_EQ(found.stands(), share < 1) << repeat << ", " << found.sum;
+            EXPECT_EQ(found.mechanism.size(), pushed.bodies.size());
+        }
+    }
+}
+
+TEST(LeastImbalance, IsTheWeightOfABodyOnNothing) {
+    Assembly falling = assemble_row({{1, 1, 2e4}}, {degrees(30), degrees(30)});
+    falling.contacts.clear();
+    const LeastImbalance found = least_imbalance(falling);
+    ASSERT_EQ(found.status, LpStatus::optimal);
+    EXPECT_NEAR(found.sum, 1, 1e-6);
+    ASSERT_EQ(found.mechanism.size(), 1U);
+    EXPECT_NEAR(found.mechanism[0].displacement.norm(), 1, 1e-6);
+    falling.bodies.clear();
+    EXPECT_EQ(least_imbalance(falling).check, AssemblyCheck::no_bodies);
+}
+
 TEST(LpBound, TwoEqualBlocksFailInTheLeastStableOfThreeModes) {
     RandomProblem random(3002);
     for (int repeat = 0; repeat < 10000; ++repeat) {

@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace delabole {
 namespace {
 
@@ -244,6 +247,28 @@ TEST(MassScaling, DecidesTheSameInFewerSteps) {
         // The stable step goes with the root of the lightest block's inertia, a tenth of the heaviest's.
         EXPECT_GT(scaled.cost.step, 1.8 * own.cost.step);
         EXPECT_LT(energy_error(scaled, 1e-6 * density * gravity), 0.02);
+    }
+}
+
+// Pushed at 4 m/s2 for so long, a block five times as high as it is wide leans by 0.0130 rad, damped as it is, and
+// falls back on its heel (the equation of motion about its toe); or it topples.
+TEST(Onset, IsNotALeanFromWhichABlockFallsBack) {
+    for (const double pushed : {0.18, 0.6}) {
+        OnPlane plane;
+        plane.height_to_width = 5;
+        plane.friction = degrees(60);
+        RelaxationScene scene = scene_of(plane);
+        scene.shaking = {{0, {4, 0}}, {pushed, {4, 0}}, {pushed + 1e-3, {0, 0}}};
+        Simulation simulation(scene, until_onset());
+        double farthest = 0;
+        while (simulation.running()) {
+            simulation.step();
+            farthest = std::max(farthest, std::abs(simulation.state().motion[0].angle));
+        }
+        EXPECT_GT(farthest, simulation.settings().onset_rotation) << pushed;
+        EXPECT_LT(farthest, 2.1 * simulation.settings().onset_rotation) << pushed;
+        EXPECT_EQ(simulation.outcome(), pushed < 0.5 ? RelaxationOutcome::equilibrium : RelaxationOutcome::onset);
+        EXPECT_EQ(simulation.result().onset_time.has_value(), pushed > 0.5);
     }
 }
 

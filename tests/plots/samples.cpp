@@ -269,6 +269,32 @@ StereonetDrawing stereonet() {
     return drawing;
 }
 
+// The same with some planes of each set measured, and two that belong to none.
+StereonetDrawing measured_stereonet() {
+    StereonetDrawing drawing = stereonet();
+    drawing.measured = true;
+    for (DrawnJointSet& set : drawing.joint_set) {
+        set.planes.resize(30);
+    }
+    drawing.without_set = {{degrees(50), degrees(10)}, {degrees(20), degrees(350)}};
+    return drawing;
+}
+
+// Hoek & Bray's wedge of the complete solution, m.
+WedgeDrawing wedge() {
+    return {.title = "A wedge",
+            .face_dip_direction = degrees(185),
+            .face_normal = {-0.0790, -0.9029, 0.4226},
+            .upper_normal = {-0.0538, -0.2008, 0.9781},
+            .crest_1 = {-26.9, 14.9, 30.48},
+            .crest_2 = {13.1, 17.6, 29.4},
+            .crack_1 = {-22.6, 26.2, 33.0},
+            .crack_2 = {4.0, 27.4, 34.7},
+            .line_end = {-8.7, 21.2, 13.9},
+            .cracked = true,
+            .sliding = {0.324, -0.792, -0.518}};
+}
+
 std::vector<std::pair<std::string, Figure>> figures() {
     const MechanismFit fit = mechanism_fit();
     return {{"section", section_figure(section())},
@@ -282,6 +308,10 @@ std::vector<std::pair<std::string, Figure>> figures() {
             {"critical_crack", critical_figure(critical_crack())},
             {"stereonet_poles", pole_figure(stereonet())},
             {"stereonet_planes", plane_figure(stereonet())},
+            {"stereonet_kamb", kamb_figure(measured_stereonet())},
+            {"rosette", rosette_figure("Strikes", measured_stereonet().joint_set[0].planes, {})},
+            {"wedge", wedge_figure(wedge())},
+            {"slid_wedge", slid_wedge_figure(wedge())},
             {"goodman_bray_blocks", block_figure(goodman_bray_blocks())},
             {"goodman_bray_forces", force_along_slope_figure(goodman_bray_forces())},
             {"stepped_base", block_figure(stepped_base())},

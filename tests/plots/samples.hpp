@@ -5,6 +5,7 @@
 #include "plots/figures/block_figures.hpp"
 #include "plots/figures/figures.hpp"
 #include "plots/figures/stereonet.hpp"
+#include "plots/figures/wedge_figure.hpp"
 #include "plots/report/animation.hpp"
 #include "plots/report/report.hpp"
 
@@ -19,6 +20,8 @@ double factor_of_safety(double cohesion, double friction_angle, double water_rat
 
 SectionDrawing section();
 StereonetDrawing stereonet();
+StereonetDrawing measured_stereonet();
+WedgeDrawing wedge();
 WaterDepthCurves water_depth_curves();
 FailureLoci failure_loci();
 MechanismFit mechanism_fit();

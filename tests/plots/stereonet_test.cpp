@@ -116,5 +116,46 @@ TEST(StereonetFigure, HasNoFrame) {
     EXPECT_EQ(script.find("set xlabel"), std::string::npos);
 }
 
+TEST(StereonetFigure, DrawsEveryMeasuredPole) {
+    const StereonetDrawing drawing = samples::measured_stereonet();
+    std::size_t small_marks = 0;
+    for (const Points& points : all<Points>(pole_figure(drawing))) {
+        small_marks += points.size < 1 ? points.points.size() : 0;
+    }
+    EXPECT_EQ(small_marks, drawing.joint_set.size() * 30 + 2);
+    EXPECT_TRUE(names(pole_figure(drawing), "measured poles that belong to no set"));
+    EXPECT_TRUE(names(kamb_figure(drawing), "standard deviations above uniform poles"));
+}
+
+// The area of a petal says how much lies in it, and planes that dip east strike north.
+TEST(StereonetFigure, RosetteShowsStrikesAtBothEnds) {
+    const std::vector<Orientation> planes{
+        {degrees(40), degrees(93)}, {degrees(40), degrees(272)}, {degrees(40), degrees(5)}};
+    const std::vector<Region> petals = all<Region>(rosette_figure("strikes", planes, {1, 3, 1}));
+    ASSERT_EQ(petals.size(), 4U);  // two classes, two ends of each
+    double furthest_north = 0;
+    double furthest_east = 0;
+    for (const Region& petal : petals) {
+        for (const Point& point : petal.outline) {
+            furthest_north = std::max(furthest_north, std::abs(point.y()));
+            furthest_east = std::max(furthest_east, std::abs(point.x()));
+        }
+    }
+    EXPECT_NEAR(furthest_north, 1, 0.01);   // the largest reaches the circle, but for the turn of its middle
+    EXPECT_NEAR(furthest_east, 0.5, 0.01);  // a quarter of its area
+}
+
+TEST(WedgeFigure, ShowsTheWedgeBetweenFaceAndUpperSurface) {
+    const Figure figure = wedge_figure(samples::wedge());
+    EXPECT_TRUE(figure.equal_scales);
+    EXPECT_TRUE(names(figure, "tension crack, inside the rock"));
+    EXPECT_TRUE(names(figure, "direction of sliding"));
+    WedgeDrawing whole = samples::wedge();
+    whole.cracked = false;
+    whole.crack_1 = whole.crack_2 = whole.line_end;
+    EXPECT_FALSE(names(wedge_figure(whole), "tension crack"));
+    EXPECT_FALSE(names(slid_wedge_figure(whole), "tension crack"));
+}
+
 }  // namespace
 }  // namespace delabole

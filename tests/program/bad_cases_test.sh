@@ -149,7 +149,7 @@ bad_sets "azimuth beyond north" '/^face_dip_direction/s/"[^"]*"/"400 deg"/' \
     'slope.face_dip_direction = "400 deg": must be from 0 to 360 deg'
 bad_sets "friction of a wall" '/^friction_angle/s/"[^"]*"/"95 deg"/' \
     'strength.friction_angle = "95 deg": must be at least 0 and less than 90 deg'
-bad_sets "no joint set" '/^\[\[joint_set/,$d' 'case.toml:1:1: joint_set: is required: at least one [[joint_set]]'
+bad_sets "no joint set" '/^\[\[joint_set/,$d' 'case.toml:1:1: joint_set: is required: at least one [[joint_set]], or measured [[poles]]'
 bad_sets "unknown key" '/^friction_angle/a cohesion = "5 kPa"' 'strength.cohesion: is not a key of strength'
 
 title "single block: water above its top, a vertical base; row: no block, two weights, friction of a wall"

@@ -214,7 +214,7 @@ expect_status 0
 cp "$scratch/out" shown.toml
 delabole show shown.toml
 expect "showing what is shown changes nothing" cmp "$scratch/out" shown.toml
-for model in plane_failure stepped_base single_block block_row tilted_column kinematics flexural_toppling; do
+for model in plane_failure stepped_base single_block block_row tilted_column kinematics flexural_toppling wedge; do
     delabole init "$model"
     expect_status 0
     cp "$scratch/out" "$model.toml"
@@ -262,6 +262,9 @@ delabole run plane_failure.toml --set strength.kind=stepped_surface --set streng
 expect_status 0
 delabole run full_plane_failure.toml --set water.kind=dry --no-report
 expect_status 0
+delabole run "$DELABOLE_SOURCE/cases/relaxation/free_slide.toml" --no-report --out bare_motion
+expect_status 0
+expect "frames" test -s bare_motion/frames/run_blocks.pvd
 delabole fit fit.toml --no-report --out bare_fit
 expect_status 0
 expect_output 'results in bare_fit'

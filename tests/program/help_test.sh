@@ -17,8 +17,8 @@ delabole --help
 expect_status 0
 expect_output 'Exit codes: 0 ok, 1 verify mismatch, 2 usage, 3 invalid case'
 mapfile -t commands < <(sed -n '/^Subcommands:/,$p' "$scratch/out" | sed -nE 's/^  ([a-z]+) +[A-Z].*/\1/p')
-expect "run fit recover sensitivity trade check show init inputs outputs verify reproduce, not ${commands[*]}" \
-    test "${commands[*]}" == "run fit recover sensitivity trade check show init inputs outputs verify reproduce"
+expect "run fit recover sensitivity grid trade check compare show init inputs outputs verify reproduce, not ${commands[*]}" \
+    test "${commands[*]}" == "run fit recover sensitivity grid trade check compare show init inputs outputs verify reproduce"
 
 for command in "" "${commands[@]}"; do
     # shellcheck disable=SC2086

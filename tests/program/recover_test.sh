@@ -4,9 +4,14 @@
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 sliding() {
-    # The case with its first mechanism alone, and without candidates and conclusions, which name the others.
-    awk '/^\[\[fit.mechanism\]\]/ { if (++count == 2) exit } /^\[/ { skip = /^\[\[fit\.(candidate|conclusion)/ } !skip' \
-        "$source_folder/cases/delabole_1967/delabole_1967.toml"
+    # The case with its first mechanism alone, and a profile that is observed.
+    awk '/^\[\[fit.mechanism\]\]/ { if (++count == 2) exit } { print }' "$source_folder/cases/delabole_1967/given_surface.toml"
+    cat <<'END'
+[fit.profile]
+points = [["0 ft", "0 ft"], ["81.8482 ft", "75 ft"], ["129.1446 ft", "225 ft"]]
+standard_deviation = "3 m"
+source = "as in delabole_1967.toml"
+END
 }
 sliding >sliding.toml
 

@@ -17,7 +17,7 @@ misused() {
 }
 
 title "nothing wrong"
-for arguments in --version --help "check good.toml" "show good.toml" "init plane_failure" "init plane_failure --full" "inputs plane_failure" "outputs good.toml" "run --help"; do
+for arguments in --version --help --bash-completion --manual-page "check good.toml" "show good.toml" "init plane_failure" "init plane_failure --full" "inputs plane_failure" "outputs good.toml" "run --help"; do
     # shellcheck disable=SC2086
     delabole $arguments
     expect_status 0

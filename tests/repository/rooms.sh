@@ -15,7 +15,7 @@ declare -A libraries=(
     [lib]='(unsupported/)?Eigen/|gsl/|(glpk|klu)\.h$|sys/mman\.h$|emmintrin\.h$'
     [fitting]='(unsupported/)?Eigen/|gsl/|nlopt\.hp?p?$|(sqlite3|mpi)\.h$'
     [plots]='(unsupported/)?Eigen/|gsl/|gnuplot-iostream\.h$'
-    [cases]='(unsupported/)?Eigen/|gsl/|toml\+\+/|udunits2\.h$|CLI/|nlohmann/'
+    [cases]='(unsupported/)?Eigen/|gsl/|toml\+\+/|udunits2\.h$|CLI/|nlohmann/|pybind11/|httplib\.h$'
     [tests]='(unsupported/)?Eigen/|gsl/|nlopt\.hp?p?$|gnuplot-iostream\.h$|toml\+\+/|udunits2\.h$|CLI/|nlohmann/|gtest/|gmock/|benchmark/|boost/multiprecision/|fuzzer/'
 )
 # Rooms that each may include, by folder from the root. lib/ is on the include path itself, so its headers are those
@@ -30,17 +30,20 @@ declare -A rooms_below=(
 posix='^(sys/[a-z]+|unistd|fcntl|signal|poll|spawn|termios)\.h$'
 # The one file that may include it: a library whose types nobody else should see.
 declare -A only_file=([glpk.h]=lib/limit_equilibrium/bound/lp_bound.cpp [klu.h]=lib/numerics/sparse_system.cpp
-    [sqlite3.h]=fitting/work/evaluation_store.cpp [mpi.h]=fitting/work/ranks.cpp
+    [sqlite3.h]=fitting/work/evaluation_store.cpp [mpi.h]=fitting/work/ranks.cpp [httplib.h]=cases/program/live/server.cpp
     [sys/mman.h]=lib/dynamic_relaxation/wide/large_array.hpp
     [emmintrin.h]=lib/dynamic_relaxation/wide/lanes.hpp)
+# The one folder whose files may include it.
+declare -A only_folder=([pybind11]=cases/python)
 # Folders inside a room, from the lowest up: each includes only itself and those before it. A folder with such a list
 # has no other folders, and no sources beside them.
 declare -A sub_rooms=(
-    [lib/limit_equilibrium]='columns bound block_row stepped_base'
+    [lib/limit_equilibrium]='columns bound block_row stepped_base stepped_path'
     [lib/dynamic_relaxation]='wide scene blocks contact statics step study checkpoint'
     [fitting]='work probability search posterior mechanism back_analysis studies sensitivity'
     [plots]='drawing figures report'
-    [cases/program]='reader case terminal results reports models thesis commands'
+    [cases]='program python'
+    [cases/program]='reader case terminal results reports models live thesis commands'
 )
 most_sources=25
 most_lines=500
@@ -79,6 +82,8 @@ for room in "${rooms[@]}"; do
                 report "$file:$line" "<$header> has no place in $room/"
             elif [[ -n ${only_file[$header]:-} && $file != "${only_file[$header]}" ]]; then
                 report "$file:$line" "<$header> belongs in ${only_file[$header]} alone"
+            elif [[ -n ${only_folder[${header%%/*}]:-} && $file != "${only_folder[${header%%/*}]}"/* ]]; then
+                report "$file:$line" "<$header> belongs in ${only_folder[${header%%/*}]} alone"
             fi
         elif [[ $text =~ ^[[:space:]]*#[[:space:]]*include[[:space:]]*\"([^\"]+)\" ]]; then
             header=${BASH_REMATCH[1]}

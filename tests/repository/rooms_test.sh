@@ -10,11 +10,13 @@ trap 'rm -rf "$house"' EXIT
 # A house of two headers that keeps the rules, then one line more.
 build_house() {
     rm -rf "${house:?}"/*
-    mkdir -p "$house"/{lib/water,fitting/work,fitting/search,plots,cases/program/commands,tests}
+    mkdir -p "$house"/{lib/water,fitting/work,fitting/search,plots,cases/program/commands,cases/python,tests}
     printf '#pragma once\n#include <cmath>\n#include <Eigen/Core>\n' >"$house/lib/water/water.hpp"
     printf '#pragma once\n#include "water/water.hpp"\n#include <nlopt.hpp>\n' >"$house/fitting/work/fit.hpp"
     printf '#pragma once\n#include "fitting/work/fit.hpp"\n' >"$house/fitting/search/search.hpp"
     printf '#include "fitting/work/fit.hpp"\n#include <unistd.h>\n#include <toml++/toml.h>\n' >"$house/cases/program/commands/main.cpp"
+    printf '#pragma once\n#include "cases/program/commands/main.hpp"\n#include <pybind11/pybind11.h>\n' >"$house/cases/python/module.hpp"
+    printf '#pragma once\n' >"$house/cases/program/commands/main.hpp"
     printf '#include "helper.hpp"\n#include <gtest/gtest.h>\n' >"$house/tests/some_test.cpp"
 }
 failed=0
@@ -46,6 +48,8 @@ expect_broken cases/program/commands/main.cpp '#include <nlopt.hpp>'
 expect_broken cases/program/commands/main.cpp '#include <gtest/gtest.h>'
 expect_broken cases/program/commands/main.cpp '#include <boost/multiprecision/cpp_dec_float.hpp>'
 expect_broken cases/program/commands/main.cpp '#include "tests/helper.hpp"'
+expect_broken cases/program/commands/main.cpp '#include <pybind11/pybind11.h>'
+expect_broken cases/program/commands/main.cpp '#include "cases/python/module.hpp"'
 expect_broken cases/program/commands/main.cpp '#include SOME_MACRO'
 expect_broken tests/some_test.cpp '#include <armadillo.h>'
 expect_broken fitting/work/fit.hpp '#include "fitting/search/search.hpp"'

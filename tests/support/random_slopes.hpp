@@ -196,11 +196,13 @@ inline DrawnSlope with_more_vertices(DrawnSlope slope) {
     return slope;
 }
 
-enum class Verdict { stands, fails, none };
+// What only corners hold neither stands nor fails.
+enum class Verdict { stands, held_by_corners, fails, none };
 
 inline Verdict verdict_of(const DrawnSlope& slope) {
     const RelaxationOutcome outcome = relax(slope.scene, slope.settings).outcome;
     return outcome == RelaxationOutcome::equilibrium                                       ? Verdict::stands
+           : outcome == RelaxationOutcome::held_by_corners                                 ? Verdict::held_by_corners
            : outcome == RelaxationOutcome::onset || outcome == RelaxationOutcome::collapse ? Verdict::fails
                                                                                            : Verdict::none;
 }

@@ -112,7 +112,11 @@ CaseFile read_case(const std::filesystem::path& path, const std::vector<Setting>
 
 CaseFile parse_case(std::string_view text, std::string_view name, const std::vector<Setting>& settings,
                     const OutputsOf& outputs_of) {
-    Node tree = parse_document(text, name);
+    return case_of_tree(parse_document(text, name), name, settings, outputs_of);
+}
+
+CaseFile case_of_tree(Node tree, std::string_view name, const std::vector<Setting>& settings,
+                      const OutputsOf& outputs_of) {
     Reading reading{std::string(name)};
     std::vector<Problem> setting_problems;
     for (const Setting& setting : settings) {
@@ -139,7 +143,9 @@ CaseFile parse_case(std::string_view text, std::string_view name, const std::vec
     result.model = *std::move(model);
     read_model(root, result.model);
     complete_model(reading, result.model, name, "");
-    result.expectations = read_expectations(root, names_of(result.model, outputs_of, reading.inputs_known()));
+    const ModelNames names = names_of(result.model, outputs_of, reading.inputs_known());
+    result.expectations = read_expectations(root, names);
+    result.sweeps = read_sweeps(root, names);
     if (root.contains("fit")) {
         result.fit = read_fit(root, result, outputs_of);
     } else {

@@ -3,6 +3,7 @@
 
 #include "cases/program/case/model_list.hpp"
 #include "cases/program/case/model_outputs.hpp"
+#include "cases/program/case/sweep.hpp"
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/document.hpp"
 #include "cases/program/reader/section.hpp"
@@ -30,6 +31,7 @@ std::vector<Quantity> named_inputs(const CaseModel& model);
 
 // One [[expect]]: a value printed somewhere, to be compared with the computed one.
 struct Expectation {
+    std::string label;  // what is compared, in words, for reports; empty: the quantity and its conditions
     std::string quantity;
     WrittenValue value;                        // a number, a quantity or a word such as an outcome's name
     std::optional<WrittenValue> tolerance;     // absolute, of the value's dimension
@@ -95,6 +97,7 @@ struct CaseFile {
     CaseModel model;
     std::map<std::string, std::string> sources;  // key of the case -> where its value comes from
     std::vector<Expectation> expectations;
+    std::vector<CaseSweep> sweeps;
     std::optional<CaseFit> fit;
     std::optional<CaseSensitivity> sensitivity;
     std::map<std::string, KeyPlace> places;  // every key that was read
@@ -110,6 +113,10 @@ CaseFile read_case(const std::filesystem::path& path, const std::vector<Setting>
 // The same for text in memory; `name` stands for the file in messages.
 CaseFile parse_case(std::string_view text, std::string_view name, const std::vector<Setting>& settings = {},
                     const OutputsOf& outputs_of = known_outputs);
+
+// The same for a tree that no file was read for.
+CaseFile case_of_tree(Node tree, std::string_view name, const std::vector<Setting>& settings = {},
+                      const OutputsOf& outputs_of = known_outputs);
 
 // A complaint about a value that only the model could judge, at the place where the case gives it.
 Problem problem_at(const CaseFile& case_file, const std::string& key, std::string message);

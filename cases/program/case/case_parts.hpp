@@ -26,6 +26,16 @@ std::vector<Condition> read_conditions(Section& section, std::span<const ModelNa
 // `also` of a free or uncertain input: further inputs, of its dimension, that take its value.
 std::vector<std::string> read_others(Section& parameter, const Quantity& input, const ModelNames& names);
 
+// Ends where an input is meant to end, and equal steps between.
+std::vector<double> spaced_values(double from, double to, int points);
+std::vector<CaseSweep> read_sweeps(Section& root, const ModelNames& names);
+void write_sweep(std::string& text, const CaseSweep& sweep, const CaseModel& model);
+
+// key = "value", nothing where the value is empty; and `with` of a list of conditions.
+void write_text(std::string& text, std::string_view key, const std::string& value);
+void write_conditions(std::string& text, const std::vector<Condition>& conditions,
+                      const std::vector<std::vector<Quantity>>& inputs, std::string_view key = "with");
+
 std::vector<Expectation> read_expectations(Section& root, const ModelNames& names);
 // [[fit.candidate]] of the section [fit].
 std::vector<CaseCandidate> read_candidates(Section& fit, const std::vector<ModelNames>& models);

@@ -20,7 +20,7 @@ struct ExampleNumber {
 };
 
 // Examples that make sense beside each other once uncommented.
-constexpr std::array<ExampleNumber, 76> examples{{
+constexpr std::array<ExampleNumber, 80> examples{{
     {"toe_elevation", 100.0},
     {"width", 5.0},
     {"daylight_height", 1.0},
@@ -47,6 +47,10 @@ constexpr std::array<ExampleNumber, 76> examples{{
     {"concentration", 80.0},
     {"sample_count", 4000.0},
     {"seed", 1967.0},
+    {"most_sets", 8.0},
+    {"window_dip_direction", degrees(95)},
+    {"window_radius", degrees(20)},
+    {"least_angle", degrees(15)},
     {"joint_dip", degrees(70)},
     {"spacing", 5.0},
     {"stagger", 1.5},
@@ -291,7 +295,10 @@ std::string with_input_of(const CaseModel& model, std::string text) {
                                   [](const Quantity& input) { return input.name.ends_with(".friction_angle"); });
     for (std::size_t at = text.find(example_input); own != inputs.rend() && at != std::string::npos;
          at = text.find(example_input, at + own->name.size())) {
-        text.replace(at, example_input.size(), own->name);
+        // Behind a dot it ends a longer name.
+        if (text[at - 1] != '.') {
+            text.replace(at, example_input.size(), own->name);
+        }
     }
     return text;
 }

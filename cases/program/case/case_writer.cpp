@@ -17,12 +17,6 @@ std::string written(const WrittenValue& value) {
     return in_quotes(std::get<std::string>(value));
 }
 
-void write_text(std::string& text, std::string_view key, const std::string& value) {
-    if (!value.empty()) {
-        write_line(text, key, in_quotes(value));
-    }
-}
-
 void write_list(std::string& text, std::string_view key, const std::vector<std::string>& words) {
     std::string list;
     for (const std::string& word : words) {
@@ -31,26 +25,9 @@ void write_list(std::string& text, std::string_view key, const std::vector<std::
     write_line(text, key, "[" + list + "]");
 }
 
-void write_conditions(std::string& text, const std::vector<Condition>& conditions,
-                      const std::vector<std::vector<Quantity>>& inputs, std::string_view key = "with") {
-    if (conditions.empty()) {
-        return;
-    }
-    std::string table;
-    for (const Condition& condition : conditions) {
-        const Quantity* input = nullptr;
-        for (const std::vector<Quantity>& of_model : inputs) {
-            input = input != nullptr ? input : find_quantity(of_model, condition.input);
-        }
-        const Dimension dimension = input == nullptr ? Dimension::ratio : input->dimension;
-        table += (table.empty() ? "" : ", ") + in_quotes(condition.input) + " = " +
-                 written_quantity(condition.value, dimension);
-    }
-    write_line(text, key, "{ " + table + " }");
-}
-
 void write_expectation(std::string& text, const Expectation& expectation, const CaseModel& model) {
     text += "\n[[expect]]\n";
+    write_text(text, "label", expectation.label);
     write_line(text, "quantity", in_quotes(expectation.quantity));
     write_line(text, "value", written(expectation.value));
     if (expectation.tolerance) {
@@ -311,7 +288,7 @@ void write_failure(std::string& text, const FailureCriterion& failure, Dimension
     }
 }
 
-void write_sweep(std::string& text, const SweepSettings& sweep, Dimension dimension) {
+void write_sensitivity_sweep(std::string& text, const SweepSettings& sweep, Dimension dimension) {
     text += "\n[sensitivity.sweep]\n";
     write_line(text, "points", std::to_string(sweep.points));
     write_ratio(text, "lower_probability", sweep.lower_probability);
@@ -332,7 +309,7 @@ void write_methods(std::string& text, const SensitivityStudy& study, Dimension d
         write_ratio(text, "upper_probability", study.tornado->upper_probability);
     }
     if (study.sweep) {
-        write_sweep(text, *study.sweep, dimension);
+        write_sensitivity_sweep(text, *study.sweep, dimension);
     }
     if (study.morris) {
         text += "\n[sensitivity.morris]\n";
@@ -388,6 +365,30 @@ std::size_t characters_in(std::string_view text) {
 
 }  // namespace
 
+void write_text(std::string& text, std::string_view key, const std::string& value) {
+    if (!value.empty()) {
+        write_line(text, key, in_quotes(value));
+    }
+}
+
+void write_conditions(std::string& text, const std::vector<Condition>& conditions,
+                      const std::vector<std::vector<Quantity>>& inputs, std::string_view key) {
+    if (conditions.empty()) {
+        return;
+    }
+    std::string table;
+    for (const Condition& condition : conditions) {
+        const Quantity* input = nullptr;
+        for (const std::vector<Quantity>& of_model : inputs) {
+            input = input != nullptr ? input : find_quantity(of_model, condition.input);
+        }
+        const Dimension dimension = input == nullptr ? Dimension::ratio : input->dimension;
+        table += (table.empty() ? "" : ", ") + in_quotes(condition.input) + " = " +
+                 written_quantity(condition.value, dimension);
+    }
+    write_line(text, key, "{ " + table + " }");
+}
+
 std::string resolved_model(const CaseModel& model) {
     std::string text;
     write_line(text, "model", in_quotes(model_name(model)));
@@ -413,6 +414,9 @@ std::string resolved_toml(const CaseFile& case_file) {
     }
     for (const Expectation& expectation : case_file.expectations) {
         write_expectation(text, expectation, case_file.model);
+    }
+    for (const CaseSweep& sweep : case_file.sweeps) {
+        write_sweep(text, sweep, case_file.model);
     }
     if (case_file.fit) {
         write_fit(text, *case_file.fit, case_file.model);

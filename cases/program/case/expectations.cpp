@@ -63,6 +63,7 @@ void read_tolerances(Section& section, Expectation& expectation) {
 Expectation read_expectation(Section& section, const ModelNames& names) {
     Expectation expectation;
     expectation.place = section.place();
+    expectation.label = read_optional_text(section, "label");
     expectation.quantity = require_text(section, "quantity", "name of an output of the model");
     if (const Quantity* output = find_quantity(names.outputs, expectation.quantity)) {
         expectation.dimension = output->dimension;

@@ -1,6 +1,7 @@
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/case/case_parts.hpp"
 #include "cases/program/reader/spelling.hpp"
+#include "strength/shear_strength.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,12 @@ std::string indexed(const std::string& key, std::size_t index) {
 void check_whole(Checker& checker, const std::string& key, const std::optional<double>& number) {
     if (number && *number != std::floor(*number)) {
         checker.complain(key, "must be a whole number");
+    }
+}
+
+void check_strength(Checker& checker, const std::string& section, const StrengthLaw<>& strength) {
+    if (!friction_below_90_degrees(strength)) {
+        checker.complain(section + ".roughness_angle", "friction_angle + roughness_angle must not exceed 89.9 deg");
     }
 }
 

@@ -46,6 +46,9 @@ void check_increasing(Checker& checker, const std::vector<Point>& points, Coordi
     }
 }
 
+// Complains where a law of shear strength adds angles to 90 deg or more; `section` is its key.
+void check_strength(Checker& checker, const std::string& section, const StrengthLaw<>& strength);
+
 // Complains unless the value of the key names an input of the case.
 void check_input_name(Checker& checker, const std::string& key, const std::string& name, const CaseModel& model);
 
@@ -57,10 +60,12 @@ void check_required(Checker& checker, const std::vector<Request>& requests, cons
 }
 
 // Puts what files in the case's folder hold in the place of their names. `prefix` is what the keys of the model begin
-// with. Only slopes and records of shaking are read from files.
+// with. Only slopes, records of shaking and measured poles are read from files.
 template <class Model>
 void take_files(Reading& /*reading*/, Model& /*model*/, const std::filesystem::path& /*folder*/,
                 const std::string& /*prefix*/) {}
+void take_files(Reading& reading, KinematicsStudy& study, const std::filesystem::path& folder,
+                const std::string& prefix);
 void take_files(Reading& reading, RelaxationStudy& study, const std::filesystem::path& folder,
                 const std::string& prefix);
 
@@ -81,6 +86,8 @@ void check_case(Checker& checker, const TiltedColumn<>& column);
 void check_case(Checker& checker, const KinematicsStudy& study);
 void check_case(Checker& checker, const RelaxationStudy& study);
 void check_case(Checker& checker, const FlexuralSlope& slope);
+void check_case(Checker& checker, const SteppedPath& path);
+void check_case(Checker& checker, const WedgeFailureStudy<>& study);
 
 // The pointers only choose the model.
 ModelExample<PlaneFailureStudy<>> example_case(const PlaneFailureStudy<>*);
@@ -91,6 +98,8 @@ ModelExample<TiltedColumn<>> example_case(const TiltedColumn<>*);
 ModelExample<KinematicsStudy> example_case(const KinematicsStudy*);
 ModelExample<RelaxationStudy> example_case(const RelaxationStudy*);
 ModelExample<FlexuralSlope> example_case(const FlexuralSlope*);
+ModelExample<SteppedPath> example_case(const SteppedPath*);
+ModelExample<WedgeFailureStudy<>> example_case(const WedgeFailureStudy<>*);
 
 // All that the model can answer, whatever a case asks of it. The values of the model may be out of their ranges; only
 // how many parts it has may matter.
@@ -102,5 +111,7 @@ std::vector<Quantity> possible_outputs(const TiltedColumn<>& column);
 std::vector<Quantity> possible_outputs(const KinematicsStudy& study);
 std::vector<Quantity> possible_outputs(const RelaxationStudy& study);
 std::vector<Quantity> possible_outputs(const FlexuralSlope& slope);
+std::vector<Quantity> possible_outputs(const SteppedPath& path);
+std::vector<Quantity> possible_outputs(const WedgeFailureStudy<>& study);
 
 }  // namespace delabole

@@ -8,14 +8,16 @@
 #include "limit_equilibrium/block_row/single_block.hpp"
 #include "limit_equilibrium/columns/flexural_toppling.hpp"
 #include "limit_equilibrium/stepped_base/stepped_base_study.hpp"
+#include "limit_equilibrium/stepped_path/stepped_path_parameters.hpp"
 #include "plane_failure/study.hpp"
 #include "water/tilted_column.hpp"
+#include "wedge_failure/parameters.hpp"
 
 #include <variant>
 
 namespace delabole {
 
 using CaseModel = std::variant<PlaneFailureStudy<>, SteppedBaseStudy<>, SingleBlock<>, BlockRow<>, TiltedColumn<>,
-                               KinematicsStudy, RelaxationStudy, FlexuralSlope>;
+                               KinematicsStudy, RelaxationStudy, FlexuralSlope, SteppedPath, WedgeFailureStudy<>>;
 
 }  // namespace delabole

@@ -41,7 +41,7 @@ friction_angle = "37 deg"
 kind = "dry"
 )";
 
-constexpr std::array<StartingCase, 9> cases{{
+constexpr std::array<StartingCase, 10> cases{{
     {"plane_failure", plane_failure},
     {"stepped_base", R"(schema = 1
 model = "stepped_base"
@@ -70,6 +70,41 @@ friction_angle = "35 deg"
 [bases]
 friction_angle = "38 deg"
 cohesion = "0 kPa"
+)"},
+    {"stepped_path", R"(schema = 1
+model = "stepped_path"
+title = "My joint sets, and the surface that fails first"
+
+[search]
+mechanism = "slide_head_toppling"
+
+[slope]
+height = "60 m"
+face_dip = "65 deg"
+upper_surface_dip = "0 deg"
+
+[steps]
+dip = "10 deg"
+spacing = "3 m"
+friction_angle = "38 deg"
+cohesion = "0 kPa"
+
+[risers]
+dip = "70 deg"
+spacing = "5 m"
+friction_angle = "35 deg"
+cohesion = "50 kPa"
+
+[columns]
+dip = "-75 deg"
+spacing = "8 m"
+friction_angle = "35 deg"
+
+[rock]
+unit_weight = "26 kN/m3"
+
+[water]
+kind = "dry"
 )"},
     {"single_block", R"(schema = 1
 model = "single_block"
@@ -163,6 +198,33 @@ column = [
     { width = "1 m", height = "8 m" },
     { width = "1 m", height = "6 m" },
 ]
+)"},
+    {"wedge", R"(schema = 1
+model = "wedge"
+title = "My wedge"
+
+[slope]
+height = "20 m"
+face_dip = "65 deg"
+face_dip_direction = "185 deg"
+upper_surface_dip = "10 deg"
+upper_surface_dip_direction = "185 deg"
+
+[plane_1]
+dip = "45 deg"
+dip_direction = "110 deg"
+strength = { kind = "coulomb", cohesion = "20 kPa", friction_angle = "30 deg" }
+
+[plane_2]
+dip = "65 deg"
+dip_direction = "235 deg"
+strength = { kind = "coulomb", cohesion = "20 kPa", friction_angle = "30 deg" }
+
+[rock]
+unit_weight = "26 kN/m3"
+
+[water]
+kind = "dry"
 )"},
     {"jointed_slope", R"(schema = 1
 model = "relaxation"

@@ -16,6 +16,12 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options);
 ExitCode recover_command(const std::filesystem::path& path, const Options& options);
 ExitCode sensitivity_command(const std::filesystem::path& path, const Options& options);
 ExitCode trade_command(const std::filesystem::path& path, const Options& options);
+// An output over one or two inputs (options.vary), in place of the sweeps of the case.
+ExitCode grid_command(const std::filesystem::path& path, const Options& options);
+// Two cases: inputs and outputs that differ.
+ExitCode compare_command(const Paths& cases, const Options& options);
+// Serves a page on which the case is changed and answers, until it is interrupted.
+ExitCode live_command(const std::filesystem::path& path, const Options& options);
 ExitCode check_command(const Paths& cases, const Options& options);
 ExitCode show_command(const std::filesystem::path& path, const Options& options);
 ExitCode init_command(const std::string& name, const Options& options);

@@ -1,7 +1,6 @@
 // delabole fit
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/case_error.hpp"
-#include "cases/program/reader/spelling.hpp"
 #include "cases/program/reports/conclusions_report.hpp"
 #include "cases/program/reports/fit_report.hpp"
 #include "cases/program/reports/information_report.hpp"
@@ -23,33 +22,12 @@ namespace delabole {
 
 namespace {
 
-bool any_status(const FitResult& result, FitStatus status) {
-    return std::any_of(result.mechanisms.begin(), result.mechanisms.end(),
-                       [&](const MechanismFit& fit) { return fit.status == status; });
-}
-
-bool any_posterior_open(const FitResult& result) {
-    return std::any_of(result.mechanisms.begin(), result.mechanisms.end(), [](const MechanismFit& fit) {
-        return fit.posterior && fit.posterior->posterior.status != PosteriorStatus::converged;
-    });
-}
-
 template <class Work>
 auto with_progress(const Options& options, Work&& work) {
     Progress progress(options.quiet);
     return work([&](const FitProgress& state) {
         progress.report(state.fraction, std::string(state.mechanism) + ": " + std::string(state.stage));
     });
-}
-
-std::string status_of(const FitResult& result) {
-    if (any_status(result, FitStatus::interrupted)) {
-        return "interrupted";
-    }
-    return any_status(result, FitStatus::no_valid_point)     ? "no_valid_point"
-           : any_status(result, FitStatus::evaluation_limit) ? "evaluation_limit"
-           : any_posterior_open(result)                      ? "posterior_not_converged"
-                                                             : "converged";
 }
 
 // What keeps a result from being the answer; empty where nothing does.
@@ -71,23 +49,12 @@ std::string reservation_of_fit(const std::string& status) {
     return {};
 }
 
-// Leaves those that are asked for, in the order of the case. Returns the names of those that wait to be asked for.
+// Leaves those that are asked for. Returns the names of those that wait to be asked for.
 std::vector<std::string> choose_mechanisms(CaseFit& fit, const Options& options) {
     if (options.mechanisms.empty()) {
         return options.with_costly ? std::vector<std::string>() : leave_out_costly(fit);
     }
-    std::vector<std::string> names;
-    for (const FitMechanism& mechanism : fit.mechanisms) {
-        names.push_back(mechanism.name);
-    }
-    for (const std::string& name : options.mechanisms) {
-        if (std::ranges::find(names, name) == names.end()) {
-            throw UsageError("--mechanism " + name + ": the case has no such mechanism" + suggestion(name, names));
-        }
-    }
-    std::erase_if(fit.mechanisms, [&](const FitMechanism& mechanism) {
-        return std::ranges::find(options.mechanisms, mechanism.name) == options.mechanisms.end();
-    });
+    leave_mechanisms(fit, options.mechanisms);
     return {};
 }
 
@@ -130,11 +97,10 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     }
 
     Report report{title_of(file, options), file.description, {}};
-    const std::string status = status_of(result);
+    const std::string status = status_of_fit(result);
     const std::string reserved = reservation_of_fit(status);
     add_reservation(reserved, status == "interrupted", report);
     FitDocuments documents = document_fit(file, problem, result, folder, report);
-    documents.json["status"] = status;
     if (!left_out.empty()) {
         documents.json["left_out"] = left_out;
         documents.screen += left_out_in_words(left_out) + "\n";

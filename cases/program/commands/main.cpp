@@ -2,6 +2,7 @@
 #include "cases/program/case/case_file.hpp"
 #include "cases/program/case/starting_cases.hpp"
 #include "cases/program/commands/commands.hpp"
+#include "cases/program/commands/description.hpp"
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/spelling.hpp"
 #include "cases/program/terminal/interrupt.hpp"
@@ -113,6 +114,50 @@ std::string reproduce_help() {
     return text;
 }
 
+// What the argument of a command may be, apart from files.
+std::vector<std::string> words_for(const std::string& command) {
+    if (command == "init") {
+        return delabole::starting_case_names();
+    }
+    if (command == "inputs" || command == "outputs") {
+        return delabole::model_names();
+    }
+    std::vector<std::string> words;
+    if (command == "reproduce") {
+        for (const auto& [name, meaning] : delabole::reproducible()) {
+            words.push_back(name);
+        }
+    }
+    return words;
+}
+
+delabole::DescribedCommand described_command(const CLI::App& command) {
+    delabole::DescribedCommand described{.name = command.get_name(),
+                                         .meaning = command.get_description(),
+                                         .words = words_for(command.get_name()),
+                                         .footer = command.get_footer()};
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->get_positional()) {
+            described.argument = option->get_name(true);
+            described.argument_meaning = option->get_description();
+            continue;
+        }
+        delabole::DescribedOption own{.names = {}, .value = {}, .meaning = option->get_description()};
+        for (const std::string& name : option->get_snames()) {
+            own.names.push_back("-" + name);
+        }
+        for (const std::string& name : option->get_lnames()) {
+            own.names.push_back("--" + name);
+        }
+        if (option->get_items_expected_max() > 0) {
+            // Behind the colon CLI11 says what it checks.
+            own.value = option->get_type_name().substr(0, option->get_type_name().find(':'));
+        }
+        described.options.push_back(std::move(own));
+    }
+    return described;
+}
+
 std::string example(const std::string& command) {
     return "Example:\n  " + command;
 }
@@ -134,11 +179,30 @@ struct Program {
         options.ranks = &ranks;
         app.set_version_flag("--version",
                              std::string(delabole::version()) + " (" + std::string(delabole::revision()) + ")");
+        app.add_flag_callback(
+            "--bash-completion", [this] { print_and_end(delabole::bash_completion(described())); },
+            "Print what completes command lines in bash: source <(delabole --bash-completion)");
+        app.add_flag_callback(
+            "--manual-page", [this] { print_and_end(delabole::manual_page(described())); },
+            "Print the manual page: delabole --manual-page | man -l -");
         app.require_subcommand(1);
         app.footer(example("delabole run cases/plane_failure/wyllie_mah_7_1.toml"));
         add_analysis();
         add_case_tools();
         add_proof();
+    }
+
+    [[noreturn]] static void print_and_end(const std::string& text) {
+        std::cout << text;
+        throw CLI::Success();
+    }
+
+    delabole::DescribedProgram described() const {
+        delabole::DescribedProgram program{app.get_name(), std::string(delabole::version()), app.get_description(), {}};
+        for (const CLI::App* command : app.get_subcommands({})) {
+            program.commands.push_back(described_command(*command));
+        }
+        return program;
     }
 
     // A command whose work several ranks can share.
@@ -189,6 +253,7 @@ struct Program {
         fit->callback([this] { share_out([this] { return delabole::fit_command(one_case, options); }); });
 
         add_recovery();
+        add_live();
 
         CLI::App* sensitivity = app.add_subcommand(
             "sensitivity", "Which parameter matters, the distribution of an answer, the probability of failure");
@@ -201,6 +266,25 @@ struct Program {
         sensitivity->callback(
             [this] { share_out([this] { return delabole::sensitivity_command(one_case, options); }); });
 
+        CLI::App* grid =
+            app.add_subcommand("grid", "An output over one or two inputs: curves or a map, and all points as CSV");
+        grid->add_option("CASE", one_case, "Case file; - is standard input")->required();
+        grid->add_option("--vary", options.vary,
+                         "Input and its values, \"input=from:to:points\" or \"input=value,value\"; twice for a map")
+            ->type_name("INPUT=VALUES")
+            ->required()
+            ->allow_extra_args(false);
+        grid->add_option("--output", options.outputs,
+                         "What is asked at each point; may be given again; by default factor_of_safety")
+            ->type_name("NAME")
+            ->allow_extra_args(false);
+        add_common(*grid, options);
+        add_output(*grid, options);
+        add_threads(*grid, options);
+        grid->footer(example(
+            "delabole grid cases/plane_failure/wyllie_mah_7_1.toml --vary \"water.water_depth=0 m:4.35 m:30\""));
+        grid->callback([this] { choose([this] { return delabole::grid_command(one_case, options); }); });
+
         CLI::App* trade = app.add_subcommand(
             "trade", "Accuracy against cost of a dynamic relaxation: its critical value over the numerical knobs");
         trade->add_option("CASE", one_case, "Case file of model relaxation with a [critical] section")->required();
@@ -209,6 +293,19 @@ struct Program {
         add_threads(*trade, options);
         trade->footer(example("delabole trade cases/relaxation/single_block.toml"));
         trade->callback([this] { choose([this] { return delabole::trade_command(one_case, options); }); });
+    }
+
+    void add_live() {
+        CLI::App* live = app.add_subcommand(
+            "live",
+            "Look at a case in the browser and change it: the answer follows while points are dragged. Served to "
+            "this machine alone, at an address that is printed, until Ctrl-C");
+        live->add_option("CASE", one_case, "Case file")->required();
+        add_common(*live, options);
+        add_output(*live, options);
+        add_threads(*live, options);
+        live->footer(example("delabole live cases/plane_failure/wyllie_mah_7_1.toml"));
+        live->callback([this] { choose([this] { return delabole::live_command(one_case, options); }); });
     }
 
     void add_recovery() {
@@ -235,6 +332,14 @@ struct Program {
         add_common(*check, options);
         check->footer(example("delabole check cases/delabole_1967/delabole_1967.toml"));
         check->callback([this] { choose([this] { return delabole::check_command(cases, options); }); });
+
+        CLI::App* compare = app.add_subcommand("compare", "Analyse two cases and list which inputs and outputs differ");
+        compare->add_option("CASE", cases, "Two case files")->required()->expected(2);
+        add_common(*compare, options);
+        add_threads(*compare, options);
+        compare->footer(
+            example("delabole compare cases/relaxation/two_blocks_3.toml cases/relaxation/two_blocks_5.toml"));
+        compare->callback([this] { choose([this] { return delabole::compare_command(cases, options); }); });
 
         CLI::App* show =
             app.add_subcommand("show", "Print a case as it is understood, with defaults, in standard units");

@@ -5,6 +5,7 @@
 #include "cases/program/models/stepped_base/bound.hpp"
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/units.hpp"
+#include "cases/program/reports/sweep_report.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/inputs_report.hpp"
@@ -82,6 +83,22 @@ void announce(const CaseFile& file, const Options& options) {
     }
 }
 
+void append_sweeps(const CaseFile& file, const ResultFolder& folder, const Options& options, Json& json,
+                   Report& report) {
+    if (file.sweeps.empty()) {
+        return;
+    }
+    report.blocks.emplace_back(Heading{"Sweeps"});
+    Progress progress(options.quiet);
+    const auto tell = [&](double share) { progress.report(share, "sweeps"); };
+    const std::vector<Comparison> compared =
+        document_sweeps(file, {.threads = options.threads, .progress = tell}, folder, report);
+    if (!compared.empty()) {
+        report.blocks.emplace_back(comparison_table(compared));
+        json["printed_and_computed"] = json_of(compared);
+    }
+}
+
 ExitCode run_one(const CaseFile& file, const Options& options) {
     const Stopwatch watch;
     announce(file, options);
@@ -113,12 +130,7 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     }
     const Json source = provenance(file, "run", options, watch.seconds());
 
-    Json json;
-    json["status"] = analysis.status;
-    json["title"] = file.title;
-    json["model"] = std::string(model_name(file.model));
-    json["results"] = json_of(analysis.outputs);
-    json["warnings"] = analysis.warnings;
+    Json json = json_of(file, analysis);
     json["provenance"] = source;
 
     Report own;
@@ -142,6 +154,7 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
         report.blocks.emplace_back(output_table(analysis));
     }
     std::ranges::move(own.blocks, std::back_inserter(report.blocks));
+    append_sweeps(file, folder, options, json, report);
     report.blocks.emplace_back(Heading{"Inputs"});
     report.blocks.emplace_back(inputs_table(file));
     report.blocks.emplace_back(Folded{"Provenance", {provenance_block(source)}});

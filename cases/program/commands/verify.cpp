@@ -1,120 +1,20 @@
 // delabole verify
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/case_error.hpp"
-#include "cases/program/reader/units.hpp"
-#include "cases/program/results/analysis.hpp"
+#include "cases/program/reports/sweep_run.hpp"
+#include "cases/program/results/comparison.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "cases/program/terminal/interrupt.hpp"
-#include "fitting/work/words.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <iostream>
-#include <map>
-#include <tuple>
+#include <iterator>
 #include <vector>
 
 namespace delabole {
 
 namespace {
-
-enum class Verdict { met, missed, unreachable };
-
-constexpr std::array<std::string_view, 3> enum_names(Verdict) {
-    return {"ok", "MISMATCH", "unreachable"};
-}
-
-struct Comparison {
-    std::string quantity;  // with its conditions
-    std::string expected;
-    std::string computed;
-    std::string difference;
-    std::string tolerance;
-    Verdict verdict;
-    std::string source;
-};
-
-std::string conditions_in_words(const std::vector<Condition>& conditions, const CaseModel& model) {
-    std::string text;
-    std::visit(
-        [&](const auto& parameters) {
-            for_each_named_number(parameters, [&](const std::string& path, const FieldInfo& info, double) {
-                for (const Condition& condition : conditions) {
-                    if (condition.input == path) {
-                        text += (text.empty() ? " at " : ", ") + path + " = " +
-                                readable_quantity(condition.value, info.dimension);
-                    }
-                }
-            });
-        },
-        model);
-    return text;
-}
-
-// A value written in a case, whose dimension only the computed result tells.
-double written_number(const CaseFile& file, const Expectation& expected, const WrittenValue& written,
-                      Dimension dimension) {
-    const ParsedQuantity parsed = parse_value(written, dimension);
-    if (parsed.status != QuantityStatus::ok) {
-        throw CaseError(
-            {{file.name, expected.place.line, expected.place.column, expected.quantity, {}, parsed.message}});
-    }
-    return parsed.value;
-}
-
-std::string written_word(const Expectation& expected) {
-    const auto* word = std::get_if<std::string>(&expected.value);
-    return word == nullptr ? shortest_number(std::get<double>(expected.value)) : *word;
-}
-
-Comparison compare_number(const CaseFile& file, const Expectation& expected, const NamedOutput& output,
-                          double computed) {
-    const Dimension dimension = output.dimension;
-    const double target = written_number(file, expected, expected.value, dimension);
-    const double difference = computed - target;
-    const double tolerance = expected.tolerance ? written_number(file, expected, *expected.tolerance, dimension)
-                                                : expected.relative_tolerance.value_or(0.0) * std::abs(target);
-    Comparison row;
-    row.expected = readable_quantity(target, dimension);
-    row.computed = readable_quantity(computed, dimension);
-    row.difference = value_in_words(difference, dimension);
-    row.tolerance = value_in_words(tolerance, dimension);
-    row.verdict = std::abs(difference) <= tolerance ? Verdict::met : Verdict::missed;
-    return row;
-}
-
-Analysis analysis_of(const CaseFile& file, const std::vector<Condition>& conditions) {
-    AnalysisWork work;
-    work.watch = [](double, const std::string&, bool) { return !interrupt_flag(); };
-    return analyse_model(with_conditions(file.model, conditions), work);
-}
-
-Comparison compare(const CaseFile& file, const Expectation& expected, const Analysis& analysis) {
-    const NamedOutput* output = analysis.find(expected.quantity);
-    Comparison row;
-    if (!analysis.failure.empty()) {
-        const bool foreseen = expected.quantity == "check";
-        const std::string word = foreseen ? written_word(expected) : "";
-        row = {{}, word, analysis.failure,
-               {}, {},   foreseen && word == analysis.failure ? Verdict::met : Verdict::missed,
-               {}};
-    } else if (output == nullptr) {
-        row = {{}, {}, "not a result of this model", {}, {}, Verdict::missed, {}};
-    } else if (const auto* number = std::get_if<double>(&output->value)) {
-        row = compare_number(file, expected, *output, *number);
-    } else {
-        const std::string word = written_word(expected);
-        const std::string& computed = std::get<std::string>(output->value);
-        row = {{}, word, computed, {}, {}, word == computed ? Verdict::met : Verdict::missed, {}};
-    }
-    row.quantity = expected.quantity + conditions_in_words(expected.conditions, file.model);
-    row.source = expected.source;
-    if (row.verdict == Verdict::missed && expected.unreachable) {
-        row.verdict = Verdict::unreachable;
-        row.source += " (" + *expected.unreachable + ")";
-    }
-    return row;
-}
 
 Paths case_files(const Paths& given) {
     Paths files;
@@ -149,30 +49,23 @@ ExitCode verify_command(const Paths& cases, const Options& options) {
     std::array<int, 3> counts{};
     for (const std::filesystem::path& path : case_files(cases)) {
         const CaseFile file = read_case(path, settings_of(options));
-        if (file.expectations.empty()) {
-            continue;
+        std::vector<Comparison> found;
+        try {
+            found = compare_expectations(file);
+            std::ranges::move(compare_sweeps(file, {}), std::back_inserter(found));
+        } catch (const Interrupted&) {
+            std::cerr << "delabole: interrupted in " << path.string() << '\n';
+            return ExitCode::not_converged;
         }
-        rows.push_back({path.string()});
-        const auto in_order = [](const std::vector<Condition>& first, const std::vector<Condition>& second) {
-            const auto key = [](const Condition& condition) { return std::tie(condition.input, condition.value); };
-            return std::ranges::lexicographical_compare(first, second, {}, key, key);
-        };
-        std::map<std::vector<Condition>, Analysis, decltype(in_order)> analyses(in_order);
-        for (const Expectation& expected : file.expectations) {
-            const auto [found, is_new] = analyses.try_emplace(expected.conditions);
-            if (is_new) {
-                found->second = analysis_of(file, expected.conditions);
-            }
-            const Comparison row = compare(file, expected, found->second);
-            if (interrupt_flag()) {
-                std::cerr << "delabole: interrupted in " << path.string() << '\n';
-                return ExitCode::not_converged;
-            }
+        if (!found.empty()) {
+            rows.push_back({path.string()});
+        }
+        for (const Comparison& row : found) {
             const std::string verdict(word_of(row.verdict));
             ++counts[static_cast<std::size_t>(row.verdict)];
-            rows.push_back({"  " + row.quantity, row.expected, row.computed, row.difference, row.tolerance, verdict});
+            rows.push_back({"  " + row.what, row.expected, row.computed, row.difference, row.tolerance, verdict});
             json.push_back({{"case", path.string()},
-                            {"quantity", row.quantity},
+                            {"quantity", row.what},
                             {"expected", row.expected},
                             {"computed", row.computed},
                             {"difference", row.difference},

@@ -43,10 +43,14 @@ std::string si_symbol(Dimension dimension) {
         return "m";
     case Dimension::area:
         return "m2";
+    case Dimension::volume:
+        return "m3";
     case Dimension::stress:
         return "Pa";
     case Dimension::unit_weight:
         return "N/m3";
+    case Dimension::force:
+        return "N";
     case Dimension::force_per_length:
         return "N/m";
     case Dimension::moment_per_length:

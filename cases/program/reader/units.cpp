@@ -266,10 +266,14 @@ std::string_view dimension_phrase(Dimension dimension) {
         return "a length";
     case Dimension::area:
         return "an area";
+    case Dimension::volume:
+        return "a volume";
     case Dimension::stress:
         return "a stress";
     case Dimension::unit_weight:
         return "a unit weight";
+    case Dimension::force:
+        return "a force";
     case Dimension::force_per_length:
         return "a force per metre run";
     case Dimension::moment_per_length:
@@ -302,10 +306,14 @@ std::string_view example_of(Dimension dimension) {
         return "\"10 m\"";
     case Dimension::area:
         return "\"10 m2\"";
+    case Dimension::volume:
+        return "\"100 m3\"";
     case Dimension::stress:
         return "\"25 kPa\"";
     case Dimension::unit_weight:
         return "\"26 kN/m3\"";
+    case Dimension::force:
+        return "\"100 kN\"";
     case Dimension::force_per_length:
         return "\"100 kN/m\"";
     case Dimension::moment_per_length:

@@ -10,6 +10,12 @@
 
 namespace delabole {
 
+// "converged", or what keeps the result from being the answer: the worst of what the mechanisms say.
+std::string status_of_fit(const FitResult& result);
+
+// result.json of `delabole fit`, but for its provenance and for what was asked beyond the fit.
+Json json_of_fit(const CaseFile& file, const FitResult& result);
+
 struct FitDocuments {
     Json json;                           // everything but provenance
     std::string screen;                  // verdicts first, then values

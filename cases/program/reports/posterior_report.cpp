@@ -115,8 +115,8 @@ std::string dependence_in_words(const Weighed& all) {
     if (others.empty()) {
         return best +
                " stays first when priors are halved, doubled or flat, when their means are one standard deviation "
-               "lower "
-               "or higher, and when the model error of the factor of safety is halved or doubled, as far as the case "
+               "lower or higher, and when the model error of the factor of safety is halved or doubled, as far as the "
+               "case "
                "has them.";
     }
     return "The ranking depends on what was put in: " + best + " is first as given, another with " +
@@ -251,6 +251,9 @@ void append_evidence(const FitResult& result, const ResultFolder& folder, Report
     if (all.fits.empty()) {
         return;
     }
+    if (const std::string sentence = dependence_in_words(all); !sentence.empty()) {
+        report.blocks.emplace_back(Notice{NoticeKind::verdict, "Whether the ranking can be trusted", {sentence}});
+    }
     report.blocks.emplace_back(evidence_table_of(all));
     Folded folded{"Evidence: how it was weighed, and what it depends on", {}};
     folded.blocks.emplace_back(Paragraph{
@@ -265,16 +268,12 @@ void append_evidence(const FitResult& result, const ResultFolder& folder, Report
     }
     if (all.fits.front()->posterior->evidences.size() > 1) {
         folded.blocks.emplace_back(dependence_table(all));
-        const std::string sentence = dependence_in_words(all);
-        if (!sentence.empty()) {
-            folded.blocks.emplace_back(Paragraph{sentence});
-        }
     }
     if (const auto figure = evidence_dependence_figure(result)) {
         folded.blocks.emplace_back(
             folder.draw(*figure, "evidence_dependence",
-                        "Evidence when the standard deviations of all priors, or of the observed "
-                        "factors of safety (the model error), are changed. Bars: 95 % interval "
+                        "Evidence when the standard deviations or the means of all priors, or the standard deviation "
+                        "of the observed factors of safety (the model error), are changed. Bars: 95 % interval "
                         "of the computation."));
     }
     if (const auto figure = chain_agreement_figure(result)) {

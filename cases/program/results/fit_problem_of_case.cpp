@@ -1,8 +1,11 @@
 #include "cases/program/results/fit_problem_of_case.hpp"
 
+#include "cases/program/reader/spelling.hpp"
 #include "cases/program/results/analysis.hpp"
+#include "cases/program/terminal/options.hpp"
 #include "fitting/back_analysis/check_problem.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace delabole {
@@ -61,6 +64,21 @@ std::vector<std::string> leave_out_costly(CaseFit& fit) {
     }
     fit.mechanisms = std::move(others);
     return names;
+}
+
+void leave_mechanisms(CaseFit& fit, const std::vector<std::string>& names) {
+    std::vector<std::string> known;
+    for (const FitMechanism& mechanism : fit.mechanisms) {
+        known.push_back(mechanism.name);
+    }
+    for (const std::string& name : names) {
+        if (std::ranges::find(known, name) == known.end()) {
+            throw UsageError("the case has no mechanism '" + name + "'" + suggestion(name, known));
+        }
+    }
+    std::erase_if(fit.mechanisms, [&](const FitMechanism& mechanism) {
+        return std::ranges::find(names, mechanism.name) == names.end();
+    });
 }
 
 }  // namespace delabole

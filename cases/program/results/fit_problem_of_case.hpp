@@ -17,4 +17,7 @@ FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::
 // Takes out the mechanisms whose model is costly, unless there are no others. Returns their names.
 std::vector<std::string> leave_out_costly(CaseFit& fit);
 
+// Leaves the mechanisms of these names, in the order of the case. UsageError for a name that is no mechanism's.
+void leave_mechanisms(CaseFit& fit, const std::vector<std::string>& names);
+
 }  // namespace delabole

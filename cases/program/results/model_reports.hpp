@@ -10,7 +10,9 @@
 #include "fitting/mechanism/fit_result.hpp"
 #include "kinematics/kinematics.hpp"
 #include "limit_equilibrium/block_row/block_row.hpp"
+#include "limit_equilibrium/stepped_path/stepped_path.hpp"
 #include "water/column_tilt.hpp"
+#include "wedge_failure/wedge_failure.hpp"
 
 #include <string>
 #include <string_view>
@@ -19,6 +21,11 @@
 #include <vector>
 
 namespace delabole {
+
+struct WedgeFailureAnswer {
+    WedgeFailureResult result{};
+    std::vector<Required> required{};  // in the order of the study
+};
 
 // All that is computed of a case, once; its check says whether there is an answer. Only relaxation takes long: it alone
 // heeds `work`, reports how far it has come, and can be ended and gone on with.
@@ -29,6 +36,8 @@ BlockRowResult analyse_case(const BlockRow<>& row, const AnalysisWork& work = {}
 ColumnTilt analyse_case(const TiltedColumn<>& column, const AnalysisWork& work = {});
 KinematicsResult analyse_case(const KinematicsStudy& study, const AnalysisWork& work = {});
 FlexuralStability analyse_case(const FlexuralSlope& slope, const AnalysisWork& work = {});
+SteppedPathResult analyse_case(const SteppedPath& path, const AnalysisWork& work = {});
+WedgeFailureAnswer analyse_case(const WedgeFailureStudy<>& study, const AnalysisWork& work = {});
 RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisWork& work = {});
 // Its failure alone, without the run.
 std::string failure_without_run(const RelaxationStudy& study);
@@ -41,6 +50,8 @@ Analysis named_outputs(const BlockRow<>& row, const BlockRowResult& result);
 Analysis named_outputs(const TiltedColumn<>& column, const ColumnTilt& tilt);
 Analysis named_outputs(const KinematicsStudy& study, const KinematicsResult& result);
 Analysis named_outputs(const FlexuralSlope& slope, const FlexuralStability& result);
+Analysis named_outputs(const SteppedPath& path, const SteppedPathResult& result);
+Analysis named_outputs(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer);
 Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer& answer);
 
 // The answer in at most three sentences, the first of them the verdict. The answer's check is valid.
@@ -51,6 +62,8 @@ HeadCard head_card(const BlockRow<>& row, const BlockRowResult& result);
 HeadCard head_card(const TiltedColumn<>& column, const ColumnTilt& tilt);
 HeadCard head_card(const KinematicsStudy& study, const KinematicsResult& result);
 HeadCard head_card(const FlexuralSlope& slope, const FlexuralStability& result);
+HeadCard head_card(const SteppedPath& path, const SteppedPathResult& result);
+HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer);
 HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& answer);
 
 // Figures and tables that only this model has, in the report of `delabole run`, the picture of the answer first. The
@@ -68,6 +81,10 @@ void append_case_figures(const TiltedColumn<>& column, const ColumnTilt& tilt, c
 void append_case_figures(const KinematicsStudy& study, const KinematicsResult& result, const ResultFolder& folder,
                          Report& report);
 void append_case_figures(const FlexuralSlope& slope, const FlexuralStability& result, const ResultFolder& folder,
+                         Report& report);
+void append_case_figures(const SteppedPath& path, const SteppedPathResult& result, const ResultFolder& folder,
+                         Report& report);
+void append_case_figures(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer, const ResultFolder& folder,
                          Report& report);
 void append_case_figures(const RelaxationStudy& study, const RelaxationStudyAnswer& answer, const ResultFolder& folder,
                          Report& report);
@@ -102,6 +119,10 @@ void append_mechanism_figures(const RelaxationStudy& at_best, const MechanismFit
                               const ResultFolder& folder, Report& report);
 void append_mechanism_figures(const FlexuralSlope& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
+void append_mechanism_figures(const SteppedPath& at_best, const MechanismFit& fit, const FitProblem& problem,
+                              const ResultFolder& folder, Report& report);
+void append_mechanism_figures(const WedgeFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
+                              const ResultFolder& folder, Report& report);
 
 // The keys that a failed check may blame, most likely first: the first that stands in the case is blamed.
 std::vector<std::string> blamed_keys(const PlaneFailureStudy<>& study, std::string_view failure);
@@ -112,6 +133,8 @@ std::vector<std::string> blamed_keys(const TiltedColumn<>& column, std::string_v
 std::vector<std::string> blamed_keys(const KinematicsStudy& study, std::string_view failure);
 std::vector<std::string> blamed_keys(const RelaxationStudy& study, std::string_view failure);
 std::vector<std::string> blamed_keys(const FlexuralSlope& slope, std::string_view failure);
+std::vector<std::string> blamed_keys(const SteppedPath& path, std::string_view failure);
+std::vector<std::string> blamed_keys(const WedgeFailureStudy<>& study, std::string_view failure);
 
 // What is wrong, in a sentence that says what to change, with the limit that was broken where the model can tell.
 // `key` is the blamed key, empty where none stands in the case.
@@ -123,5 +146,7 @@ std::string explain_failure(const TiltedColumn<>& column, std::string_view failu
 std::string explain_failure(const KinematicsStudy& study, std::string_view failure, const std::string& key);
 std::string explain_failure(const RelaxationStudy& study, std::string_view failure, const std::string& key);
 std::string explain_failure(const FlexuralSlope& slope, std::string_view failure, const std::string& key);
+std::string explain_failure(const SteppedPath& path, std::string_view failure, const std::string& key);
+std::string explain_failure(const WedgeFailureStudy<>& study, std::string_view failure, const std::string& key);
 
 }  // namespace delabole

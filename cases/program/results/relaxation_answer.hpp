@@ -12,7 +12,6 @@ struct RelaxationStudyAnswer {
     std::optional<SlopeScene> slope{};  // where the scene is one that joints cut
     RelaxationRun run{};                // at the case's own values; its result says whether
                                         // there is an answer
-    bool stands_on_corners = false;     // at rest, though faces cannot take forces in equilibrium
     // Where a critical value is asked for and the run was not interrupted.
     std::optional<CriticalPlan> plan{};
     std::optional<CriticalAnswer> critical{};

@@ -123,6 +123,16 @@ Json json_of(const std::vector<NamedOutput>& outputs) {
     return json;
 }
 
+Json json_of(const CaseFile& file, const Analysis& analysis) {
+    Json json;
+    json["status"] = analysis.status;
+    json["title"] = file.title;
+    json["model"] = std::string(model_name(file.model));
+    json["results"] = json_of(analysis.outputs);
+    json["warnings"] = analysis.warnings;
+    return json;
+}
+
 Json json_of(const Interval& interval, Dimension dimension) {
     return Json::array({json_number(in_display_unit(interval.lower, dimension)),
                         json_number(in_display_unit(interval.upper, dimension))});
@@ -223,11 +233,17 @@ void ResultFolder::report_progress(double share, const std::string& what) const 
 }
 
 void ResultFolder::write(const std::string& name, std::string_view text) const {
+    if (path_.empty()) {
+        return;
+    }
     enter({name});
     write_file_atomically(path_ / name, text);
 }
 
 FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name, const std::string& caption) const {
+    if (taker_) {
+        taker_(figure, caption);
+    }
     if (!with_report_) {
         return {{}, caption};
     }

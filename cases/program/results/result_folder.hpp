@@ -39,6 +39,8 @@ std::string in_six_digits(double value, Dimension dimension);
 
 // {"factor_of_safety": 1.247, "crack_depth_m": 4.348, "outcome": "stable"}. Infinite values become the word "infinite".
 Json json_of(const std::vector<NamedOutput>& outputs);
+// result.json of `delabole run`, but for its provenance.
+Json json_of(const CaseFile& file, const Analysis& analysis);
 Json json_number(double value);
 // [lower, upper], in display units.
 Json json_of(const Interval& interval, Dimension dimension);
@@ -70,9 +72,16 @@ enum class OnInterrupt { finish, stop };
 // each other alone. UsageError for names that are folders of their own there, as "..": the case file "...toml".
 std::filesystem::path result_path(const Options& options, const std::string& name);
 
+// Takes figures instead of a folder.
+using FigureTaker = std::function<void(const Figure& figure, const std::string& caption)>;
+
 // One result of one process: see FolderClaim.
 class ResultFolder {
   public:
+    // Keeps nothing and draws nothing: for those who want the numbers of a report alone.
+    ResultFolder() : threads_(1), with_report_(false), on_interrupt_(OnInterrupt::finish) {}
+    // The same, but figures go to the taker.
+    explicit ResultFolder(FigureTaker taker) : ResultFolder() { taker_ = std::move(taker); }
     // Creates the folder and claims it; of several ranks only the leader does. OutputError where that is impossible, or
     // where a symbolic link stands for something that is to be written; what --out names itself may be one.
     // result.json is to be written last and so says that all the rest is there.
@@ -103,6 +112,7 @@ class ResultFolder {
     bool with_report_;
     OnInterrupt on_interrupt_;
     std::function<void(double, const std::string&)> on_progress_ = {};
+    FigureTaker taker_ = {};
     mutable GnuplotRuns gnuplot_runs_ = {};
 };
 

@@ -43,6 +43,8 @@ struct Options {
     bool at_best = false;                 // recover the best fit instead of draws of the prior
     std::vector<std::string> mechanisms;  // the only ones to be fitted; empty: all that are not costly
     bool with_costly = false;             // and those
+    std::vector<std::string> vary;        // grid: input=from:to:points
+    std::vector<std::string> outputs;     // grid: what is asked at each point
     std::filesystem::path store;          // of evaluations; empty: evaluations.sqlite in the result folder
 };
 

@@ -2,35 +2,33 @@
 #include "cases/program/models/stepped_base/columns.hpp"
 #include "cases/program/models/stepped_base/drawing.hpp"
 #include "cases/program/thesis/reproduction.hpp"
+#include "cases/program/thesis/thesis_tables.hpp"
 #include "fitting/work/words.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace delabole {
 
 namespace {
 
-constexpr double base_dip = degrees(21.8);
-constexpr double step = 0.5;
-constexpr std::array<double, 8> heights = {1, 2, 3, 4, 3.1, 2.2, 1.3, 0.4};
-constexpr int crest_column = 4;
-
-// The thesis gives bare numbers: here 1 is 1 m and 1 kN/m3.
+// The thesis gives bare numbers: in the case 1 is 1 m and 1 kN/m3.
 SteppedBase<> appendix_a(double friction_angle) {
-    BlockColumns<> columns{degrees(90) - base_dip, {}};
-    for (const double height : heights) {
-        columns.block.push_back({height, 1, step, std::nullopt});
-    }
-    SteppedBase<> problem{};
-    problem.scene.columns = columns;
-    problem.scene.rock.unit_weight = 1e3;
-    problem.scene.water = Dry{};
+    SteppedBase<> problem = std::get<SteppedBaseStudy<>>(built_in_case("stepped_base", "appendix_a").model).model;
     problem.joints.friction_angle = friction_angle;
-    problem.bases = {friction_angle, 0};
+    problem.bases.friction_angle = friction_angle;
     return problem;
 }
+
+const BlockColumns<>& columns_of(const SteppedBase<>& problem) {
+    return std::get<BlockColumns<>>(problem.scene.columns);
+}
+
+double base_dip(const SteppedBase<>& problem) {
+    return degrees(90) - columns_of(problem).joint_dip;
+}
+
+constexpr int crest_column = 4;
 
 // Program CAL of Appendix A, line by line where that matters: from the toe up, P is what the column above may push
 // with, the lesser of what topples and what slides it; friction is changed in smaller and smaller steps until nothing
@@ -42,14 +40,15 @@ struct ThesisProgram {
     bool converged = false;
 };
 
-ThesisProgram run_thesis_program() {
+ThesisProgram run_thesis_program(const SteppedBase<>& problem) {
     constexpr int most_iterations = 10000;
-    const double sine = std::sin(base_dip);
-    const double cosine = std::cos(base_dip);
-    const auto height = [](int column) { return heights[static_cast<std::size_t>(column) - 1]; };
+    const double sine = std::sin(base_dip(problem));
+    const double cosine = std::cos(base_dip(problem));
+    const std::vector<ColumnBlock<>>& blocks = columns_of(problem).block;
+    const auto height = [&](int column) { return blocks[static_cast<std::size_t>(column) - 1].height; };
     ThesisProgram program;
     program.last_column = crest_column;
-    while (program.last_column < static_cast<int>(heights.size()) && height(program.last_column + 1) > cosine / sine) {
+    while (program.last_column < static_cast<int>(blocks.size()) && height(program.last_column + 1) > cosine / sine) {
         ++program.last_column;
     }
     const double fall_of_tops = 0.4;  // TD
@@ -132,7 +131,7 @@ Reproduction reproduce_limiting_friction(const ResultFolder& folder, Report& rep
     const SteppedBase<> problem = appendix_a(limit.value);
     const ColumnSlope<> slope = make_columns(problem.scene);
     const std::vector<ColumnResult> columns = column_results(slope, strength_of(problem));
-    const ThesisProgram program = run_thesis_program();
+    const ThesisProgram program = run_thesis_program(problem);
     const SteppedBaseResult result = analyse(problem);
     const std::string modes = modes_in_words(columns);
     const auto crack = static_cast<int>(result.uppermost_moving);
@@ -151,12 +150,13 @@ Reproduction reproduce_limiting_friction(const ResultFolder& folder, Report& rep
     reproduction.rows.push_back({"modes in limiting equilibrium", "1 slides, 2 to 5 topple, 6 to 8 stay", modes, "",
                                  statement(modes == "1 slides, 2 to 5 topple and 6 to 8 stay")});
     reproduction.rows.push_back({"tension crack above column", "5", std::to_string(crack), "", statement(crack == 5)});
-    const double toppling_height = 1 / std::tan(base_dip);
-    reproduction.rows.push_back({"heights beside the crack against dx cot(alpha)", "y* < dx cot(alpha) < y**",
-                                 number_in_words(heights[above]) + " < " + number_in_words(toppling_height) + " < " +
-                                     number_in_words(heights[above - 1]),
-                                 "",
-                                 statement(heights[above] < toppling_height && toppling_height < heights[above - 1])});
+    const std::vector<ColumnBlock<>>& blocks = columns_of(problem).block;
+    const double toppling_height = 1 / std::tan(base_dip(problem));
+    reproduction.rows.push_back(
+        {"heights beside the crack against dx cot(alpha)", "y* < dx cot(alpha) < y**",
+         number_in_words(blocks[above].height) + " < " + number_in_words(toppling_height) + " < " +
+             number_in_words(blocks[above - 1].height),
+         "", statement(blocks[above].height < toppling_height && toppling_height < blocks[above - 1].height)});
 
     report.blocks.emplace_back(Heading{"Appendix A: columns on a stepped base"});
     report.blocks.emplace_back(Paragraph{

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace delabole {
@@ -76,15 +75,6 @@ struct Problem {
     // In the unit of the published values.
     double shown(double value) const { return in_display_unit(value, dimension()); }
 };
-
-CaseFile published_case(const std::string& name, const std::vector<Setting>& settings = {}) {
-    for (const auto& [stem, text] : published_cases()) {
-        if (stem == name) {
-            return parse_case(text, "cases/published/" + name + ".toml", settings);
-        }
-    }
-    throw std::logic_error("no case is called " + name);
-}
 
 void solve(Problem& problem) {
     const Stopwatch watch;
@@ -249,7 +239,7 @@ std::vector<PublishedFactors> published_rows() {
 Reproduction reproduce_factors(const ResultFolder& folder, Report& report) {
     std::vector<Problem> problems;
     for (const PublishedFactors& row : published_rows()) {
-        CaseFile file = published_case(row.name);
+        CaseFile file = built_in_case("published", row.name);
         problems.push_back({.published = row, .file = std::move(file)});
     }
     run_part(folder, {"published problems", 0, 0.9}, problems.size(),
@@ -271,7 +261,7 @@ Reproduction reproduce_factors(const ResultFolder& folder, Report& report) {
 
 ReproductionChapter published_problems() {
     return {"published",
-            "twenty published problems of jointed slopes, of RJ-1 to RJ-20",
+            "published problems of jointed slopes, RJ-1 to RJ-20",
             "Published problems of jointed slopes",
             {{"factors", "factors of safety by strength reduction beside those of other codes", reproduce_factors,
               ReproductionCost::minutes}}};

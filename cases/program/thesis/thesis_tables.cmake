@@ -1,32 +1,35 @@
 # Builds the tables of the thesis and of the published problems, and the cases of both, into the program, which then needs
 # no files beside it.
-set(chapter_2_case_names plate_2_i plate_2_i_without_cleavage plate_2_i_continuity plate_2_ii plate_2_ii_joints_c
-    plate_2_iii plate_2_iv plate_2_iv_divided plate_2_v plate_2_vi groundwater_column)
-set(published_case_names
-    rj_1a rj_1b rj_1c rj_1d rj_2 rj_3 rj_5 rj_6 rj_7 rj_9 rj_10 rj_11 rj_12 rj_13 rj_14 rj_15 rj_16 rj_17 rj_18 rj_19)
 set(thesis_tables "")
 foreach(table
     thesis/chapter_2/features thesis/chapter_2/groundwater_tests thesis/chapter_2/mechanisms thesis/chapter_2/trends
     thesis/chapter_3/table_3_1 thesis/chapter_3/table_3_2 thesis/chapter_3/table_3_3 thesis/chapter_3/tilting_frame
-    published/published_factors)
+    thesis/chapter_5/runs published/published_factors)
     set(file ${PROJECT_SOURCE_DIR}/cases/${table}.csv)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     file(READ ${file} text)
     get_filename_component(name ${table} NAME)
     string(APPEND thesis_tables "const std::string_view thesis_${name} = R\"csv(${text})csv\";\n\n")
 endforeach()
-# Of cases/<folder>/<name>.toml the entries of a list of BuiltInCase, in `entries`.
-function(delabole_built_in_cases entries folder)
-    set(list "")
-    foreach(case ${ARGN})
-        set(file ${PROJECT_SOURCE_DIR}/cases/${folder}/${case}.toml)
-        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
-        file(READ ${file} text)
-        string(APPEND list "        {\"${case}\", R\"toml(${text})toml\"},\n")
-    endforeach()
-    set(${entries} "${list}" PARENT_SCOPE)
-endfunction()
-delabole_built_in_cases(chapter_2_cases thesis/chapter_2 ${chapter_2_case_names})
-delabole_built_in_cases(published_cases published ${published_case_names})
+set(built_in_cases "")
+foreach(case
+    plane_failure/groundwater_by_tilting stepped_base/appendix_a
+    thesis/chapter_2/groundwater_column thesis/chapter_2/plate_2_i
+    thesis/chapter_2/plate_2_i_continuity thesis/chapter_2/plate_2_i_without_cleavage thesis/chapter_2/plate_2_ii
+    thesis/chapter_2/plate_2_ii_joints_c thesis/chapter_2/plate_2_iii thesis/chapter_2/plate_2_iv
+    thesis/chapter_2/plate_2_iv_divided thesis/chapter_2/plate_2_v thesis/chapter_2/plate_2_vi
+    thesis/chapter_4/fig_3_4 thesis/chapter_4/fig_4_3 thesis/chapter_4/fig_4_4 thesis/chapter_4/fig_4_6
+    thesis/chapter_4/fig_4_8
+    published/rj_1a published/rj_1b published/rj_1c published/rj_1d published/rj_2 published/rj_3 published/rj_4 published/rj_5
+    published/rj_6 published/rj_7 published/rj_8 published/rj_9 published/rj_10 published/rj_11 published/rj_12 published/rj_13
+    published/rj_14 published/rj_15 published/rj_16 published/rj_17 published/rj_18 published/rj_19
+    published/rj_20)
+    set(file ${PROJECT_SOURCE_DIR}/cases/${case}.toml)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(READ ${file} text)
+    get_filename_component(folder ${case} DIRECTORY)
+    get_filename_component(name ${case} NAME)
+    string(APPEND built_in_cases "        {\"${folder}\", \"${name}\", R\"toml(${text})toml\"},\n")
+endforeach()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/thesis_tables.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/thesis_tables.cpp @ONLY)
 target_sources(delabole_cases PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/thesis_tables.cpp)

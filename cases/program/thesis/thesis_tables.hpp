@@ -1,6 +1,8 @@
-// The text of cases/thesis/chapter_2/*.csv, cases/thesis/chapter_3/*.csv and cases/published/*.csv, and of
-// cases/thesis/chapter_2/*.toml and cases/published/*.toml, as it was when the program was built.
+// The text of tables and cases below cases/thesis/ and cases/published/, and of the case of Appendix A, as it was when
+// the program was built.
 #pragma once
+
+#include "cases/program/case/case_file.hpp"
 
 #include <string_view>
 #include <vector>
@@ -15,14 +17,18 @@ extern const std::string_view thesis_table_3_1;
 extern const std::string_view thesis_table_3_2;
 extern const std::string_view thesis_table_3_3;
 extern const std::string_view thesis_tilting_frame;
+extern const std::string_view thesis_runs;
 extern const std::string_view thesis_published_factors;
 
 struct BuiltInCase {
-    std::string_view name;  // of the file, without its ending
+    std::string_view folder;  // below cases/
+    std::string_view name;    // of the file, without its ending
     std::string_view text;
 };
 
-const std::vector<BuiltInCase>& chapter_2_cases();
-const std::vector<BuiltInCase>& published_cases();
+const std::vector<BuiltInCase>& built_in_cases();
+
+// Throws std::logic_error where there is none of that name.
+CaseFile built_in_case(std::string_view folder, std::string_view name, const std::vector<Setting>& settings = {});
 
 }  // namespace delabole

@@ -68,8 +68,8 @@ DELABOLE_MEMBERS(StartBalance, unbalanced_ratio, cut_short)
 DELABOLE_MEMBERS(SlipOverFace, upward, slip)
 DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluated, motion, origin, start_balance,
                  noticed, checks_at_rest, removed, base_slip, dropped_slip, contacts, watch, bond, ledger, unbalanced,
-                 unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time, first_crack, overlap,
-                 outcome)
+                 unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time, in_thresholds_then,
+                 first_crack, overlap, outcome, held_by_corners)
 
 DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,
                  tensile_strength, bond, residual_cohesion)
@@ -89,7 +89,7 @@ DELABOLE_MEMBERS(RelaxationScene, block, material, gravity, force, pressure, sha
 DELABOLE_MEMBERS(RelaxationSettings, step_fraction, time_step, viscous_damping, local_damping, kinetic_damping, creep,
                  mass_scaling, start, ramp_time, consolidation_time, equilibrium_ratio, onset_rotation, onset_slide,
                  collapse_rotation, collapse_displacement, stop_at_onset, stop_at_equilibrium, stop_at_collapse,
-                 taken_away_below, duration, most_steps, crack_opening, overlap_limit, threads)
+                 taken_away_below, duration, most_steps, crack_opening, overlap_limit, corners_bear, threads)
 
 DELABOLE_MEMBERS(BlockMonitor, block)
 DELABOLE_MEMBERS(ContactMonitor, block, other)

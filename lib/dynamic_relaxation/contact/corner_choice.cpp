@@ -1,7 +1,5 @@
 #include "dynamic_relaxation/contact/corner_choice.hpp"
 
-#include "dynamic_relaxation/contact/contact_law.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,6 +7,8 @@
 namespace delabole {
 
 namespace {
+
+constexpr double relied_on = 1e-3;  // of the weight of the lighter block
 
 struct CornerPair {
     std::uint32_t lower;
@@ -120,9 +120,33 @@ class Corners {
 
 }  // namespace
 
+bool is_on_corner(const Bodies& bodies, const ContactLaw& law, const RelaxationContact& contact,
+                  const ContactPosition& at) {
+    constexpr double near = 0.01;
+    return law.rival != 0 && (law.rival > 0 ? at.position : contact.edge_length() - at.position) <
+                                 near * std::min(bodies.radius[contact.block], bodies.radius[contact.other]);
+}
+
+bool relies_on_corners(const CornerMotion& blocks, const std::vector<double>& weight, const ContactList& list) {
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const ContactMemory memory = list.memory[index];
+        const RelaxationContact contact = list.contact[index];
+        const ContactLaw law = list.law_of(contact);
+        const ContactPosition at = locate(contact, blocks.motion[contact.block], blocks.motion[contact.other]);
+        if (!memory.touching || !is_on_corner(blocks.bodies, law, contact, at)) {
+            continue;
+        }
+        const double share = contact_weight(law, contact, at, memory.insists);
+        const double lighter = std::min(weight[contact.block], weight[contact.other]);
+        if (-share * law.normal_stiffness * at.gap > relied_on * lighter) {
+            return true;
+        }
+    }
+    return false;
+}
+
 std::vector<std::uint32_t> try_other_edges(const CornerMotion& blocks, const std::vector<double>& weight,
                                            ContactList& list) {
-    constexpr double relied_on = 1e-3;
     Corners corners(blocks, list);
     for (std::size_t begin = 0, end = 0; begin < list.contact.size(); begin = end) {
         const BlockPair pair = list.contact.blocks()[begin].pair();

@@ -178,8 +178,11 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
     const std::size_t near = start_is_near ? other.before(edge) : other.after(edge);
     const std::size_t far = start_is_near ? other.after(edge) : other.before(edge);
     const bool near_bears = can_bear(block, corner, other, near);
-    // Of a short edge the end farther off can be the one to which the corner is carried.
+    // Of a short edge the end farther off can be the one to which the corner is carried. Where that goes on as one
+    // face, the blocks overlap as much over it wherever the corner is: it says nothing of the end that the corner is
+    // at.
     const bool far_counts = -gaps(corner, far) < deepest * shortest_ &&
+                            bodies_.along[edge_number].dot(bodies_.along[other.begin + far]) < one_face &&
                             (!near_bears || gaps(corner, far) > gaps(corner, near)) &&
                             can_bear(block, corner, other, far);
     const bool at_start = start_is_near != far_counts;

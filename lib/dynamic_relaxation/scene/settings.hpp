@@ -45,7 +45,9 @@ struct RelaxationSettings {
     // Equilibrium: the greatest unbalanced force on a block, as a share of its weight, is below this, and the kinetic
     // energy does not grow; on a belt, speeds are below this share of the belt's.
     double equilibrium_ratio = 1e-6;
-    double onset_rotation = 0.01;      // rad; more, with no equilibrium found since: onset of failure
+    // rad; more, with no equilibrium found since: onset of failure. A run that is to stop there goes on up to twice as
+    // far where motion slows down: blocks that fall back have not failed.
+    double onset_rotation = 0.01;
     double onset_slide = 0.01;         // of the block's size, likewise
     double collapse_rotation = 0.5;    // rad
     double collapse_displacement = 1;  // of the block's size
@@ -64,6 +66,8 @@ struct RelaxationSettings {
     // stopped. At least 0.02: overlaps are looked at whenever two blocks have come by a hundredth of that edge, or fast
     // ones by as far as takes them to the limit.
     double overlap_limit = 0.05;
+    // Whether blocks that only corners on corners hold are in equilibrium (contact/corner_choice.hpp).
+    bool corners_bear = false;
     std::size_t threads = 1;
 };
 

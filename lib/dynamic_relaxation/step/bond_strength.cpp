@@ -62,6 +62,7 @@ class WeakeningSlope {
             }
             switch (simulation.outcome()) {
             case RelaxationOutcome::equilibrium:
+            case RelaxationOutcome::held_by_corners:
                 return Standing::rests;
             case RelaxationOutcome::undecided:
             case RelaxationOutcome::onset:  // it has moved, and its time is over

@@ -147,6 +147,8 @@ std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const PlanePoint<
             outcome.movement = state.removed[block] == has_left ? BlockMovement::left : BlockMovement::removed;
         } else if (bodies.fixed[block] != 0) {
             outcome.movement = BlockMovement::fixed;
+        } else if (!state.held_by_corners.empty() && state.held_by_corners[block] != 0) {
+            outcome.movement = BlockMovement::held_by_corners;
         } else {
             outcome.movement = movement_of(outcome, bodies.radius[block], thresholds);
         }

@@ -16,6 +16,7 @@ namespace delabole {
 enum class RelaxationOutcome {
     undecided,            // neither at rest nor failed when time ran out
     equilibrium,          // unbalanced forces and kinetic energy have died away
+    held_by_corners,      // likewise, but without forces of corners on corners blocks would move (corner_choice.hpp)
     onset,                // blocks moved past the threshold of onset; the run was told to stop there
     collapse,             // blocks moved past the threshold of collapse
     overlap_too_large,    // of a contact, or of two blocks as they lie: one has got into the other
@@ -25,9 +26,9 @@ enum class RelaxationOutcome {
     scene_not_valid,
 };
 
-constexpr std::array<std::string_view, 9> enum_names(RelaxationOutcome) {
-    return {"undecided",           "equilibrium",       "onset",       "collapse",       "overlap_too_large",
-            "energy_not_balanced", "motion_not_finite", "interrupted", "scene_not_valid"};
+constexpr std::array<std::string_view, 10> enum_names(RelaxationOutcome) {
+    return {"undecided",         "equilibrium",         "held_by_corners",   "onset",       "collapse",
+            "overlap_too_large", "energy_not_balanced", "motion_not_finite", "interrupted", "scene_not_valid"};
 }
 
 // Share of the energy turned over, and stored in springs at the start, that a run's ledger may lack and its outcome
@@ -43,13 +44,14 @@ enum class BlockMovement {
     rotates,
     slides_forward_and_rotates,
     slides_backward_and_rotates,
-    moves,  // otherwise: on blocks that are not fixed, or falling
+    moves,            // otherwise: on blocks that are not fixed, or falling
+    held_by_corners,  // at rest, but would move without forces of corners on corners
     fixed,
     removed,  // by a schedule
     left,     // below the level at which what has left the slope is taken away
 };
 
-constexpr std::array<std::string_view, 10> enum_names(BlockMovement) {
+constexpr std::array<std::string_view, 11> enum_names(BlockMovement) {
     return {"stays",
             "slides_forward",
             "slides_backward",
@@ -57,6 +59,7 @@ constexpr std::array<std::string_view, 10> enum_names(BlockMovement) {
             "slides_forward_and_rotates",
             "slides_backward_and_rotates",
             "moves",
+            "held_by_corners",
             "fixed",
             "removed",
             "left"};

@@ -348,19 +348,27 @@ SceneFault check_start(const RelaxationScene& scene) {
         const double lighter = 1 / std::max(bodies.inverse_mass[block], bodies.inverse_mass[other]);
         return deepest_in_settlements * lighter * gravity / stiffness + margin;
     };
-    const ContactList list = find_contacts(scene, bodies, unmoved, none_removed, {margin, 0, true}, {});
-    for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const RelaxationContact contact = list.contact[index];
-        const ContactPosition at = locate(contact, unmoved[contact.block], unmoved[contact.other]);
-        if (!list.memory[index].beneath && !list.memory[index].yields &&
-            contact_weight(list.law_of(contact), contact, at, list.memory[index].insists) > 0 &&
-            -at.gap > allowed(contact.block, contact.other, list.law_of(contact).normal_stiffness)) {
-            return {SceneCheck::overlap_at_start, contact.block, contact.other};
+    const std::vector<BlockPair> pairs =
+        neighbouring_blocks(bodies, unmoved, none_removed, std::vector<double>(bodies.size(), margin / 2));
+    // Pair by pair: a list of all contacts would take most of the memory and of the time of a check.
+    PairSearch search(scene, bodies, 0);
+    const ContactList none;
+    PairContacts found;
+    for (const BlockPair& pair : pairs) {
+        search.find(pair, unmoved, margin, true, none, {0, 0}, {}, found);
+        for (std::size_t index = 0; index < found.contact.size(); ++index) {
+            const RelaxationContact& contact = found.contact[index];
+            const ContactLaw& law = found.law[index];
+            const ContactMemory& memory = found.memory[index];
+            const ContactPosition at = locate(contact, unmoved[contact.block], unmoved[contact.other]);
+            if (!memory.beneath && !memory.yields && contact_weight(law, contact, at, memory.insists) > 0 &&
+                -at.gap > allowed(contact.block, contact.other, law.normal_stiffness)) {
+                return {SceneCheck::overlap_at_start, contact.block, contact.other};
+            }
         }
     }
     // Blocks that cross, or lie deep in each other, have no contacts.
-    for (const auto& [first, second] :
-         neighbouring_blocks(bodies, unmoved, none_removed, std::vector<double>(bodies.size(), margin / 2))) {
+    for (const auto& [first, second] : pairs) {
         const double stiffness = std::min(softest_joint(scene, bodies, first), softest_joint(scene, bodies, second));
         if (-distance_between(bodies, first, second) > allowed(first, second, stiffness)) {
             return {SceneCheck::overlap_at_start, first, second};

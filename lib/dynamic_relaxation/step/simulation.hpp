@@ -95,6 +95,8 @@ class Simulation {
     void audit();
     void detect_crack();
     bool holds_at_rest() const;
+    std::vector<double> weights() const;  // N/m, of each block; infinite where it is held
+    bool held_by_corners();
     bool carried_along();
     void let_blocks_rest();
     void take_velocities_away_at_peaks();

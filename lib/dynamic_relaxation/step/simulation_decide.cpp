@@ -1,8 +1,10 @@
 // What a run looks at every so many steps: whether it is over, whether a crack has opened, which blocks rest.
 #include "dynamic_relaxation/contact/corner_choice.hpp"
+#include "dynamic_relaxation/statics/face_assembly.hpp"
 #include "dynamic_relaxation/statics/static_check.hpp"
 #include "dynamic_relaxation/step/loads.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
+#include "limit_equilibrium/bound/lp_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,14 +60,24 @@ void Simulation::decide() {
         decide(RelaxationOutcome::motion_not_finite);
         return;
     }
-    if (state_.onset_time < 0 &&
-        (farthest.rotation > settings_.onset_rotation || farthest.displacement > settings_.onset_slide)) {
+    const double in_thresholds =
+        std::max(farthest.rotation / settings_.onset_rotation, farthest.displacement / settings_.onset_slide);
+    if (in_thresholds > 1 && state_.onset_time < 0) {
         state_.onset_time = state_.time;
     }
-    if (state_.onset_time >= 0 && settings_.stop_at_onset) {
-        decide(RelaxationOutcome::onset);
-        return;
+    if (settings_.stop_at_onset && state_.onset_time >= 0) {
+        // What fails gathers speed as it moves on; a block that has been pushed may lean beyond the threshold, slow
+        // down and fall back. On a belt nothing gathers speed.
+        constexpr double far_beyond = 2;
+        const bool moves_on = growing && in_thresholds > state_.in_thresholds_then;
+        if (in_thresholds <= 1) {
+            state_.onset_time = -1;
+        } else if (in_thresholds > far_beyond || moves_on || scene_.belt || last) {
+            decide(RelaxationOutcome::onset);
+            return;
+        }
     }
+    state_.in_thresholds_then = in_thresholds;
     const bool collapsed = farthest.rotation > settings_.collapse_rotation ||
                            farthest.displacement > settings_.collapse_displacement ||
                            std::ranges::find(state_.removed, has_left) != state_.removed.end();
@@ -75,27 +87,69 @@ void Simulation::decide() {
         decide(RelaxationOutcome::collapse);
     } else if (at_rest(last && !settings_.stop_at_equilibrium ? lately : unbalanced) && !try_corners() &&
                (last || settings_.stop_at_equilibrium)) {
-        decide(collapsed ? RelaxationOutcome::collapse : RelaxationOutcome::equilibrium);
+        decide(collapsed                                           ? RelaxationOutcome::collapse
+               : settings_.stop_at_onset && state_.onset_time >= 0 ? RelaxationOutcome::onset
+               : held_by_corners()                                 ? RelaxationOutcome::held_by_corners
+                                                                   : RelaxationOutcome::equilibrium);
     } else if (last && state_.onset_time >= 0 && (settings_.stop_at_collapse || followed)) {
         // It has moved past the thresholds and has found no rest since.
         decide(RelaxationOutcome::onset);
     }
 }
 
-bool Simulation::try_corners() {
+std::vector<double> Simulation::weights() const {
     std::vector<double> weight(bodies_.size(), std::numeric_limits<double>::infinity());
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
         weight[block] = held_[block] != 0 ? weight[block] : 1 / scales_.inverse_weight[block];
     }
+    return weight;
+}
+
+bool Simulation::try_corners() {
     std::vector<std::uint32_t> concerned = end_trial({bodies_, state_.motion}, state_.contacts);
     if (concerned.empty()) {
-        concerned = try_other_edges({bodies_, state_.motion}, weight, state_.contacts);
+        concerned = try_other_edges({bodies_, state_.motion}, weights(), state_.contacts);
     }
     for (const std::uint32_t block : concerned) {
         state_.checks_at_rest[block] = 0;
         state_.noticed.notice(block, state_.motion[block]);
     }
     return !concerned.empty();
+}
+
+// Whether the faces alone cannot hold the blocks, as they lie now and under the loads of now; notes which would move.
+// After onset only what touches counts; before, faces as they are drawn, since a little more or less of a turn opens
+// one end of them or the other. What the programme cannot answer for is not questioned, nor is a belt, whose
+// resistance turns with the motion.
+bool Simulation::held_by_corners() {
+    if (settings_.corners_bear || scene_.belt ||
+        !relies_on_corners({bodies_, state_.motion}, weights(), state_.contacts)) {
+        return false;
+    }
+    std::vector<SharedFace> faces;
+    if (state_.onset_time < 0) {
+        faces = find_shared_faces(bodies_);
+        std::erase_if(faces, [&](const SharedFace& face) {
+            return state_.removed[face.block] != 0 || state_.removed[face.other] != 0;
+        });
+    }
+    const BlocksUnderLoad blocks{scene_, bodies_, held_, state_.motion, load_};
+    FaceAssembly made = face_assembly(blocks, faces, state_.bond);
+    add_corners_on_edges(blocks, state_.contacts, made);
+    const LeastImbalance found = least_imbalance(made.assembly);
+    if (found.status != LpStatus::optimal || found.stands()) {
+        return false;
+    }
+    constexpr double moves = 1e-3;  // of the fastest
+    state_.held_by_corners.assign(bodies_.size(), 0);
+    for (std::size_t body = 0; body < made.block_of.size(); ++body) {
+        const std::size_t block = made.block_of[body];
+        const VirtualMotion& motion = found.mechanism[body];
+        if (motion.displacement.norm() + std::abs(motion.rotation) * bodies_.radius[block] > moves) {
+            state_.held_by_corners[block] = 1;
+        }
+    }
+    return true;
 }
 
 // What the contacts do not tell: whether blocks lie in each other, and at the end whether the energy is accounted for.

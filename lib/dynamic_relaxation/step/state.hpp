@@ -88,10 +88,12 @@ struct RelaxationState {
     double kinetic_then = 0;     // J/m, at the last check
     double kinetic_before = 0;   // J/m, a step ago; for kinetic damping
     bool kinetic_rising = false;
-    double onset_time = -1;  // s; negative: none
+    double onset_time = -1;         // s; negative: none
+    double in_thresholds_then = 0;  // farthest motion in thresholds of onset, at the last check
     std::optional<FirstCrack> first_crack = {};
     std::optional<BlockOverlap> overlap = {};  // the greatest share that was measured so far
     std::uint64_t outcome = 0;                 // RelaxationOutcome
+    std::vector<char> held_by_corners = {};    // of each block: whether it is, where that is the outcome; else empty
 };
 
 // A state at rest for other runs to begin from: they have its motion, its springs, slip and what has broken, and its

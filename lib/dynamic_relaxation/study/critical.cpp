@@ -11,6 +11,7 @@ namespace {
 std::optional<CriticalStatus> no_answer(RelaxationOutcome outcome) {
     switch (outcome) {
     case RelaxationOutcome::equilibrium:
+    case RelaxationOutcome::held_by_corners:
     case RelaxationOutcome::onset:
     case RelaxationOutcome::collapse:
         return std::nullopt;
@@ -46,7 +47,10 @@ CriticalValue find_critical(const std::function<CriticalProbe(double)>& probe, d
             critical.status = *status;
             return std::nullopt;
         }
-        return run.outcome == RelaxationOutcome::equilibrium;
+        const bool stands = run.outcome == RelaxationOutcome::equilibrium;
+        critical.held_by_corners =
+            stands ? critical.held_by_corners : run.outcome == RelaxationOutcome::held_by_corners;
+        return stands;
     };
     const std::optional<bool> first = stands_at(should_stand);
     if (!first) {

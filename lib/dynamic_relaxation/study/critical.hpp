@@ -30,9 +30,10 @@ constexpr std::array<std::string_view, 7> enum_names(CriticalStatus) {
 
 struct CriticalValue {
     CriticalStatus status = CriticalStatus::found;
-    double stands = 0;  // nearest value known to stand
-    double fails = 0;   // nearest value known to fail
-    double last = 0;    // value of the last run: the one that ended the search where it was not found
+    double stands = 0;             // nearest value known to stand
+    double fails = 0;              // nearest value known to fail
+    bool held_by_corners = false;  // at `fails`: the blocks rest, but on corners alone
+    double last = 0;               // value of the last run: the one that ended the search where it was not found
     std::uint64_t runs = 0;
     std::uint64_t steps = 0;
     std::uint64_t contacts_evaluated = 0;
@@ -41,7 +42,7 @@ struct CriticalValue {
 };
 
 struct CriticalProbe {
-    RelaxationOutcome outcome;  // equilibrium stands; onset and collapse fail
+    RelaxationOutcome outcome;  // equilibrium stands; onset and collapse fail, and so does what only corners hold
     std::uint64_t steps;
     std::uint64_t contacts_evaluated = 0;
 };

@@ -417,6 +417,7 @@ RelaxationSettings relaxation_settings(const RelaxationStudy& study, const Relax
     settings.local_damping = study.model.shaking.size() > 1 ? 0 : settings.local_damping;
     take(settings.local_damping, numerics.local_damping);
     settings.kinetic_damping = numerics.kinetic_damping == OffOn::on;
+    settings.corners_bear = numerics.corners_bear == OffOn::on;
     settings.mass_scaling = numerics.mass_scaling == OffOn::on;
     take(settings.start, numerics.start);
     take(settings.ramp_time, numerics.ramp_time);

@@ -209,7 +209,8 @@ class PathSearch {
             return {RelaxationOutcome::interrupted, cost.steps, cost.contacts_evaluated};
         }
         progress_.probe.push_back({simulation.outcome(), cost.steps, cost.contacts_evaluated});
-        if (simulation.outcome() == RelaxationOutcome::onset || simulation.outcome() == RelaxationOutcome::collapse) {
+        if (simulation.outcome() == RelaxationOutcome::onset || simulation.outcome() == RelaxationOutcome::collapse ||
+            simulation.outcome() == RelaxationOutcome::held_by_corners) {
             progress_.failed = simulation.state();
         } else if (simulation.outcome() == RelaxationOutcome::equilibrium && path_ == LoadingPath::consolidated &&
                    begin == Begin::at_start) {

@@ -61,6 +61,7 @@ bool ends_with_duration(const RelaxationStudy& study) {
 std::string_view failure_of(const RelaxationRun& made) {
     switch (made.result.outcome) {
     case RelaxationOutcome::equilibrium:
+    case RelaxationOutcome::held_by_corners:
     case RelaxationOutcome::onset:
     case RelaxationOutcome::collapse:
         return {};

@@ -66,6 +66,7 @@ struct RelaxationNumerics {
     std::optional<double> taken_away_below;
     std::optional<double> crack_opening;
     std::optional<double> overlap_limit;
+    std::optional<OffOn> corners_bear;
     static constexpr auto fields() {
         using N = RelaxationNumerics;
         return std::tuple{
@@ -117,7 +118,10 @@ struct RelaxationNumerics {
                    "in shortest edges; neighbours that part by more show the first tension crack; absent: 0.01 for "
                    "rows and stepped bases, none looked for else"),
             number("overlap_limit", &N::overlap_limit, Dimension::ratio, within(0.02, 1),
-                   "of the shortest edge; a run with more is stopped; absent: 0.05")};
+                   "of the shortest edge; a run with more is stopped; absent: 0.05"),
+            section("corners_bear", &N::corners_bear,
+                    "whether blocks that rest only because corners bear on corners are in equilibrium, as blocks of "
+                    "steel are, rather than held_by_corners, which no search takes for standing; absent: off")};
     }
 };
 
@@ -347,7 +351,8 @@ bool has_stages(const RelaxationStudy& study);
 struct PathValue : CriticalValue {
     LoadingPath path = LoadingPath::consolidated;
     std::optional<double> consolidated_at = {};  // value at which the blocks came to rest; absent on other paths
-    std::optional<RelaxationRun> failed = {};    // the run at `fails`, to onset; absent where none failed
+    // The run at `fails`, to onset or where it is held by corners; absent where none failed.
+    std::optional<RelaxationRun> failed = {};
 };
 
 // On the first path of the plan, with those on the others.

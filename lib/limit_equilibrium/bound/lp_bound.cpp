@@ -14,9 +14,12 @@ namespace {
 
 using detail::cross;
 using detail::friction_of;
-using detail::infinity;
+using detail::horizontal_weights;
+using detail::refused;
 using detail::Scales;
+using detail::scales_of;
 using detail::Sense;
+using detail::solve;
 using detail::Sought;
 
 // GLPK keeps one environment for each thread, with its own switch for printing; leave both as they were.
@@ -42,29 +45,6 @@ struct DeleteProblem {
     void operator()(glp_prob* problem) const { glp_delete_prob(problem); }
 };
 using Problem = std::unique_ptr<glp_prob, DeleteProblem>;
-
-Scales scales_of(const Assembly& assembly) {
-    Scales scales;
-    for (const Body& body : assembly.bodies) {
-        scales.force += body.weight / static_cast<double>(assembly.bodies.size());
-    }
-    scales.arm.resize(assembly.bodies.size());
-    const auto reach = [&](std::size_t body, const Point& point) {
-        scales.arm[body] = std::max(scales.arm[body], (point - assembly.bodies[body].centroid).norm());
-    };
-    for (const Contact& contact : assembly.contacts) {
-        for (const Point& point : {contact.start, contact.end}) {
-            reach(contact.body, point);
-            if (contact.other) {
-                reach(*contact.other, point);
-            }
-        }
-    }
-    for (double& arm : scales.arm) {
-        arm = arm > 0 ? arm : 1;  // a body that touches nothing
-    }
-    return scales;
-}
 
 // Columns: the sought factor, then for every contact the edges of the cone at its start, of that at its end, where
 // there is cohesion the shear by it, and where there is tensile strength the pull at either end. Rows: forces along x
@@ -135,14 +115,50 @@ class Programme {
     // The shadow prices of the rows: by how much a unit of load on a body lowers the factor. The sign is that of the
     // motion in which the sought load does positive work when its factor is made as large as possible.
     std::vector<VirtualMotion> mechanism() const {
+        const double sign = sought_.sense == Sense::largest ? 1 : -1;
+        return mechanism_of([&](int row) { return sign * glp_get_row_dual(problem_.get(), row); });
+    }
+
+    // Adds a force both ways to every row, and makes their sum least; the factor has to be fixed at 0. By the method of
+    // interior points, and by the simplex method where that gives up.
+    LeastImbalance least_imbalance() {
+        glp_set_obj_coef(problem_.get(), 1, 0);
+        const int rows = glp_get_num_rows(problem_.get());
+        for (int row = 1; row <= rows; ++row) {
+            for (const double sign : {1.0, -1.0}) {
+                const int column = glp_add_cols(problem_.get(), 1);
+                glp_set_col_bnds(problem_.get(), column, GLP_LO, 0, 0);
+                glp_set_obj_coef(problem_.get(), column, 1);
+                const std::array<int, 2> of_row{0, row};
+                const std::array<double, 2> entry{0, sign};
+                glp_set_mat_col(problem_.get(), column, 1, of_row.data(), entry.data());
+            }
+        }
+        glp_iptcp control;
+        glp_init_iptcp(&control);
+        control.msg_lev = GLP_MSG_OFF;
+        control.ord_alg = GLP_ORD_AMD;
+        if (glp_interior(problem_.get(), &control) == 0 && glp_ipt_status(problem_.get()) == GLP_OPT) {
+            return {LpStatus::optimal, AssemblyCheck::valid, std::max(glp_ipt_obj_val(problem_.get()), 0.0),
+                    mechanism_of([&](int row) { return glp_ipt_row_dual(problem_.get(), row); })};
+        }
+        const LpStatus status = solve();
+        if (status != LpStatus::optimal) {
+            return {status, AssemblyCheck::valid, 0, {}};
+        }
+        return {status, AssemblyCheck::valid, std::max(glp_get_obj_val(problem_.get()), 0.0), mechanism()};
+    }
+
+  private:
+    template <class PriceOf>
+    std::vector<VirtualMotion> mechanism_of(const PriceOf& price_of) const {
         std::vector<VirtualMotion> motions;
         double largest = 0;
-        const double sign = sought_.sense == Sense::largest ? 1 : -1;
         for (std::size_t body = 0; body < assembly_.bodies.size(); ++body) {
             const int row = first_row(body);
-            const auto price = [&](int index) { return sign * glp_get_row_dual(problem_.get(), row + index); };
-            motions.push_back({{price(0), price(1)}, price(2) / scales_.arm[body]});
-            largest = std::max({largest, motions.back().displacement.norm(), std::abs(price(2))});
+            const double turned = price_of(row + 2);
+            motions.push_back({{price_of(row), price_of(row + 1)}, turned / scales_.arm[body]});
+            largest = std::max({largest, motions.back().displacement.norm(), std::abs(turned)});
         }
         if (!(largest > 0)) {
             return {};  // the factor rests on its own limit, no load on a body changes it
@@ -154,7 +170,6 @@ class Programme {
         return motions;
     }
 
-  private:
     LpStatus solve_from_basis(int method) {
         glp_bfcp factors;
         glp_get_bfcp(problem_.get(), &factors);
@@ -277,7 +292,10 @@ class Programme {
     std::vector<double> values_{0};
 };
 
-LpBound solve(const Assembly& assembly, const Scales& scales, const Sought& sought, double strength) {
+}  // namespace
+
+LpBound detail::solve(const Assembly& assembly, const Scales& scales, const Sought& sought, double strength) {
+    const SolverEnvironment environment;
     LpBound bound;
     Programme programme(assembly, scales, sought, strength);
     bound.status = programme.solve();
@@ -288,8 +306,8 @@ LpBound solve(const Assembly& assembly, const Scales& scales, const Sought& soug
     bound.value = programme.factor();
     bound.forces = programme.forces();
     bound.mechanism = programme.mechanism();
-    detail::set_static_residuals(assembly, scales, sought, strength, bound);
-    detail::set_mechanism_residuals(assembly, sought, strength, bound);
+    set_static_residuals(assembly, scales, sought, strength, bound);
+    set_mechanism_residuals(assembly, sought, strength, bound);
     double largest_normal = 0;
     for (const BoundContactForce& force : bound.forces) {
         largest_normal = std::max(largest_normal, force.normal() / scales.force);
@@ -304,23 +322,6 @@ LpBound solve(const Assembly& assembly, const Scales& scales, const Sought& soug
     return bound;
 }
 
-LpBound refused(AssemblyCheck check) {
-    LpBound bound;
-    bound.status = LpStatus::invalid_assembly;
-    bound.check = check;
-    return bound;
-}
-
-std::vector<BodyLoad> horizontal_weights(const Assembly& assembly) {
-    std::vector<BodyLoad> loads;
-    for (const Body& body : assembly.bodies) {
-        loads.push_back({{-body.weight, 0}, 0});
-    }
-    return loads;
-}
-
-}  // namespace
-
 LpBound largest_tilt(const Assembly& assembly) {
     return largest_load_factor(assembly, horizontal_weights(assembly));
 }
@@ -334,7 +335,6 @@ LpBound largest_load_factor(const Assembly& assembly, const std::vector<BodyLoad
         })) {
         return refused(AssemblyCheck::input_out_of_range);
     }
-    const SolverEnvironment environment;
     return solve(assembly, scales_of(assembly), {loads}, 1);
 }
 
@@ -348,7 +348,6 @@ LpBound least_support_force(const Assembly& assembly, std::size_t body, const Po
     if (!point.allFinite() || !direction.allFinite() || !(direction.norm() > 0)) {
         return refused(AssemblyCheck::input_out_of_range);
     }
-    const SolverEnvironment environment;
     const Scales scales = scales_of(assembly);
     const Point unit = direction.normalized();
     Sought sought{std::vector<BodyLoad>(assembly.bodies.size()), Sense::least, 0};
@@ -360,107 +359,14 @@ LpBound least_support_force(const Assembly& assembly, std::size_t body, const Po
     return bound;
 }
 
-// 4^5. Cones much nearer to half planes leave the simplex method no digits.
-constexpr double largest_strength = 1024;
-
-// The assembly stands where a horizontal force k times the weights may be 0: where the largest k is not below 0 and the
-// least not above. Both move away from each other as strength grows, so that the smaller of the largest k and minus
-// the least crosses 0 once. It is a piecewise smooth function, whose root is found between a strength with which
-// the assembly stands and one with which it does not.
-LpBound least_strength_factor(const Assembly& assembly, const std::atomic<bool>* stop) {
+LeastImbalance least_imbalance(const Assembly& assembly) {
     if (const AssemblyCheck check = check_assembly(assembly); check != AssemblyCheck::valid) {
-        return refused(check);
+        return {LpStatus::invalid_assembly, check, 0, {}};
     }
     const SolverEnvironment environment;
     const Scales scales = scales_of(assembly);
-    const std::vector<BodyLoad> push = horizontal_weights(assembly);
-    int iterations = 0;
-    bool failed = false;
-    bool stopped = false;
-    struct Trial {
-        double strength = 0;
-        double margin = -infinity;
-        LpBound state{};
-    };
-    const auto attempt = [&](double strength) {
-        Trial trial;
-        trial.strength = strength;
-        trial.margin = infinity;
-        for (const Sense sense : {Sense::largest, Sense::least}) {
-            stopped = stopped || (stop != nullptr && *stop);
-            if (stopped) {
-                failed = true;
-                break;
-            }
-            LpBound bound = solve(assembly, scales, {push, sense}, strength);
-            iterations += bound.iterations;
-            LpStatus status = bound.status;
-            if (status == LpStatus::not_converged && sense == Sense::least) {
-                // The largest is known not to be below 0: whether the assembly stands without the force is enough.
-                const LpBound without = solve(assembly, scales, {push, sense, 0, 0}, strength);
-                iterations += without.iterations;
-                status = without.status == LpStatus::optimal ? LpStatus::unbounded : without.status;
-            }
-            failed = failed || status == LpStatus::not_converged;
-            double margin = status == LpStatus::unbounded ? infinity : -infinity;
-            if (status == LpStatus::optimal) {
-                margin = sense == Sense::largest ? bound.value : -bound.value;
-            }
-            if (margin < trial.margin) {
-                trial.margin = margin;
-                trial.state = std::move(bound);
-            }
-            if (trial.margin < 0) {
-                break;  // the largest k and minus the least are not both below 0
-            }
-        }
-        return trial;
-    };
-    const auto finish = [&](Trial trial) {
-        LpBound bound = std::move(trial.state);
-        if (trial.margin > 1e-9 && !stopped) {
-            // Not the margin decides but that friction is 0, or that below it no horizontal force would help: the
-            // forces are those without any.
-            bound = solve(assembly, scales, {push, Sense::largest, 0, 0}, trial.strength);
-            failed = failed || bound.status != LpStatus::optimal;
-        }
-        if (stopped) {
-            bound = {};
-            bound.status = LpStatus::interrupted;
-            return bound;
-        }
-        bound.status = failed ? LpStatus::not_converged : LpStatus::optimal;
-        bound.value = trial.strength;
-        bound.iterations = iterations;
-        return bound;
-    };
-    Trial low = attempt(0);
-    if (low.margin >= 0) {
-        return finish(std::move(low));
-    }
-    Trial high = attempt(1);
-    while (high.margin < 0 && high.strength < largest_strength && !failed) {
-        low = std::move(high);
-        high = attempt(low.strength * 4);
-    }
-    if (high.margin < 0) {
-        LpBound bound;
-        bound.status = stopped ? LpStatus::interrupted : failed ? LpStatus::not_converged : LpStatus::infeasible;
-        bound.iterations = iterations;
-        return bound;
-    }
-    int stale = 0;  // steps since the bracket halved
-    while (high.strength - low.strength > 1e-13 * high.strength && high.margin > 0 && !failed) {
-        const double width = high.strength - low.strength;
-        const bool both = std::isfinite(low.margin) && std::isfinite(high.margin) && stale < 2;
-        const double share = both ? -low.margin / (high.margin - low.margin) : 0.5;
-        // Kept off the ends, or one of them would never move.
-        const double middle = low.strength + width * std::clamp(share, 1e-3, 1 - 1e-3);
-        Trial trial = attempt(middle);
-        (trial.margin < 0 ? low : high) = std::move(trial);
-        stale = high.strength - low.strength > 0.5 * width ? stale + 1 : 0;
-    }
-    return finish(std::move(high));
+    const Sought nothing{std::vector<BodyLoad>(assembly.bodies.size()), Sense::least, 0, 0};
+    return Programme(assembly, scales, nothing, 1).least_imbalance();
 }
 
 }  // namespace delabole

@@ -99,4 +99,20 @@ LpBound least_support_force(const Assembly& assembly, std::size_t body, const Po
 // before each of its 10 to 60 programmes.
 LpBound least_strength_factor(const Assembly& assembly, const std::atomic<bool>* stop = nullptr);
 
+struct LeastImbalance {
+    LpStatus status = LpStatus::not_converged;
+    AssemblyCheck check = AssemblyCheck::valid;
+    // Sum of the forces along x and y, and moments by arm, that have to be added to the bodies; in mean weights.
+    double sum = 0;
+    std::vector<VirtualMotion> mechanism{};  // of every body: what would move; empty unless optimal
+
+    // The sum is known to 1e-8.
+    bool stands() const { return sum <= 1e-7; }
+};
+
+// Whether the assembly stands under its own weights and loads, for a small part of the time that a bound takes, since
+// the method of interior points does not mind that there are forces whatever the load: 0.03 s for 200 bodies, 0.3 s for
+// 1500. Bodies lighter than 1e-7 of the mean weight are not noticed.
+LeastImbalance least_imbalance(const Assembly& assembly);
+
 }  // namespace delabole

@@ -4,6 +4,44 @@
 
 namespace delabole::detail {
 
+Scales scales_of(const Assembly& assembly) {
+    Scales scales;
+    for (const Body& body : assembly.bodies) {
+        scales.force += body.weight / static_cast<double>(assembly.bodies.size());
+    }
+    scales.arm.resize(assembly.bodies.size());
+    const auto reach = [&](std::size_t body, const Point& point) {
+        scales.arm[body] = std::max(scales.arm[body], (point - assembly.bodies[body].centroid).norm());
+    };
+    for (const Contact& contact : assembly.contacts) {
+        for (const Point& point : {contact.start, contact.end}) {
+            reach(contact.body, point);
+            if (contact.other) {
+                reach(*contact.other, point);
+            }
+        }
+    }
+    for (double& arm : scales.arm) {
+        arm = arm > 0 ? arm : 1;  // a body that touches nothing
+    }
+    return scales;
+}
+
+LpBound refused(AssemblyCheck check) {
+    LpBound bound;
+    bound.status = LpStatus::invalid_assembly;
+    bound.check = check;
+    return bound;
+}
+
+std::vector<BodyLoad> horizontal_weights(const Assembly& assembly) {
+    std::vector<BodyLoad> loads;
+    for (const Body& body : assembly.bodies) {
+        loads.push_back({{-body.weight, 0}, 0});
+    }
+    return loads;
+}
+
 void set_static_residuals(const Assembly& assembly, const Scales& scales, const Sought& sought, double strength,
                           LpBound& bound) {
     std::vector<BodyLoad> sums(assembly.bodies.size());

@@ -1,4 +1,5 @@
-// What the programme is asked, and what is left of its answer when forces and mechanism are put back into mechanics.
+// What the programme is asked, how it is solved, and what is left of its answer when forces and mechanism are put back
+// into mechanics.
 #pragma once
 
 #include "limit_equilibrium/bound/lp_bound.hpp"
@@ -40,6 +41,17 @@ inline double friction_of(const Contact& contact, double strength) {
     const double most = strength > 1 ? std::max(given, largest_raised_tangent) : given;
     return std::atan(std::min(strength * given, most));
 }
+
+Scales scales_of(const Assembly& assembly);
+
+// The answer for an assembly that cannot be asked about.
+LpBound refused(AssemblyCheck check);
+
+// The weights as forces along -x.
+std::vector<BodyLoad> horizontal_weights(const Assembly& assembly);
+
+// Of a valid assembly, all of whose strength is multiplied by `strength`.
+LpBound solve(const Assembly& assembly, const Scales& scales, const Sought& sought, double strength);
 
 // Imbalance and cone violation, from the forces themselves and not from the programme's numbers.
 void set_static_residuals(const Assembly& assembly, const Scales& scales, const Sought& sought, double strength,

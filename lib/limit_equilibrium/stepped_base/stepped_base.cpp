@@ -1,6 +1,7 @@
 #include "limit_equilibrium/stepped_base/stepped_base.hpp"
 
 #include "limit_equilibrium/columns/base_profile.hpp"
+#include "numerics/edge_of_sign.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,73 +14,25 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Of the logarithm: 11 decades each way and a last step more. What drives level bases is rounding, the cosine of 90 deg
 // being 6e-17: they must hold at any strength.
 constexpr double widest_search = 25;
-constexpr int most_iterations = 200;
-
-// Where a function changes from not positive to positive, in either direction.
-struct Bracket {
-    double lower, upper;
-    double at_lower, at_upper;
-    bool found = false;
-};
 
 // Outwards from zero, to the side on which the sign can change. Under water, and with a strong wedge, slopes may stand
 // over several separate ranges of strength: steps of 5 % find the one nearest to the given strength; beyond a factor of
 // 50 they grow.
 template <class Function>
-Bracket bracket_from_zero(const Function& function, double direction) {
+SignBracket bracket_from_zero(const Function& function, double direction) {
     double near = 0;
     double at_near = function(near);
     for (double step = 0.05; std::abs(near) < widest_search; step *= std::abs(near) < 4 ? 1 : 2) {
         const double far = near + direction * step;
         const double at_far = function(far);
         if ((at_near > 0) != (at_far > 0)) {
-            return near < far ? Bracket{near, far, at_near, at_far, true} : Bracket{far, near, at_far, at_near, true};
+            return near < far ? SignBracket{near, far, at_near, at_far, true}
+                              : SignBracket{far, near, at_far, at_near, true};
         }
         near = far;
         at_near = at_far;
     }
     return {};
-}
-
-// Regula falsi with halved weights (Illinois), bisection where that does not shrink the bracket or where a value is
-// zero (margins may be zero over a range, the end of which is sought) or infinite. To the last bit.
-// Not bracketed_root of the fits, which stops at any zero and takes a value that is not finite for a gap.
-template <class Function>
-double edge_in(Function& function, Bracket bracket) {
-    const auto positive_above = bracket.at_upper > 0;
-    int last_side = 0;
-    double weight_lower = bracket.at_lower;
-    double weight_upper = bracket.at_upper;
-    for (int count = 0; count < most_iterations; ++count) {
-        const double width = bracket.upper - bracket.lower;
-        if (!(width > 1e-15 * (1 + std::abs(bracket.lower)))) {
-            break;
-        }
-        double middle = (bracket.lower + bracket.upper) / 2;
-        const double product = weight_lower * weight_upper;
-        if (product < 0 && std::isfinite(weight_lower) && std::isfinite(weight_upper) && count % 4 != 3) {
-            const double secant = bracket.upper - width * weight_upper / (weight_upper - weight_lower);
-            // A step of at least a few bits off the ends, so that the far end moves too.
-            const double least = 4e-16 * (1 + std::abs(secant));
-            middle = std::clamp(secant, bracket.lower + least, bracket.upper - least);
-        }
-        if (!(middle > bracket.lower && middle < bracket.upper)) {
-            break;
-        }
-        const double value = function(middle);
-        if ((value > 0) == positive_above) {
-            bracket.upper = middle;
-            weight_upper = value;
-            weight_lower = last_side > 0 ? weight_lower / 2 : weight_lower;
-            last_side = 1;
-        } else {
-            bracket.lower = middle;
-            weight_lower = value;
-            weight_upper = last_side < 0 ? weight_upper / 2 : weight_upper;
-            last_side = -1;
-        }
-    }
-    return positive_above ? bracket.lower : bracket.upper;
 }
 
 // The edge of standing of a margin that is negative for strong slopes; `weakening` is the direction of falling
@@ -92,7 +45,7 @@ Limit solve(Margin margin, double weakening) {
         return margin(logarithm);
     };
     const bool stands = !(counted(0) > 0);
-    const Bracket bracket = bracket_from_zero(counted, stands ? weakening : -weakening);
+    const SignBracket bracket = bracket_from_zero(counted, stands ? weakening : -weakening);
     if (!bracket.found) {
         return {stands ? LimitState::holds_at_any_strength : LimitState::fails_at_any_strength, 0, evaluations};
     }
@@ -246,7 +199,7 @@ CableForce required_cable(const SteppedBase<>& problem, const RequiredCable<>& c
     for (const Column<>& each : slope.columns) {
         total += each.weight;
     }
-    Bracket bracket{0, total, margin(0), margin(total), false};
+    SignBracket bracket{0, total, margin(0), margin(total), false};
     for (int count_of_steps = 0; bracket.at_upper > 0; ++count_of_steps) {
         if (count_of_steps == 20) {
             return {CableState::cannot_hold, 0};

@@ -313,7 +313,9 @@ std::string explain_failure(const BlockRow<>& row, std::string_view failure, con
                     ? std::to_string(row.block.size()) +
                           " blocks are too many for the bound by linear programming, at most " +
                           std::to_string(most_bounded_row)
-                    : std::string("the linear programme that bounds the tilt has no answer")) +
+                    : std::string(
+                          "the linear programme that bounds the tilt has no answer either, as where the heaviest "
+                          "block weighs more than 1e7 times the lightest")) +
                ": there is no answer";
     case BlockRowCheck::input_out_of_range:
         return "a number is outside its allowed range";

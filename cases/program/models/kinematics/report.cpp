@@ -1,10 +1,12 @@
 // Kinematic feasibility as the program reports it: verdicts, tables, stereonets.
+#include "cases/program/reader/document.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
 #include "kinematics/kinematics.hpp"
 #include "plots/drawing/text.hpp"
 #include "plots/figures/stereonet.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace delabole {
@@ -97,8 +99,7 @@ Table set_table(const KinematicsResult& result) {
 
 Table mechanism_table(const KinematicsResult& result, const std::string& caption,
                       MechanismFeasibility JointSetFeasibility::*mechanism) {
-    Table table{
-        caption, {{"set"}, {"at the mean"}, {"feasible below friction of", true}, {"share of the samples", true}}, {}};
+    Table table{caption, {{"set"}, {"at the mean"}, {"feasible below friction of", true}, {"share", true}}, {}};
     for (const JointSetFeasibility& set : result.joint_set) {
         const MechanismFeasibility& answer = set.*mechanism;
         table.rows.push_back({set.name, verdict_shown(answer.at_mean), critical_shown(answer.critical_friction_angle),
@@ -108,7 +109,7 @@ Table mechanism_table(const KinematicsResult& result, const std::string& caption
 }
 
 Table base_table(const KinematicsResult& result) {
-    Table table{"Bases of toppling columns", {{"set"}, {"at the mean"}, {"share of the samples", true}}, {}};
+    Table table{"Bases of toppling columns", {{"set"}, {"at the mean"}, {"share", true}}, {}};
     for (const JointSetFeasibility& set : result.joint_set) {
         table.rows.push_back({set.name, verdict_shown(set.toppling_base), share_shown(set.toppling_base_share)});
     }
@@ -125,7 +126,7 @@ Table wedge_table(const KinematicsResult& result) {
                  {"carried by"},
                  {"feasible below friction of", true},
                  {"in balance at friction of", true},
-                 {"share of the samples", true}},
+                 {"share", true}},
                 {}};
     for (std::size_t index = 0; index < result.pair.size(); ++index) {
         const PairFeasibility& pair = result.pair[index];
@@ -147,7 +148,7 @@ Table wedge_table(const KinematicsResult& result) {
 
 Table direct_toppling_table(const KinematicsResult& result) {
     Table table{"Direct toppling of the columns that two sets cut",
-                {{"no."}, {"pair"}, {"at the mean"}, {"base"}, {"share of the samples", true}},
+                {{"no."}, {"pair"}, {"at the mean"}, {"base"}, {"share", true}},
                 {}};
     for (std::size_t index = 0; index < result.pair.size(); ++index) {
         const PairFeasibility& pair = result.pair[index];
@@ -222,9 +223,18 @@ StereonetDrawing stereonet_drawing(const Kinematics& model, const KinematicsResu
     StereonetDrawing drawing{.title = "Joint sets",
                              .slope = model.slope,
                              .friction_angle = model.strength.friction_angle,
-                             .lateral_limit = model.lateral_limit};
+                             .lateral_limit = model.lateral_limit,
+                             .without_set = result.without_set,
+                             .weights_without_set = result.weights_without_set,
+                             .measured = result.poles.has_value()};
     for (std::size_t set = 0; set < result.sampled.size(); ++set) {
-        drawing.joint_set.push_back({model.joint_set[set].name, result.joint_set[set].mean, result.sampled[set]});
+        const JointSetFeasibility& own = result.joint_set[set];
+        drawing.joint_set.push_back({own.name, own.mean, {}, {}});
+        // Beside measured poles sampled ones would be taken for measured.
+        if (own.measured || !drawing.measured) {
+            drawing.joint_set.back().planes = result.sampled[set];
+            drawing.joint_set.back().weights = result.sampled_weights[set];
+        }
     }
     for (std::size_t pair = 0; pair < result.pair.size(); ++pair) {
         if (result.pair[pair].wedge_sliding.at_mean != Feasibility::planes_parallel) {
@@ -232,6 +242,95 @@ StereonetDrawing stereonet_drawing(const Kinematics& model, const KinematicsResu
         }
     }
     return drawing;
+}
+
+Table statistics_table(const KinematicsResult& result) {
+    Table table{"Fisher's statistics of the measured sets",
+                {{"set"},
+                 {"poles", true},
+                 {"mean, dip/dip direction", true},
+                 {"K", true},
+                 {"95 % bounds of K", true},
+                 {"cone that holds the true mean, 95 %", true},
+                 {"cone that holds 68 % of the poles", true}},
+                {}};
+    for (const JointSetFeasibility& set : result.joint_set) {
+        if (const auto& own = set.measured) {
+            table.rows.push_back(
+                {set.name, human_number(own->count, 6), attitude(own->mean_dip, own->mean_dip_direction),
+                 human_number(own->concentration, 3),
+                 human_number(own->lower_concentration, 3) + " to " + human_number(own->upper_concentration, 3),
+                 degrees_shown(own->confidence_cone), degrees_shown(own->variability_cone)});
+        }
+    }
+    return table;
+}
+
+Table count_table(const PoleCounts& counts) {
+    const auto row = [](const std::string& what, double count, double of) {
+        return std::vector<std::string>{what, human_number(count, 7), human_number(of, 7),
+                                        of > 0 ? share_shown(count / of) : "–"};
+    };
+    return {"Every measured pole, and every line along which two of the planes meet, counted once",
+            {{"what"}, {"number", true}, {"out of", true}, {"share", true}},
+            {row("poles of planes that can slide", counts.planar_sliding, counts.count),
+             row("poles of layers that can topple (flexural)", counts.flexural_toppling, counts.count),
+             row("poles of planes that can be a base of direct toppling", counts.toppling_base, counts.count),
+             row("lines along which wedges can slide", counts.wedge_sliding, counts.intersections),
+             row("lines that can be the axis of toppling columns", counts.toppling_axis, counts.intersections),
+             row("poles that belong to no set", counts.without_set, counts.count)}};
+}
+
+Table number_of_sets_table(const std::vector<double>& criterion) {
+    Table table{"Evidence for the number of sets", {{"sets", true}, {"Bayesian information criterion", true}}, {}};
+    const double least = *std::ranges::min_element(criterion);
+    for (std::size_t sets = 0; sets < criterion.size(); ++sets) {
+        const double above = criterion[sets] - least;
+        table.rows.push_back({std::to_string(sets), above > 0 ? "+" + human_number(above, 4) : "least: taken"});
+    }
+    return table;
+}
+
+// The sets as sections of a case, to be pasted into another: of kinematics, or of a slope cut by joints.
+std::string sets_to_paste(const Kinematics& model, const KinematicsResult& result) {
+    std::string text =
+        "# Sets of a case of model kinematics. In a section of the slope across its face a set has the apparent dip, "
+        "which\n"
+        "# is positive out of the slope: the dip of a cut of kind \"set\" in a jointed slope that rises to the "
+        "right.\n";
+    for (const JointSetFeasibility& set : result.joint_set) {
+        text += "\n[[joint_set]]  # apparent dip " +
+                tenths_shown(apparent_dip(set.mean, model.slope.face_dip_direction)) +
+                " deg\nname = " + in_quotes(set.name) + "\ndip = \"" + tenths_shown(set.mean.dip) +
+                " deg\"\ndip_direction = \"" + tenths_shown(set.mean.dip_direction) + " deg\"\n";
+        if (set.measured && std::isfinite(set.measured->concentration)) {
+            text += "concentration = " + human_number(std::min(set.measured->concentration, 1e6), 4) + "\n";
+        }
+    }
+    return text;
+}
+
+void append_measured(const Kinematics& model, const KinematicsResult& result, const StereonetDrawing& drawing,
+                     const ResultFolder& folder, Report& report) {
+    report.blocks.emplace_back(Heading{"Measured poles"});
+    report.blocks.emplace_back(count_table(*result.poles));
+    report.blocks.emplace_back(statistics_table(result));
+    if (!result.information_criterion.empty()) {
+        report.blocks.emplace_back(number_of_sets_table(result.information_criterion));
+    }
+    report.blocks.emplace_back(folder.draw(kamb_figure(drawing), "stereonet_kamb",
+                                           "Contours of the measured poles after Kamb: densities that uniform poles "
+                                           "would hardly give."));
+    std::vector<Orientation> planes = drawing.without_set;
+    std::vector<double> weights = drawing.weights_without_set;
+    for (const DrawnJointSet& set : drawing.joint_set) {
+        planes.insert(planes.end(), set.planes.begin(), set.planes.end());
+        weights.insert(weights.end(), set.weights.begin(), set.weights.end());
+    }
+    report.blocks.emplace_back(folder.draw(rosette_figure("Rosette of strikes", planes, weights), "rosette",
+                                           "Strikes of the measured planes in classes of 10°; areas are proportional "
+                                           "to their number, weighted where a scanline is given."));
+    folder.write("sets_to_paste.toml", sets_to_paste(model, result));
 }
 
 }  // namespace
@@ -290,17 +389,23 @@ void append_case_figures(const KinematicsStudy& study, const KinematicsResult& r
                                    ? " The zones are drawn for level ground behind the crest; the verdicts below know "
                                      "the ground that the case gives."
                                    : "";
-    report.blocks.emplace_back(folder.draw(pole_figure(drawing), "stereonet_poles",
-                                           "Poles of the joint sets, their means and the zones in which a pole slides "
-                                           "or topples. The poles are not measurements: they are sampled from what the "
-                                           "case says of each set, every set independently of the others." +
-                                               ground));
+    report.blocks.emplace_back(
+        folder.draw(pole_figure(drawing), "stereonet_poles",
+                    "Poles of the joint sets, their means and the zones in which a pole slides or topples. " +
+                        std::string(result.poles ? "The poles are measured; shares of pairs are of planes drawn from "
+                                                   "both sets independently of each other."
+                                                 : "The poles are not measurements: they are sampled from what the "
+                                                   "case says of each set, every set independently of the others.") +
+                        ground));
     report.blocks.emplace_back(Heading{"Mean planes and zones"});
     report.blocks.emplace_back(folder.draw(plane_figure(drawing), "stereonet_planes",
                                            "Mean planes and the lines along which they meet, numbered as the pairs "
                                            "in the tables, with the zones of wedges and toppling columns." +
                                                ground));
     report.blocks.emplace_back(zone_table(study.model));
+    if (result.poles) {
+        append_measured(study.model, result, drawing, folder, report);
+    }
     report.blocks.emplace_back(Heading{"Joint sets"});
     report.blocks.emplace_back(set_table(result));
     report.blocks.emplace_back(
@@ -328,8 +433,14 @@ std::vector<std::string> blamed_keys(const KinematicsStudy&, std::string_view fa
     case KinematicsCheck::joint_set_name_repeated:
     case KinematicsCheck::lower_dip_above_upper_dip:
         return {"joint_set"};
+    case KinematicsCheck::survey_without_planes:
+    case KinematicsCheck::too_many_poles:
+    case KinematicsCheck::no_set_found:
+        return {"poles"};
+    case KinematicsCheck::window_without_poles:
+        return {"joint_set"};
     case KinematicsCheck::setting_not_whole:
-        return {"sampling"};
+        return {"sampling", "set_search"};
     case KinematicsCheck::input_out_of_range:
     case KinematicsCheck::valid:
         break;
@@ -340,7 +451,7 @@ std::vector<std::string> blamed_keys(const KinematicsStudy&, std::string_view fa
 std::string explain_failure(const KinematicsStudy&, std::string_view failure, const std::string&) {
     switch (value_of<KinematicsCheck>(failure).value_or(KinematicsCheck::valid)) {
     case KinematicsCheck::no_joint_set:
-        return "at least one [[joint_set]] is required";
+        return "at least one [[joint_set]], or measured [[poles]], is required";
     case KinematicsCheck::too_many_joint_sets:
         return "at most " + std::to_string(most_joint_sets) + " joint sets";
     case KinematicsCheck::joint_set_without_name:
@@ -349,8 +460,17 @@ std::string explain_failure(const KinematicsStudy&, std::string_view failure, co
         return "two joint sets have the same name";
     case KinematicsCheck::lower_dip_above_upper_dip:
         return "a joint set has a lower_dip above its upper_dip";
+    case KinematicsCheck::survey_without_planes:
+        return "[[poles]] need a file or at least one plane";
+    case KinematicsCheck::too_many_poles:
+        return "there may be at most " + std::to_string(most_poles) + " poles";
+    case KinematicsCheck::window_without_poles:
+        return "no measured pole lies in the window of a joint set: move it, or make window_radius larger";
+    case KinematicsCheck::no_set_found:
+        return "the poles are as likely to be scattered evenly as to form sets: give the sets as [[joint_set]], with a "
+               "window_dip, window_dip_direction and window_radius each";
     case KinematicsCheck::setting_not_whole:
-        return "sample_count and seed must be whole numbers";
+        return "sample_count, seed and most_sets must be whole numbers";
     case KinematicsCheck::input_out_of_range:
         return "a number is outside its allowed range";
     case KinematicsCheck::valid:

@@ -37,26 +37,12 @@ struct WaterChecks {
     }
 };
 
-struct StrengthChecks {
-    Checker& checker;
-
-    template <class Law>
-    void operator()(const Law& law) const {
-        if constexpr (requires { law.friction_angle + law.roughness_angle; }) {
-            if (!(law.friction_angle + law.roughness_angle < degrees(90))) {
-                checker.complain("strength.roughness_angle",
-                                 "friction_angle + roughness_angle must be less than 90 deg");
-            }
-        }
-    }
-};
-
 void check_slope(Checker& checker, const PlaneFailure<>& model) {
     if (model.tension_crack && std::holds_alternative<CrackBaseElevation<>>(model.tension_crack->position)) {
         check_elevation(checker, model, "tension_crack.base_elevation");
     }
     std::visit(WaterChecks{checker, model}, model.water);
-    std::visit(StrengthChecks{checker}, model.strength);
+    check_strength(checker, "strength", model.strength);
     if (model.pond && model.pond->depth > model.slope.height) {
         checker.complain("pond.depth",
                          "must be at most slope.height = " + readable_quantity(model.slope.height, Dimension::length));

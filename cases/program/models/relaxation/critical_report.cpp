@@ -41,7 +41,8 @@ std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
     case CriticalStatus::stands_everywhere:
         return "the blocks stand even at " + last + more;
     case CriticalStatus::fails_everywhere:
-        return "the blocks fail even at " + last + less;
+        return "the blocks fail" + std::string(value.held_by_corners ? ", or are held by corners alone," : "") +
+               " even at " + last + less;
     case CriticalStatus::undecided:
         return "at " + last + " the blocks neither came to rest nor failed within settings.duration";
     case CriticalStatus::run_failed:
@@ -70,7 +71,9 @@ std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) 
     const std::string on_path =
         plan.path.size() > 1 ? "On the path " + std::string(word_of(value.path)) + ": at " : "At ";
     std::string text = on_path + in_six_digits(at, dimension);
-    if (failed.result.start_balance) {
+    if (value.held_by_corners) {
+        text += " the blocks rest, but faces cannot take forces in equilibrium: corners on corners hold what is marked";
+    } else if (failed.result.start_balance) {
         const double ratio = failed.result.start_balance->unbalanced_ratio;
         const bool balanced = ratio <= failed.settings.equilibrium_ratio;
         text += balanced ? " the static solver found an equilibrium that the run did not keep"
@@ -79,9 +82,11 @@ std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) 
     } else {
         text += ", with springs loaded at once";
     }
-    text += "; in the run blocks passed the thresholds of onset, a rotation of " +
-            value_in_words(failed.settings.onset_rotation, Dimension::angle) + " or a displacement of " +
-            number_in_words(failed.settings.onset_slide) + " radii.";
+    text += value.held_by_corners
+                ? "."
+                : "; in the run blocks passed the thresholds of onset, a rotation of " +
+                      value_in_words(failed.settings.onset_rotation, Dimension::angle) + " or a displacement of " +
+                      number_in_words(failed.settings.onset_slide) + " radii.";
     if (value.status == CriticalStatus::found) {
         text += " At " + in_six_digits(value.stands, dimension) + " they came to rest, out of balance by less than " +
                 number_in_words(failed.settings.equilibrium_ratio) + " of a block's weight.";
@@ -179,6 +184,8 @@ std::string end_in_words(const RelaxationRun& made) {
     case RelaxationOutcome::equilibrium:
         return result.onset_time ? "Failed, and came to rest: " + area + " had moved" + after + "."
                                  : "Stands: at rest" + after + ".";
+    case RelaxationOutcome::held_by_corners:
+        return "Held by corners alone: at rest" + after + ", but without corners on corners blocks would move.";
     case RelaxationOutcome::onset:
         return "Fails: " + area + " had begun to move" + after + ".";
     case RelaxationOutcome::collapse:
@@ -274,9 +281,16 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
     }
     if (critical.failed) {
         const FailingBlocks failing = failing_blocks(*critical.failed);
-        append("critical.failing_blocks", "blocks that have begun to move at the nearest value found to fail",
+        append("critical.failing_blocks",
+               "blocks that have begun to move at the nearest value found to fail, or that only corners hold",
                Dimension::ratio, static_cast<double>(failing.block.size()), !found);
         append("critical.failing_area", "their area", Dimension::area, failing.area, true);
+    }
+    if (found && critical.held_by_corners) {
+        analysis.warnings.push_back(
+            "at " + in_six_digits(critical.fails, dimension) +
+            " the blocks rest only because corners bear on corners, "
+            "which is not taken for standing: settings.corners_bear = \"on\" finds where they move in spite of that");
     }
     append("critical.runs", "runs made", Dimension::ratio, static_cast<double>(critical.runs), true);
     append("critical.steps", "time steps of all runs", Dimension::ratio, static_cast<double>(critical.steps), true);

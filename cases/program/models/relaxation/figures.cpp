@@ -30,6 +30,8 @@ DrawnMode drawn(BlockMovement movement) {
         return DrawnMode::slides_and_topples;
     case BlockMovement::moves:
         return DrawnMode::moves;
+    case BlockMovement::held_by_corners:
+        return DrawnMode::held_by_corners;
     case BlockMovement::fixed:
         return DrawnMode::fixed;
     case BlockMovement::removed:
@@ -224,7 +226,9 @@ void append_failure_figure(const RelaxationRun& failed, const std::string& title
     }
     report.blocks.emplace_back(folder.draw(
         mechanism_figure(failed, title), name,
-        "The blocks at the onset of failure, at the nearest value found to fail: what each has begun to do."));
+        failed.result.outcome == RelaxationOutcome::held_by_corners
+            ? "The blocks at rest, at the nearest value found not to stand: those that only corners hold."
+            : "The blocks at the onset of failure, at the nearest value found to fail: what each has begun to do."));
 }
 
 }  // namespace delabole

@@ -144,8 +144,8 @@ std::vector<TradeSetting> trade_settings(const RelaxationStudy& study, const std
     return settings;
 }
 
-double value_of(const std::vector<TradeKnob>& knobs, std::span<const double> values, std::string_view name,
-                double absent) {
+double value_of_knob(const std::vector<TradeKnob>& knobs, std::span<const double> values, std::string_view name,
+                     double absent) {
     for (std::size_t index = 0; index < knobs.size(); ++index) {
         if (knobs[index].name == name) {
             return values[index];
@@ -196,7 +196,9 @@ RelaxationStudy with_knobs(const RelaxationStudy& study, const std::vector<Trade
                            std::span<const double> values) {
     const RelaxationSettings own = relaxation_settings(study);
     RelaxationNumerics numerics = numerics_of(study);
-    const auto number = [&](std::string_view name, double absent) { return value_of(knobs, values, name, absent); };
+    const auto number = [&](std::string_view name, double absent) {
+        return value_of_knob(knobs, values, name, absent);
+    };
     numerics.time_step.reset();
     numerics.step_fraction = number(step_fraction, own.step_fraction);
     numerics.stiffness_ratio = number(stiffness_ratio, stiffness_ratio_of(study));
@@ -231,7 +233,8 @@ TradeProblem trade_problem(const RelaxationStudy& study, std::optional<double> t
     };
     // The stable step goes with the root of the stiffness.
     problem.expected_cost = [knobs = problem.knobs](std::span<const double> values) {
-        return std::sqrt(value_of(knobs, values, stiffness_ratio, 1)) / value_of(knobs, values, step_fraction, 1);
+        return std::sqrt(value_of_knob(knobs, values, stiffness_ratio, 1)) /
+               value_of_knob(knobs, values, step_fraction, 1);
     };
     problem.threads = threads;
     return problem;

@@ -2,10 +2,10 @@
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/thesis/chapter_2/fig_2_8.hpp"
+#include "cases/program/thesis/data_item.hpp"
 #include "cases/program/thesis/imperial.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/figures/figures.hpp"
-#include "water/column_tilt.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -102,48 +102,6 @@ Reproduction reproduce_fig_2_8(const ResultFolder& folder, Report& report) {
     return result;
 }
 
-Reproduction reproduce_tilting(const ResultFolder& folder, Report& report) {
-    const double saturated = degrees(47.5);
-    const ColumnTilt half = column_tilt({degrees(70), saturated, 0.5});
-    const ColumnTilt full = column_tilt({degrees(70), saturated, 1.0});
-    Reproduction result;
-    const auto row = [&](const std::string& what, double printed_degrees, double computed, const std::string& remark) {
-        result.rows.push_back({what, number_in_words(printed_degrees) + " deg",
-                               value_in_words(computed, Dimension::angle),
-                               difference_in_words(computed / degrees(1) - printed_degrees) + " deg", remark});
-    };
-    row("tilt, fully saturated", 47.5, full.tilt, "input");
-    row("tilt, half saturated", 12, half.tilt, "predicted from the other");
-    report.blocks.emplace_back(Heading{"Groundwater by tilting the model (2.3.5)"});
-    report.blocks.emplace_back(
-        Paragraph{"A joint-A column (70 deg) with triangular pressure on its joint. The printed tilt of the saturated "
-                  "column fixes "
-                  "water force over weight, U / W = " +
-                  number_in_words(full.water_force_over_weight) +
-                  "; half the height of water gives a quarter of it, and so the tilt of the half saturated column."});
-    report.blocks.emplace_back(printed_table("Tilt of the model", result.rows));
-    Figure figure;
-    figure.title = "Tilt that stands for water in joint A";
-    figure.x.title = "filled ratio of the joint";
-    figure.y.title = "tilt";
-    figure.y.unit = "deg";
-    Line curve;
-    curve.legend = "one column, 47.5 deg when full";
-    for (int index = 0; index <= 100; ++index) {
-        curve.points.emplace_back(index / 100.0,
-                                  column_tilt({degrees(70), saturated, index / 100.0}).tilt / degrees(1));
-    }
-    Points printed;
-    printed.legend = "printed";
-    printed.points = {Point(0.5, 12), Point(1, 47.5)};
-    printed.colour = Colour::vermilion;
-    figure.series = {curve, printed};
-    report.blocks.emplace_back(
-        folder.draw(figure, "groundwater_tilt", "Tilt against filled ratio, printed tilts marked."));
-    result.json["half_saturated_tilt_deg"] = half.tilt / degrees(1);
-    return result;
-}
-
 Reproduction reproduce_dry_friction(const ResultFolder&, Report& report) {
     const double gentle = std::tan(degrees(30)) / std::tan(degrees(40));
     const double steep = std::tan(degrees(40)) / std::tan(degrees(50));
@@ -166,7 +124,8 @@ ReproductionChapter chapter_2() {
             "Thesis, chapter 2: printed and computed",
             {
                 {"fig2.8", "plane failure of the west face; its unprinted crack depth and curves", reproduce_fig_2_8},
-                {"tilting", "groundwater by tilting the model, section 2.3.5", reproduce_tilting},
+                data_item("tilting", "groundwater by tilting the model, section 2.3.5", "plane_failure",
+                          {"groundwater_by_tilting"}),
                 {"mechanisms", "modes of failure tried on models of the west face, verdicts of section 2.3.3.2",
                  reproduce_mechanisms},
                 {"drawings", "Figs 2.4, 2.5, 2.7 and 2.10: the failure and the models", reproduce_slope_drawings},

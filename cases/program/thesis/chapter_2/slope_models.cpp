@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace delabole {
@@ -77,13 +76,7 @@ void score_movements(const PostFailure& early, FieldScore& score) {
 }  // namespace
 
 RelaxationStudy slope_model(std::string_view name, const std::vector<Setting>& settings) {
-    for (const auto& [stem, text] : chapter_2_cases()) {
-        if (stem == name) {
-            const CaseFile file = parse_case(text, "cases/thesis/chapter_2/" + std::string(stem) + ".toml", settings);
-            return std::get<RelaxationStudy>(file.model);
-        }
-    }
-    throw std::logic_error("no case is called " + std::string(name));
+    return std::get<RelaxationStudy>(built_in_case("thesis/chapter_2", name, settings).model);
 }
 
 SlopeRun run_slope(RelaxationStudy study) {

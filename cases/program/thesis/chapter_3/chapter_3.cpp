@@ -1,6 +1,6 @@
 // The thesis's chapter 3: its tables, its models as runs of blocks in motion, and limit equilibrium beside its graphs.
 #include "cases/program/thesis/chapter_3/chapter_3.hpp"
-#include "cases/program/thesis/chapter_4/chapter_4.hpp"
+#include "cases/program/thesis/data_item.hpp"
 
 namespace delabole {
 
@@ -18,7 +18,8 @@ ReproductionChapter chapter_3() {
             {"tilting_frame", "rows of columns tilted until they fail, with the scatter of plaster: Figs 3.4, 3.6, 3.7",
              reproduce_tilting_runs, ReproductionCost::minutes},
             {"fig3.2", "base friction: crack path and its time against slope height (Table 3.3)", reproduce_fig_3_2},
-            {"fig3.4", "single column on the tilting frame, theoretical curve", reproduce_fig_3_4},
+            data_item("fig3.4", "single column on the tilting frame, theoretical curve", "thesis/chapter_4",
+                      {"fig_3_4"}),
             {"fig3.6", "rows of one to four equal columns on the tilting frame", reproduce_fig_3_6},
             {"fig3.7", "columns of growing and falling height on the tilting frame, Plate 3.XIV", reproduce_fig_3_7},
         }};

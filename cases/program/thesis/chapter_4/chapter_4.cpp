@@ -1,7 +1,9 @@
-// The thesis's chapter 4 but for Bray's analysis (Appendix A), with the theoretical curve of Fig 3.4: single blocks
-// here, rows of blocks in reproduce_two_blocks.cpp and reproduce_multiple_blocks.cpp.
+// The thesis's chapter 4 but for Bray's analysis (Appendix A), with the theoretical curve of Fig 3.4. Most figures are
+// cases; here is what needs code of its own for single blocks, in reproduce_two_blocks.cpp and
+// reproduce_multiple_blocks.cpp for rows.
 #include "cases/program/thesis/chapter_4/chapter_4.hpp"
 #include "cases/program/models/single_block/chart.hpp"
+#include "cases/program/thesis/data_item.hpp"
 #include "fitting/work/words.hpp"
 #include "limit_equilibrium/block_row/single_block.hpp"
 #include "plots/drawing/text.hpp"
@@ -11,42 +13,6 @@
 #include <limits>
 
 namespace delabole {
-
-Reproduction reproduce_fig_3_4(const ResultFolder& folder, Report& report) {
-    Figure figure = tilt_figure("Single column: critical tilt", "a / b", "");
-    Line theory;
-    theory.legend = "tan θ = b / a";
-    theory.colour = Colour::blue;
-    theory.width = 4;
-    Reproduction result;
-    Line cubes;
-    cubes.legend = "columns of cubes, roughly 1° less (text)";
-    cubes.colour = Colour::vermilion;
-    cubes.dash = Dash::dashed;
-    for (int step = 0; step <= 90; ++step) {
-        const double slenderness = 1 + step / 10.0;
-        theory.points.emplace_back(slenderness, std::atan(1 / slenderness) / degrees(1));
-        cubes.points.emplace_back(slenderness, std::atan(1 / slenderness) / degrees(1) - 1);
-    }
-    figure.series = {theory, cubes};
-    SingleBlock<> block{};
-    block.block = {.height = 3, .width = 1, .unit_weight = 24e3};
-    block.base = {.inclination = degrees(10), .friction_angle = degrees(35), .cohesion = 0};
-    const double model = analyse(block).critical_toppling_inclination;
-    result.rows.push_back({"a/b = 3: θ by the model against atan(b/a)",
-                           value_in_words(std::atan(1.0 / 3), Dimension::angle),
-                           value_in_words(model, Dimension::angle),
-                           difference_in_words((model - std::atan(1.0 / 3)) / degrees(1)) + " deg",
-                           "single block; the test points are not printed as numbers"});
-    report.blocks.emplace_back(Heading{"Fig 3.4: single column on the tilting frame, theoretical curve"});
-    report.blocks.emplace_back(printed_table("Single column", result.rows));
-    report.blocks.emplace_back(folder.draw(figure, "fig_3_4",
-                                           "The theoretical curve; test points are not printed. Tested columns of one "
-                                           "piece failed up to 1 degree earlier where they were short, "
-                                           "columns of cubes about 1 degree earlier throughout (3.3.1)."));
-    result.json["critical_tilt_deg"] = model / degrees(1);
-    return result;
-}
 
 namespace {
 
@@ -139,22 +105,24 @@ Line curve(double from, double to, const std::string& legend, Colour colour, Das
 }
 
 ReproductionChapter chapter_4() {
-    return {"chapter4",
-            "blocks on a plane, chapter 4",
-            "Thesis, chapter 4: printed and computed",
-            {
-                {"fig3.4", "single column on the tilting frame, theoretical curve", reproduce_fig_3_4},
-                {"fig4.1", "criteria for a single block, static and dynamic", reproduce_fig_4_1},
-                {"fig4.3", "two blocks: tilt against base friction for several interfaces", reproduce_fig_4_3},
-                {"fig4.4", "two blocks of 2 to 9 inches, friction 20 against 35 deg", reproduce_fig_4_4},
-                {"fig4.6", "two blocks, forward and backward mode, all fourteen ratios", reproduce_fig_4_6},
-                {"fig4.7", "two blocks, a/b = 9: boundary friction and the weights behind it", reproduce_fig_4_7},
-                {"fig4.8", "boundary base friction against a/b", reproduce_fig_4_8},
-                {"fig4.9", "the modes of three and four blocks", reproduce_fig_4_9},
-                {"fig4.10", "three blocks, friction the same everywhere", reproduce_fig_4_10},
-                {"eq14-19", "equations (14) to (19) printed and derived; does a third block help?",
-                 reproduce_equations_14_to_19},
-            }};
+    const std::string folder = "thesis/chapter_4";
+    return {
+        "chapter4",
+        "blocks on a plane, chapter 4",
+        "Thesis, chapter 4: printed and computed",
+        {
+            data_item("fig3.4", "single column on the tilting frame, theoretical curve", folder, {"fig_3_4"}),
+            {"fig4.1", "criteria for a single block, static and dynamic", reproduce_fig_4_1},
+            data_item("fig4.3", "two blocks: tilt against base friction for several interfaces", folder, {"fig_4_3"}),
+            data_item("fig4.4", "two blocks of 2 to 9 inches, friction 20 against 35 deg", folder, {"fig_4_4"}),
+            data_item("fig4.6", "two blocks, forward and backward mode, all fourteen ratios", folder, {"fig_4_6"}),
+            {"fig4.7", "two blocks, a/b = 9: boundary friction and the weights behind it", reproduce_fig_4_7},
+            data_item("fig4.8", "boundary base friction against a/b", folder, {"fig_4_8"}),
+            {"fig4.9", "the modes of three and four blocks", reproduce_fig_4_9},
+            {"fig4.10", "three blocks, friction the same everywhere", reproduce_fig_4_10},
+            {"eq14-19", "equations (14) to (19) printed and derived; does a third block help?",
+             reproduce_equations_14_to_19},
+        }};
 }
 
 }  // namespace delabole

@@ -9,13 +9,7 @@
 
 namespace delabole {
 
-Reproduction reproduce_fig_3_4(const ResultFolder& folder, Report& report);
-
-Reproduction reproduce_fig_4_3(const ResultFolder& folder, Report& report);
-Reproduction reproduce_fig_4_4(const ResultFolder& folder, Report& report);
-Reproduction reproduce_fig_4_6(const ResultFolder& folder, Report& report);
 Reproduction reproduce_fig_4_7(const ResultFolder& folder, Report& report);
-Reproduction reproduce_fig_4_8(const ResultFolder& folder, Report& report);
 
 Reproduction reproduce_fig_4_9(const ResultFolder& folder, Report& report);
 Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report);

@@ -1,9 +1,13 @@
 #include "cases/program/thesis/hocking/chapter_5.hpp"
 
+#include "cases/program/reader/data_table.hpp"
+#include "cases/program/thesis/thesis_tables.hpp"
 #include "parameters/fields.hpp"
 
+#include <array>
 #include <cmath>
 #include <random>
+#include <sstream>
 #include <utility>
 
 namespace delabole {
@@ -44,104 +48,187 @@ HockingSettings settings_of(double stiffness, double joint_friction, double base
     return settings;
 }
 
-std::string in_degrees(double value) {
-    std::string text = std::to_string(value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') {
-        text.pop_back();
-    }
-    return text + " deg";
-}
-
-Chapter5Run equal_run(int count, double slenderness, double inclination, double friction, int cycles) {
-    Chapter5Run made;
-    made.name = in_degrees(inclination);
-    made.columns = equal_columns(count, slenderness, inclination);
-    made.settings = settings_of(stiffness_per_width * slenderness, friction, friction, cycles);
-    return made;
-}
-
-constexpr int long_run = 15000;
-constexpr double double_friction = 20;
 constexpr double longest_drawn = 80;  // deg, where runs that are drawn and counted end
 
-Chapter5Run tilted(int count, TiltedPart part, double from, double to, int consolidation, int every) {
-    Chapter5Run made = equal_run(count, 3, from, double_friction, 20000);
-    made.columns.base_height = part == TiltedPart::base ? inch : made.columns.base_height;
-    made.name = in_degrees(from) + " to " + in_degrees(to) + ", every " + std::to_string(every) + " cycles";
-    // 0.1 deg in 1000 cycles for 10, in 2000 for 20.
-    made.settings.tilting = HockingTilting{part, consolidation, every, degrees(1e-3), degrees(to - from)};
+enum class Drawn { no, yes };
+
+constexpr std::array<std::string_view, 2> enum_names(Drawn) {
+    return {"no", "yes"};
+}
+
+// A row of cases/thesis/chapter_5/runs.csv, whose comments say what stands where.
+struct PrintedRun {
+    std::string group;
+    std::string name;
+    std::optional<double> blocks;
+    std::optional<double> slenderness;
+    std::string heights;  // in
+    double inclination_degrees;
+    double joints_degrees;
+    double bases_degrees;
+    std::optional<double> stiffness;
+    std::optional<double> time_step;
+    std::optional<double> damping;
+    double cycles;
+    std::optional<double> tilted_to_degrees;
+    std::optional<double> tilt_begins;
+    std::optional<double> tilt_every;
+    std::optional<double> first_print;
+    Drawn drawn;
+    PrintedOutcome outcome;
+    std::optional<double> settled_x;
+    std::optional<double> settled_y;
+    std::optional<double> printed_cycle;
+    std::string behaviour;
+    std::string totals;
+    static constexpr auto fields() {
+        using R = PrintedRun;
+        constexpr Dimension ratio = Dimension::ratio;
+        constexpr Interval angles = within(0, 90);
+        return std::tuple{
+            section("group", &R::group, "which of the thesis's experiments"),
+            section("name", &R::name, "name of the run"),
+            number("blocks", &R::blocks, ratio, at_least(1), "number of equal blocks"),
+            number("slenderness", &R::slenderness, ratio, more_than(0), "height over width"),
+            section("heights", &R::heights, "heights of unequal columns, in"),
+            number("inclination_degrees", &R::inclination_degrees, ratio, angles, "inclination of the base, deg"),
+            number("joints_degrees", &R::joints_degrees, ratio, angles, "friction between blocks, deg"),
+            number("bases_degrees", &R::bases_degrees, ratio, angles, "friction of bases, deg"),
+            number("stiffness", &R::stiffness, ratio, more_than(0), "stiffness of a contact, N/m"),
+            number("time_step", &R::time_step, Dimension::time, more_than(0), "time step"),
+            number("damping", &R::damping, ratio, at_least(0), "share of critical damping"),
+            number("cycles", &R::cycles, ratio, at_least(1), "cycles to run"),
+            number("tilted_to_degrees", &R::tilted_to_degrees, ratio, angles, "inclination at the end, deg"),
+            number("tilt_begins", &R::tilt_begins, ratio, at_least(0), "cycle at which tilting begins"),
+            number("tilt_every", &R::tilt_every, ratio, at_least(1), "cycles between increments of 0.001 deg"),
+            number("first_print", &R::first_print, ratio, at_least(1), "print edit from which sliding is counted"),
+            section("drawn", &R::drawn, "whether the run goes on for drawings"),
+            section("outcome", &R::outcome, "printed outcome"),
+            number("settled_x", &R::settled_x, ratio, at_least(0), "printed cycle at which x came to rest"),
+            number("settled_y", &R::settled_y, ratio, at_least(0), "printed cycle at which y came to rest"),
+            number("printed_cycle", &R::printed_cycle, ratio, at_least(0), "printed cycle of the group"),
+            section("behaviour", &R::behaviour, "printed of each block"),
+            section("totals", &R::totals, "printed totals of sliding of each block")};
+    }
+};
+
+const std::vector<PrintedRun>& printed_runs() {
+    static const std::vector<PrintedRun> rows = parse_table<PrintedRun>(thesis_runs, "cases/thesis/chapter_5/runs.csv");
+    return rows;
+}
+
+std::vector<std::string> parts_of(const std::string& list) {
+    std::vector<std::string> parts;
+    std::istringstream text(list);
+    for (std::string part; std::getline(text >> std::ws, part, ';');) {
+        parts.push_back(part);
+    }
+    return parts;
+}
+
+std::vector<SlidingTotals> totals_of(const std::string& list) {
+    std::vector<SlidingTotals> totals;
+    for (const std::string& part : parts_of(list)) {
+        SlidingTotals& total = totals.emplace_back();
+        std::istringstream(part) >> total.forward >> total.backward >> total.none >> total.unclear;
+    }
+    return totals;
+}
+
+std::optional<int> whole(const std::optional<double>& number) {
+    return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
+}
+
+// Those of Appendix A, a metre there being an inch here.
+HockingColumns stepped_columns(double inclination) {
+    const CaseFile file = built_in_case("stepped_base", "appendix_a");
+    const auto& columns = std::get<BlockColumns<>>(std::get<SteppedBaseStudy<>>(file.model).model.scene.columns);
+    HockingColumns made;
+    for (const ColumnBlock<>& block : columns.block) {
+        made.heights.push_back(block.height * inch);
+    }
+    made.width = columns.block.front().width * inch;
+    made.step = columns.block.front().step_above * inch;
+    made.dip = degrees(inclination);
+    made.base_height = inch;
+    made.coordinate_unit = typed_digit;
     return made;
 }
 
-// Stands as in the thesis, or counts what a row of its tables counts.
-Chapter5Run row(int count, double slenderness, double inclination, double joints, double bases, int first_print,
-                int cycles) {
-    Chapter5Run made = equal_run(count, slenderness, inclination, joints, cycles);
-    made.settings.bases = {degrees(bases), degrees(bases)};
-    made.settings.stop_rotation = degrees(longest_drawn);
-    made.first_print = first_print;
-    made.printed = PrintedOutcome::fails;
+HockingColumns columns_of(const PrintedRun& row) {
+    if (!row.blocks && row.heights.empty()) {
+        return stepped_columns(row.inclination_degrees);
+    }
+    HockingColumns columns =
+        equal_columns(static_cast<int>(row.blocks.value_or(0)), row.slenderness.value_or(1), row.inclination_degrees);
+    std::istringstream heights(row.heights);
+    for (double height = 0; heights >> height;) {
+        columns.heights.push_back(height * inch);
+    }
+    return columns;
+}
+
+Chapter5Run run_of(const PrintedRun& row) {
+    Chapter5Run made;
+    made.name = row.name;
+    made.columns = columns_of(row);
+    made.settings = settings_of(row.stiffness.value_or(stiffness_per_width * row.slenderness.value_or(1)),
+                                row.joints_degrees, row.bases_degrees, static_cast<int>(row.cycles));
+    made.settings.time_step = row.time_step.value_or(made.settings.time_step);
+    made.settings.damping = row.damping.value_or(made.settings.damping);
+    made.settings.stop_rotation = row.drawn == Drawn::yes ? degrees(longest_drawn) : made.settings.stop_rotation;
+    made.printed = row.outcome;
+    if (row.settled_x && row.settled_y) {
+        made.printed_settled = SettledCycles{static_cast<int>(*row.settled_x), static_cast<int>(*row.settled_y)};
+    }
+    made.printed_cycle = whole(row.printed_cycle);
+    made.printed_behaviour = parts_of(row.behaviour);
+    made.printed_totals = totals_of(row.totals);
+    made.first_print = whole(row.first_print).value_or(made.first_print);
     return made;
+}
+
+std::vector<Chapter5Run> runs_of_group(std::string_view group) {
+    std::vector<Chapter5Run> runs;
+    for (const PrintedRun& row : printed_runs()) {
+        if (row.group == group) {
+            runs.push_back(run_of(row));
+        }
+    }
+    return runs;
+}
+
+std::vector<Chapter5Run> tilting_runs(std::string_view group, TiltedPart part) {
+    std::vector<Chapter5Run> runs;
+    for (const PrintedRun& row : printed_runs()) {
+        if (row.group == group) {
+            Chapter5Run& made = runs.emplace_back(run_of(row));
+            made.columns.base_height = part == TiltedPart::base ? inch : made.columns.base_height;
+            // 0.1 deg in 1000 cycles for every 10, in 2000 for every 20.
+            made.settings.tilting =
+                HockingTilting{part, whole(row.tilt_begins).value_or(0), whole(row.tilt_every).value_or(1),
+                               degrees(1e-3), degrees(row.tilted_to_degrees.value_or(0) - row.inclination_degrees)};
+        }
+    }
+    return runs;
 }
 
 }  // namespace
 
 std::vector<Chapter5Run> fixed_inclination_runs() {
-    struct Printed {
-        double inclination, damping;
-        std::optional<SettledCycles> settled;
-    };
-    const std::vector<Printed> printed = {
-        {17, 0.5, SettledCycles{800, 900}},
-        {17.5, 0.5, SettledCycles{1100, 1200}},
-        {18, 0.5, SettledCycles{2200, 2200}},
-        {18, 1, SettledCycles{1100, 800}},
-        {18.1, 0.5, SettledCycles{3200, 2900}},
-        {18.15, 0.5, SettledCycles{4900, 5000}},
-        {18.2, 0.5, std::nullopt},
-    };
-    std::vector<Chapter5Run> runs;
-    for (const Printed& one : printed) {
-        Chapter5Run made = equal_run(1, 3, one.inclination, double_friction, 10000);
-        made.name += one.damping == 0.5 ? "" : ", damping 1";
-        made.settings.damping = one.damping;
-        made.printed = one.settled ? PrintedOutcome::stands : PrintedOutcome::fails;
-        made.printed_settled = one.settled;
-        runs.push_back(made);
-    }
-    return runs;
+    return runs_of_group("fixed_inclination");
 }
 
 std::vector<Chapter5Run> single_tilting_runs(TiltedPart part) {
-    struct Printed {
-        double from, to;
-        int consolidation;
-        std::optional<SettledCycles> settled;
-        std::optional<int> momentum;
-    };
-    const std::vector<Printed> printed = {
-        {18, 18.2, 2500, SettledCycles{6700, 6000}, {}},
-        {18, 18.3, 2500, SettledCycles{11000, 9200}, {}},
-        {18, 18.4, 2500, {}, 8000},
-        {18.15, 18.3, 5500, SettledCycles{12100, 10600}, {}},
-        {18.15, 18.4, 5500, {}, 10700},
-    };
-    std::vector<Chapter5Run> runs;
-    for (const Printed& one : printed) {
-        Chapter5Run made = tilted(1, part, one.from, one.to, one.consolidation, 10);
-        made.printed = one.settled ? PrintedOutcome::stands : PrintedOutcome::fails;
-        made.printed_settled = one.settled;
-        made.printed_cycle = one.momentum;
-        runs.push_back(made);
-    }
-    return runs;
+    return tilting_runs("single_tilting", part);
 }
 
 Chapter5Run horizontal_start_run(TiltedPart part, int cycles_per_degree) {
     constexpr int consolidation = 500;
     constexpr int most_tilt = 25;  // deg
-    Chapter5Run made = equal_run(1, 3, 0, double_friction, consolidation + cycles_per_degree * (most_tilt + 5));
+    Chapter5Run made;
+    made.columns = equal_columns(1, 3, 0);
+    made.settings = settings_of(stiffness_per_width * 3, 20, 20, consolidation + cycles_per_degree * (most_tilt + 5));
     made.columns.base_height = part == TiltedPart::base ? inch : made.columns.base_height;
     made.name = std::to_string(cycles_per_degree) + " cycles for a degree";
     made.settings.tilting =
@@ -152,163 +239,53 @@ Chapter5Run horizontal_start_run(TiltedPart part, int cycles_per_degree) {
 }
 
 std::vector<Chapter5Run> double_fixed_runs() {
-    std::vector<Chapter5Run> runs = {equal_run(2, 3, 18.3, double_friction, long_run),
-                                     equal_run(2, 3, 18.4, double_friction, long_run)};
-    runs[0].printed = PrintedOutcome::stands;
-    runs[1].printed = PrintedOutcome::fails;
-    return runs;
+    return runs_of_group("double_fixed");
 }
 
 std::vector<Chapter5Run> double_tilting_runs(TiltedPart part) {
-    constexpr int consolidation = 2500;
-    struct Printed {
-        double from, to;
-        int every;
-        bool stands;
-    };
-    const std::vector<Printed> printed = {{18.3, 18.5, 10, false}, {18.3, 18.4, 10, false}, {18.3, 18.4, 20, false},
-                                          {18.2, 18.3, 10, false}, {18.2, 18.3, 20, true},  {18, 18.3, 10, false}};
-    std::vector<Chapter5Run> runs;
-    for (const Printed& one : printed) {
-        runs.push_back(tilted(2, part, one.from, one.to, consolidation, one.every));
-        runs.back().printed = one.stands ? PrintedOutcome::stands : PrintedOutcome::fails;
-    }
-    return runs;
+    return tilting_runs("double_tilting", part);
 }
 
 std::vector<Chapter5Run> slenderness_runs() {
-    std::vector<Chapter5Run> runs;
-    for (const double slenderness : {3.0, 5.0, 10.0}) {
-        const double inclination = std::round(10 * (std::atan(1 / slenderness) / degrees(1) + 0.5)) / 10;
-        Chapter5Run made = row(2, slenderness, inclination, double_friction, double_friction, 100, 6000);
-        made.name = "a/b " + std::to_string(static_cast<int>(slenderness)) + " at " + in_degrees(inclination);
-        made.printed_behaviour = {"forward", "backward in the end"};
-        runs.push_back(made);
-    }
-    return runs;
+    return runs_of_group("slenderness");
 }
 
 Chapter5Run blow_out_run() {
-    Chapter5Run made = equal_run(2, 7, 8, double_friction, 1500);
+    Chapter5Run made = runs_of_group("blow_out").front();
     made.columns.coordinate_unit = typed_digit / 10;
     made.settings.cycles_after_blow_out = 12;
-    made.printed = PrintedOutcome::blows_up;
-    made.printed_cycle = 677;
     return made;
 }
 
 std::vector<Chapter5Run> stiffness_observation() {
-    std::vector<Chapter5Run> runs;
-    for (const double stiffness : {6e6, 1e6}) {
-        Chapter5Run made = equal_run(2, 3, 18.3, double_friction, long_run);
-        made.settings.stiffness = stiffness;
-        made.name = stiffness > 2e6 ? "6e6 N/m" : "1e6 N/m";
-        made.printed = stiffness > 2e6 ? PrintedOutcome::stands : PrintedOutcome::fails;
-        runs.push_back(made);
-    }
-    return runs;
+    return runs_of_group("stiffness");
 }
 
 std::vector<Chapter5Run> displacement_observations() {
-    struct Printed {
-        const char* name;
-        double stiffness, step;
-        int cycle;
-    };
-    std::vector<Chapter5Run> runs;
-    for (const Printed& one :
-         {Printed{"12e6 N/m, step 1e-4 s", 12e6, 1e-4, 2500}, Printed{"6e6 N/m, step 1e-4 s", 6e6, 1e-4, 7000},
-          Printed{"12e6 N/m, step 0.5e-4 s", 12e6, 0.5e-4, 6000}}) {
-        Chapter5Run made = equal_run(2, 3, 18.4, double_friction, long_run);
-        made.name = one.name;
-        made.settings.stiffness = one.stiffness;
-        made.settings.time_step = one.step;
-        made.settings.stop_rotation = degrees(longest_drawn);
-        made.printed = PrintedOutcome::fails;
-        made.printed_cycle = one.cycle;
-        runs.push_back(made);
-    }
-    return runs;
+    return runs_of_group("displacement");
 }
 
 std::vector<Chapter5Run> damping_observation() {
-    std::vector<Chapter5Run> runs;
-    for (const double damping : {0.5, 0.6, 0.7}) {
-        Chapter5Run made = equal_run(2, 3, 18.4, double_friction, long_run);
-        made.name = "damping 0." + std::to_string(static_cast<int>(std::lround(10 * damping)));
-        made.settings.damping = damping;
-        made.settings.stop_rotation = degrees(longest_drawn);
-        made.printed = PrintedOutcome::fails;
-        runs.push_back(made);
-    }
-    return runs;
+    return runs_of_group("damping");
 }
 
 std::vector<Chapter5Run> triple_runs() {
-    constexpr int cycles = 2500;
-    std::vector<Chapter5Run> runs = {row(3, 3, 25, 26, 26, 100, cycles), row(3, 3, 35, 20, 40, 100, cycles),
-                                     row(3, 5, 15, 20, 20, 100, cycles), row(3, 5, 15, 30, 30, 100, cycles)};
-    runs[0].printed_behaviour = {"always forward", "always forward", "forward, stops, then backward"};
-    runs[1].printed_behaviour = {"forward from cycle 400", "backward at cycle 1500", "backward from cycle 600"};
-    runs[2].printed_behaviour = {"forward", "forward, later not", "backward"};
-    runs[3].printed_behaviour = {"always forward", "mostly backward", "mostly backward"};
-    for (std::size_t index = 0; index < runs.size(); ++index) {
-        runs[index].name = std::vector<std::string>{"(i)", "(ii)", "(iii)", "(iv)"}[index];
-    }
-    return runs;
+    return runs_of_group("triple");
 }
 
 std::vector<Chapter5Run> quadruple_runs() {
-    std::vector<Chapter5Run> runs = {
-        row(4, 5, 20, 30, 30, 400, 2500), row(4, 5, 18.5, 40, 20, 400, 3000),  row(4, 7, 10.5, 20, 20, 300, 3000),
-        row(4, 7, 33, 40, 40, 300, 2800), row(4, 10, 11.5, 30, 30, 700, 3100),
-    };
-    // Forward, backward, none, "?".
-    runs[0].printed_totals = {{18, 0, 4, 0}, {7, 3, 12, 0}, {1, 8, 12, 1}, {2, 13, 7, 0}};
-    runs[1].printed_totals = {{26, 0, 1, 0}, {16, 3, 8, 0}, {7, 5, 15, 0}, {1, 15, 10, 1}};
-    runs[2].printed_totals = {{18, 0, 6, 0}, {10, 3, 11, 0}, {3, 9, 12, 0}, {1, 13, 10, 0}};
-    runs[3].printed_totals = {{15, 0, 3, 0}, {1, 3, 13, 1}, {0, 2, 16, 0}, {0, 4, 13, 1}};
-    runs[4].printed_totals = {{14, 0, 8, 0}, {4, 12, 6, 0}, {3, 5, 14, 0}, {0, 16, 6, 0}};
-    for (std::size_t index = 0; index < runs.size(); ++index) {
-        runs[index].name = "Table 5." + std::to_string(index + 1);
-    }
-    return runs;
+    return runs_of_group("quadruple");
 }
 
 Chapter5Run plane_base_run() {
-    Chapter5Run made = equal_run(9, 1, 25, 30, 2000);
-    made.name = "nine columns";
-    made.columns.heights.clear();
-    for (const double height : {1.0, 2.0, 3.0, 4.0, 5.0, 4.0, 3.0, 2.0, 1.0}) {
-        made.columns.heights.push_back(height * inch);
-    }
-    made.settings.stop_rotation = degrees(longest_drawn);
-    made.printed = PrintedOutcome::fails;
-    made.printed_behaviour = {"slides",  "topples", "topples", "topples", "topples",
-                              "topples", "topples", "stays",   "stays"};
-    return made;
+    return runs_of_group("plane_base").front();
 }
 
 std::vector<Chapter5Run> stepped_base_runs() {
-    std::vector<Chapter5Run> runs;
-    for (const double friction : {38.0, 40.0, 42.0, 44.0, 46.0}) {
-        Chapter5Run made;
-        made.name = in_degrees(friction);
-        for (const double height : {1.0, 2.0, 3.0, 4.0, 3.1, 2.2, 1.3, 0.4}) {
-            made.columns.heights.push_back(height * inch);
-        }
-        made.columns.width = inch;
-        made.columns.step = 0.5 * inch;
-        made.columns.dip = degrees(21.8);
-        made.columns.base_height = inch;
-        made.columns.coordinate_unit = typed_digit;
-        made.settings = settings_of(stiffness_per_width, friction, friction, long_run);
+    std::vector<Chapter5Run> runs = runs_of_group("stepped_base");
+    for (Chapter5Run& one : runs) {
         // Columns that stand turn by less than half a degree; those that fail wedge again after some degrees.
-        made.settings.failure_rotation = degrees(1);
-        made.settings.stop_rotation = degrees(longest_drawn);
-        made.printed = friction < 43 ? PrintedOutcome::fails : PrintedOutcome::stands;
-        made.printed_behaviour = {"slides", "topples", "topples", "topples", "topples", "stays", "stays", "stays"};
-        runs.push_back(made);
+        one.settings.failure_rotation = degrees(1);
     }
     return runs;
 }

@@ -1,0 +1,129 @@
+// delabole compare
+#include "cases/program/commands/commands.hpp"
+#include "cases/program/reader/case_error.hpp"
+#include "cases/program/results/analysis.hpp"
+#include "cases/program/results/impossible_case.hpp"
+#include "cases/program/results/result_folder.hpp"
+#include "cases/program/terminal/interrupt.hpp"
+#include "fitting/work/words.hpp"
+
+#include <iostream>
+#include <map>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace delabole {
+
+namespace {
+
+// Something that has a name in either case, as an input or an output.
+struct Compared {
+    std::string name;
+    Dimension dimension = Dimension::ratio;
+    std::optional<std::variant<double, std::string>> first = {};
+    std::optional<std::variant<double, std::string>> second = {};
+
+    bool differs() const { return first != second; }
+};
+
+std::string shown(const std::optional<std::variant<double, std::string>>& value, Dimension dimension) {
+    if (!value) {
+        return "-";
+    }
+    const auto* number = std::get_if<double>(&*value);
+    return number == nullptr ? std::get<std::string>(*value) : in_six_digits(*number, dimension);
+}
+
+std::string change_of(const Compared& one) {
+    const auto* before = one.first ? std::get_if<double>(&*one.first) : nullptr;
+    const auto* after = one.second ? std::get_if<double>(&*one.second) : nullptr;
+    return before == nullptr || after == nullptr ? "" : value_in_words(*after - *before, one.dimension);
+}
+
+// In the order of the first case; what the second has alone follows.
+template <class List, class ValueOf>
+std::vector<Compared> pair_up(const List& first, const List& second, const ValueOf& value_of) {
+    std::vector<Compared> pairs;
+    std::map<std::string, std::size_t> places;
+    for (const auto& one : first) {
+        places.emplace(one.name, pairs.size());
+        pairs.push_back({one.name, one.dimension, value_of(one)});
+    }
+    for (const auto& one : second) {
+        const auto [place, is_new] = places.emplace(one.name, pairs.size());
+        if (is_new) {
+            pairs.push_back({one.name, one.dimension});
+        }
+        pairs[place->second].second = value_of(one);
+    }
+    return pairs;
+}
+
+Analysis analysis_of_case(const CaseFile& file, const Options& options) {
+    AnalysisWork work;
+    work.watch = [](double, const std::string&, bool) { return !interrupt_flag(); };
+    work.threads = static_cast<unsigned>(options.threads);
+    Analysis analysis = analyse_model(file.model, work);
+    stop_if_interrupted();
+    if (!analysis.failure.empty()) {
+        throw CaseError({impossible(file, analysis.failure)});
+    }
+    return analysis;
+}
+
+// Rows of what differs, below the word for what they are; and as JSON under it.
+void add(const std::string& word, const std::vector<Compared>& pairs, std::vector<std::vector<std::string>>& rows,
+         Json& json) {
+    std::size_t same = 0;
+    json[word] = Json::array();
+    for (const Compared& one : pairs) {
+        if (!one.differs()) {
+            ++same;
+            continue;
+        }
+        rows.push_back({one.name, shown(one.first, one.dimension), shown(one.second, one.dimension), change_of(one)});
+        json[word].push_back({{"name", one.name},
+                              {"first", shown(one.first, one.dimension)},
+                              {"second", shown(one.second, one.dimension)},
+                              {"difference", change_of(one)}});
+    }
+    rows.push_back({std::to_string(same) + " " + word + " are the same"});
+}
+
+}  // namespace
+
+ExitCode compare_command(const Paths& cases, const Options& options) {
+    const CaseFile first = read_case(cases.front(), settings_of(options));
+    const CaseFile second = read_case(cases.back(), settings_of(options));
+    Analysis one;
+    Analysis other;
+    try {
+        one = analysis_of_case(first, options);
+        other = analysis_of_case(second, options);
+    } catch (const Interrupted&) {
+        std::cerr << "delabole: interrupted\n";
+        return ExitCode::not_converged;
+    }
+    std::vector<std::vector<std::string>> rows = {{"what differs", stem_of(first), stem_of(second), "difference"}};
+    Json json = {{"first", first.name}, {"second", second.name}};
+    if (model_name(first.model) != model_name(second.model)) {
+        rows.push_back({"model", std::string(model_name(first.model)), std::string(model_name(second.model))});
+    }
+    using Value = std::variant<double, std::string>;
+    add("inputs",
+        pair_up(named_inputs(first.model), named_inputs(second.model),
+                [](const Quantity& input) { return Value(input.value); }),
+        rows, json);
+    add("outputs", pair_up(one.outputs, other.outputs, [](const NamedOutput& output) { return output.value; }), rows,
+        json);
+    if (options.json) {
+        std::cout << json_text(json);
+    } else if (!options.quiet) {
+        std::cout << text_table(rows);
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace delabole

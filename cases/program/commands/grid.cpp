@@ -1,0 +1,113 @@
+// delabole grid
+#include "cases/program/commands/commands.hpp"
+#include "cases/program/reader/document.hpp"
+#include "cases/program/reports/sweep_report.hpp"
+#include "cases/program/results/inputs_report.hpp"
+#include "cases/program/results/study_output.hpp"
+#include "cases/program/terminal/progress.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+#include <vector>
+
+namespace delabole {
+
+namespace {
+
+std::vector<std::string> split(std::string_view text, char separator) {
+    std::vector<std::string> parts;
+    while (true) {
+        const std::size_t end = std::min(text.find(separator), text.size());
+        std::string_view part = text.substr(0, end);
+        part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
+        parts.emplace_back(part.substr(0, part.find_last_not_of(' ') + 1));
+        if (end == text.size()) {
+            return parts;
+        }
+        text.remove_prefix(end + 1);
+    }
+}
+
+// A number by itself, anything else in quotes.
+std::string toml_value(const std::string& text) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && end == text.data() + text.size() ? text : in_quotes(text);
+}
+
+// input=from:to[:points] or input=value,value,... as an element of sweep.vary.
+std::string vary_of(const std::string& option) {
+    const std::size_t equals = option.find('=');
+    const std::string values = equals == std::string::npos ? "" : option.substr(equals + 1);
+    const std::vector<std::string> range = split(values, ':');
+    const std::vector<std::string> list = split(values, ',');
+    std::string text = "{ input = " + in_quotes(option.substr(0, equals));
+    if (equals != std::string::npos && (range.size() == 2 || range.size() == 3)) {
+        text += ", from = " + toml_value(range[0]) + ", to = " + toml_value(range[1]);
+        text += range.size() == 3 ? ", points = " + toml_value(range[2]) : "";
+    } else if (range.size() == 1 && list.size() > 1) {
+        text += ", values = [";
+        for (std::size_t index = 0; index < list.size(); ++index) {
+            text += (index == 0 ? "" : ", ") + toml_value(list[index]);
+        }
+        text += "]";
+    } else {
+        throw UsageError("--vary " + option +
+                         ": is neither input=from:to:points, as strength.cohesion=\"0 kPa:50 kPa:11\", nor "
+                         "input=value,value");
+    }
+    return text + " }";
+}
+
+// In place of what the case says of sweeps.
+Setting sweep_of(const Options& options) {
+    if (options.vary.empty() || options.vary.size() > 2) {
+        throw UsageError("grid: needs one or two --vary");
+    }
+    std::string vary;
+    for (const std::string& one : options.vary) {
+        vary += (vary.empty() ? "" : ", ") + vary_of(one);
+    }
+    std::string curves;
+    for (const std::string& output :
+         options.outputs.empty() ? std::vector<std::string>{"factor_of_safety"} : options.outputs) {
+        curves += (curves.empty() ? "" : ", ");
+        curves += "{ label = " + in_quotes(output) + ", output = " + in_quotes(output) + " }";
+    }
+    return {"sweep", "[{ name = \"grid\", vary = [" + vary + "], curve = [" + curves + "] }]"};
+}
+
+}  // namespace
+
+ExitCode grid_command(const std::filesystem::path& path, const Options& options) {
+    const Stopwatch watch;
+    std::vector<Setting> settings = settings_of(options);
+    settings.push_back(sweep_of(options));
+    CaseFile file = read_case(path, settings);
+    CaseSweep& sweep = file.sweeps.front();
+    sweep.title = file.title;
+    const ResultFolder folder(options, stem_of(file), OnInterrupt::stop);
+    const SweepRun run = [&] {
+        Progress progress(options.quiet);
+        return run_sweep(file, sweep, {.threads = options.threads, .progress = [&](double share) {
+                                           progress.report(share, "points of the grid");
+                                       }});
+    }();
+    Report report{title_of(file, options), file.description, {}};
+    document_sweep(run, folder, report);
+    report.blocks.emplace_back(Heading{"Inputs"});
+    report.blocks.emplace_back(inputs_table(file));
+    Json json;
+    json["status"] = "ok";
+    json["title"] = file.title;
+    json["model"] = std::string(model_name(file.model));
+    json["points"] = json_of(run);
+    json["provenance"] = provenance(file, "grid", options, watch.seconds());
+    const std::size_t points = run.figures.front().curves.front().values.size();
+    return write_study({file, json, screen_of(run) + std::to_string(points) + " points in grid.csv\n", ""}, folder,
+                       options, report);
+}
+
+}  // namespace delabole

@@ -1,0 +1,209 @@
+#include "cases/program/live/handles.hpp"
+
+#include "cases/program/results/analysis.hpp"
+#include "plane_failure/water_diagram.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <string_view>
+
+namespace delabole {
+
+namespace {
+
+// The first of these inputs that the model has.
+std::vector<std::string> first_of(const std::vector<Quantity>& inputs, std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) {
+        if (find_quantity(inputs, name) != nullptr) {
+            return {std::string(name)};
+        }
+    }
+    return {};
+}
+
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+void add(std::vector<Handle>& handles, std::string name, std::vector<std::string> inputs, const Point& at) {
+    if (!inputs.empty() && at.allFinite()) {
+        handles.push_back({std::move(name), std::move(inputs), at});
+    }
+}
+
+// m above the toe; nothing where the water has no level. Depths and ratios count from `bottom`.
+std::optional<double> level_of(const std::vector<Quantity>& inputs, double bottom, double top, double toe_elevation) {
+    if (const Quantity* depth = find_quantity(inputs, "water.water_depth")) {
+        return bottom + depth->value;
+    }
+    if (const Quantity* elevation = find_quantity(inputs, "water.water_elevation")) {
+        return elevation->value - toe_elevation;
+    }
+    if (const Quantity* ratio = find_quantity(inputs, "water.filled_ratio")) {
+        return bottom + ratio->value * (top - bottom);
+    }
+    return std::nullopt;
+}
+
+double toe_of(const SlopeSection<>& slope) {
+    return slope.toe_elevation.value_or(0);
+}
+
+void add_slope(const SlopeSection<>& slope, std::vector<Handle>& handles) {
+    const Point up(0, toe_of(slope));
+    const Point crest(slope.height / std::tan(slope.face_dip), slope.height);
+    add(handles, "crest", {"slope.height", "slope.face_dip"}, crest + up);
+    if (slope.bench) {
+        add(handles, "end of the bench", {"slope.bench.width", "slope.bench.dip"},
+            crest + slope.bench->width * Point(1, std::tan(slope.bench->dip)) + up);
+    }
+}
+
+void add_handles(const PlaneFailureStudy<>& study, const std::vector<Quantity>& inputs, std::vector<Handle>& handles) {
+    const PlaneFailure<>& slope = study.model;
+    const Point up(0, toe_of(slope.slope));
+    add_slope(slope.slope, handles);
+    const WaterDiagram water = water_diagram(slope);
+    if (water.base.surface.empty()) {
+        return;
+    }
+    add(handles, "failure plane", {"failure_plane.dip"},
+        (water.base.surface.front() + water.base.surface.back()) / 2 + up);
+    if (!water.crack.surface.empty()) {
+        add(handles, "tension crack",
+            joined(first_of(inputs, {"tension_crack.distance_behind_crest", "tension_crack.depth",
+                                     "tension_crack.base_below_crest", "tension_crack.base_elevation"}),
+                   first_of(inputs, {"tension_crack.dip"})),
+            water.crack.surface.back() + up);
+    }
+    const Point bottom = water.crack.surface.empty() ? water.base.surface.back() : water.crack.surface.front();
+    const Point top = water.crack.surface.empty() ? bottom : water.crack.surface.back();
+    const std::optional<double> level = level_of(inputs, bottom.y(), top.y(), toe_of(slope.slope));
+    if (level && top.y() > bottom.y()) {
+        const Point along = (top - bottom) / (top.y() - bottom.y());
+        add(handles, "water level",
+            first_of(inputs, {"water.water_depth", "water.water_elevation", "water.filled_ratio"}),
+            bottom + (*level - bottom.y()) * along + up);
+    }
+}
+
+void add_handles(const SteppedBaseStudy<>& study, const std::vector<Quantity>& inputs, std::vector<Handle>& handles) {
+    if (!study.model.scene.slope) {
+        return;
+    }
+    const SlopeSection<>& slope = *study.model.scene.slope;
+    add_slope(slope, handles);
+    if (const std::optional<double> level = level_of(inputs, 0, slope.height, toe_of(slope))) {
+        add(handles, "water level",
+            first_of(inputs, {"water.water_depth", "water.water_elevation", "water.filled_ratio"}),
+            Point(0, *level + toe_of(slope)));
+    }
+}
+
+template <class Study>
+void add_handles(const Study&, const std::vector<Quantity>&, std::vector<Handle>&) {}
+
+void add_points(const std::vector<Quantity>& inputs, std::vector<Handle>& handles) {
+    std::map<std::string, double, std::less<>> height;
+    for (const Quantity& input : inputs) {
+        if (input.dimension == Dimension::length && input.name.ends_with(".y")) {
+            height.emplace(input.name.substr(0, input.name.size() - 2), input.value);
+        }
+    }
+    for (const Quantity& input : inputs) {
+        if (input.dimension == Dimension::length && input.name.ends_with(".x")) {
+            const std::string name = input.name.substr(0, input.name.size() - 2);
+            const auto y = height.find(name);
+            if (y != height.end()) {
+                add(handles, name, {name + ".x", name + ".y"}, {input.value, y->second});
+            }
+        }
+    }
+}
+
+const Handle& named(const std::vector<Handle>& handles, const std::string& name) {
+    const auto found = std::ranges::find(handles, name, &Handle::name);
+    if (found == handles.end()) {
+        throw std::invalid_argument("the section has no handle '" + name + "'");
+    }
+    return *found;
+}
+
+}  // namespace
+
+std::vector<Handle> handles_of(const CaseModel& model) {
+    const std::vector<Quantity> inputs = named_inputs(model);
+    std::vector<Handle> handles;
+    std::visit([&](const auto& study) { add_handles(study, inputs, handles); }, model);
+    add_points(inputs, handles);
+    return handles;
+}
+
+std::vector<Condition> dragged(const CaseModel& model, const std::string& name, const Point& to) {
+    const std::vector<Quantity> inputs = named_inputs(model);
+    std::vector<Condition> values;
+    std::vector<const Quantity*> quantities;
+    const std::vector<Handle> before = handles_of(model);
+    for (const std::string& input : named(before, name).inputs) {
+        quantities.push_back(find_quantity(inputs, input));
+        values.push_back({input, quantities.back()->value});
+    }
+    // Nothing where the slope is impossible with these values.
+    const auto place = [&](const std::vector<Condition>& at) -> std::optional<Point> {
+        for (std::size_t index = 0; index < at.size(); ++index) {
+            if (!quantities[index]->range.contains(at[index].value)) {
+                return std::nullopt;
+            }
+        }
+        const std::vector<Handle> handles = handles_of(with_conditions(model, at));
+        const auto found = std::ranges::find(handles, name, &Handle::name);
+        return found == handles.end() ? std::nullopt : std::optional(found->at);
+    };
+    constexpr int most_steps = 12;
+    constexpr int most_halvings = 6;
+    constexpr double share = 1e-6;  // of an input, or of its unit: for differences
+    std::optional<Point> here = place(values);
+    for (int step = 0; here && step < most_steps; ++step) {
+        Eigen::MatrixXd slope(2, static_cast<Eigen::Index>(values.size()));
+        for (std::size_t index = 0; index < values.size(); ++index) {
+            std::vector<Condition> other = values;
+            const double change = share * std::max(1.0, std::abs(values[index].value));
+            other[index].value += change;
+            std::optional<Point> there = place(other);
+            double by = change;
+            if (!there) {
+                other[index].value = values[index].value - change;
+                there = place(other);
+                by = -change;
+            }
+            slope.col(static_cast<Eigen::Index>(index)) = there ? Point((*there - *here) / by) : Point(0, 0);
+        }
+        const Eigen::VectorXd move = slope.completeOrthogonalDecomposition().solve(to - *here);
+        const double distance = (to - *here).norm();
+        bool nearer = false;
+        double length = 1;
+        for (int halving = 0; halving < most_halvings && !nearer; ++halving, length /= 2) {
+            std::vector<Condition> next = values;
+            for (std::size_t index = 0; index < values.size(); ++index) {
+                next[index].value += length * move[static_cast<Eigen::Index>(index)];
+            }
+            const std::optional<Point> there = place(next);
+            if (there && (to - *there).norm() < distance) {
+                nearer = true;
+                values = next;
+                here = there;
+            }
+        }
+        if (!nearer) {
+            break;
+        }
+    }
+    return values;
+}
+
+}  // namespace delabole

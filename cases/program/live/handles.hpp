@@ -1,0 +1,27 @@
+// Points of a section that are dragged, and the inputs that follow.
+#pragma once
+
+#include "cases/program/case/case_file.hpp"
+#include "geometry/polyline.hpp"
+
+#include <string>
+#include <vector>
+
+namespace delabole {
+
+struct Handle {
+    std::string name;  // "crest"; of a point that the case gives by coordinates its name: "scene.outline[2]"
+    std::vector<std::string> inputs;  // one or two, by the names of named_inputs: what a drag changes
+    Point at;                         // m, in the axes of the section's figure
+};
+
+// Crest, bench, failure plane, tension crack and water level of a slope, as far as the model has them, and every point
+// that is given by two lengths x and y: corners of outlines, of water tables and of lines. Empty for an impossible
+// slope.
+std::vector<Handle> handles_of(const CaseModel& model);
+
+// Values of the handle's inputs with which it comes nearest to the point, by Gauss-Newton steps within the ranges of
+// the inputs. An unknown name: std::invalid_argument.
+std::vector<Condition> dragged(const CaseModel& model, const std::string& handle, const Point& to);
+
+}  // namespace delabole

@@ -1,0 +1,127 @@
+#include "cases/program/live/motion.hpp"
+
+#include "dynamic_relaxation/step/history.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace delabole {
+
+namespace {
+
+// Nothing but its user ends a motion on the page.
+RelaxationSettings endless(RelaxationSettings settings) {
+    settings.stop_at_onset = settings.stop_at_equilibrium = settings.stop_at_collapse = false;
+    settings.duration = 1e9;
+    settings.most_steps = std::size_t{1} << 62U;
+    return settings;
+}
+
+bool is_broken_off(RelaxationOutcome outcome) {
+    return outcome == RelaxationOutcome::motion_not_finite || outcome == RelaxationOutcome::overlap_too_large ||
+           outcome == RelaxationOutcome::scene_not_valid;
+}
+
+bool same_blocks(const RelaxationScene& one, const RelaxationScene& other) {
+    return std::ranges::equal(one.block, other.block, [](const auto& first, const auto& second) {
+        return first.fixed == second.fixed && first.outline == second.outline;
+    });
+}
+
+class Floats {
+  public:
+    void add(double value) {
+        static_assert(std::endian::native == std::endian::little);
+        const auto narrow = static_cast<float>(value);
+        const std::size_t end = bytes_.size();
+        bytes_.resize(end + sizeof narrow);
+        std::memcpy(bytes_.data() + end, &narrow, sizeof narrow);
+    }
+    std::string take() { return std::move(bytes_); }
+
+  private:
+    std::string bytes_;
+};
+
+}  // namespace
+
+LiveMotion::LiveMotion(const RelaxationStudy& study) {
+    const RelaxationScene scene = relaxation_scene(study);
+    simulation_.emplace(scene, endless(relaxation_settings(study, scene)));
+}
+
+Json LiveMotion::blocks() const {
+    Json blocks = Json::array();
+    for (const auto& block : simulation_->scene().block) {
+        Json outline = Json::array();
+        for (const PlanePoint<>& corner : block.outline) {
+            outline.push_back(Json::array({corner.x(), corner.y()}));
+        }
+        blocks.push_back({{"outline", std::move(outline)}, {"fixed", block.fixed}});
+    }
+    Json centres = Json::array();
+    for (const PlanePoint<>& centre : simulation_->bodies().centroid) {
+        centres.push_back(Json::array({centre.x(), centre.y()}));
+    }
+    return {{"blocks", std::move(blocks)},
+            {"centres", std::move(centres)},
+            {"outcomes", enum_names(RelaxationOutcome{})},
+            {"tilt", simulation_->tilt()}};
+}
+
+void LiveMotion::go_on(std::uint64_t most_steps, std::chrono::milliseconds time) {
+    const auto end = std::chrono::steady_clock::now() + time;
+    for (std::uint64_t step = 0; step < most_steps && !is_broken_off(simulation_->outcome()); ++step) {
+        simulation_->step();
+        if (std::chrono::steady_clock::now() >= end) {
+            return;
+        }
+    }
+}
+
+bool LiveMotion::change(const RelaxationStudy& study) {
+    const RelaxationScene scene = relaxation_scene(study);
+    if (!same_blocks(scene, simulation_->scene())) {
+        return false;
+    }
+    RelaxationState state = simulation_->state();
+    // All pairs are searched again, with the laws of the new strengths; what is found keeps its memory, and what comes
+    // about is none of the joints that were closed in the initial geometry.
+    ContactWatch::start(scene.block.size(), state.watch);
+    state.watch.searches = 1;
+    state.outcome = static_cast<std::uint64_t>(RelaxationOutcome::undecided);
+    std::ranges::fill(state.checks_at_rest, 0);
+    const RelaxationSettings settings = simulation_->settings();
+    simulation_.emplace(scene, settings, std::move(state));
+    return true;
+}
+
+std::string LiveMotion::picture() const {
+    const RelaxationState& state = simulation_->state();
+    const EnergyLedger ledger = simulation_->ledger();
+    const std::vector<CornerForce> forces = corner_forces(simulation_->bodies(), state);
+    Floats floats;
+    for (const double value :
+         {state.time, static_cast<double>(state.steps), static_cast<double>(simulation_->outcome()), ledger.applied,
+          ledger.kinetic, ledger.elastic, ledger.friction,
+          ledger.dashpots + ledger.local_damping + ledger.kinetic_damping, ledger.residual(),
+          std::max(state.unbalanced, state.unbalanced_then), static_cast<double>(state.motion.size()),
+          static_cast<double>(forces.size())}) {
+        floats.add(value);
+    }
+    for (const Motion& motion : state.motion) {
+        floats.add(motion.x);
+        floats.add(motion.y);
+        floats.add(motion.angle);
+    }
+    for (const CornerForce& force : forces) {
+        floats.add(force.at.x());
+        floats.add(force.at.y());
+        floats.add(force.force.x());
+        floats.add(force.force.y());
+    }
+    return floats.take();
+}
+
+}  // namespace delabole

@@ -1,0 +1,15 @@
+# Puts the files of page/ together into one page that the program holds.
+set(page_folder ${CMAKE_CURRENT_LIST_DIR}/page)
+set(script "")
+foreach(file figure.js motion.js live.js)
+    file(READ ${page_folder}/${file} text)
+    string(APPEND script "${text}\n")
+endforeach()
+file(READ ${page_folder}/live.css style)
+file(READ ${page_folder}/live.html page)
+set(nonce "@nonce@")
+string(REPLACE "@style@" "${style}" page "${page}")
+string(REPLACE "@script@" "${script}" page "${page}")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+    ${page_folder}/figure.js ${page_folder}/motion.js ${page_folder}/live.js ${page_folder}/live.css ${page_folder}/live.html)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/page.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/page.cpp @ONLY)

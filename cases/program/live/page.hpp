@@ -1,0 +1,11 @@
+// The page, as it stood in page/ when the program was built: one file that needs no other. Its style and script run
+// where "@nonce@" is replaced by the nonce of the server's content security policy.
+#pragma once
+
+#include <string_view>
+
+namespace delabole {
+
+extern const std::string_view live_page;
+
+}  // namespace delabole

@@ -1,0 +1,325 @@
+// The case on the page: inputs, answers, handles, map, variants.
+const token = location.hash.slice(1);
+const find = id => document.getElementById(id);
+const state = {values: {}, past: [], future: [], variants: new Map(), inputs: new Map(), answer: null, open: null, width: 0, ranges: null};
+
+function tell(text) {
+  find('message').hidden = !text;
+  find('message').textContent = text || '';
+}
+
+async function ask(path, request) {
+  const response = await fetch(path, {method: 'POST', body: JSON.stringify(request || {}),
+    headers: {'Content-Type': 'application/json', 'X-Delabole-Token': token}});
+  if (response.headers.get('Content-Type') === 'application/octet-stream') return response.arrayBuffer();
+  const answer = await response.json();
+  if (answer.refused) throw new Error(answer.refused);
+  return answer;
+}
+
+// One request of a kind at a time; of those that come meanwhile only the last is sent.
+function latest(work) {
+  let busy = false, waiting = null;
+  return async (...now) => {
+    waiting = now;
+    if (busy) return;
+    busy = true;
+    while (waiting) {
+      const next = waiting;
+      waiting = null;
+      try {
+        await work(...next);
+        tell('');
+      } catch (error) {
+        tell(error.message);
+      }
+    }
+    busy = false;
+  };
+}
+
+const digits = number => Number(Number(number).toPrecision(5));
+const valueOf = name => state.values[name] ?? state.inputs.get(name).value;
+
+function sliderRange(input) {
+  const scale = input.value ? Math.abs(input.value) : {m: 10, kPa: 100, deg: 45, 'kN/m3': 10, 'kN/m': 100}[input.unit] || 1;
+  let lower = input.lower ?? (input.value >= 0 && !/\.(x|y)$/.test(input.name) ? 0 : input.value - 2 * scale);
+  let upper = input.upper ?? input.value + 2 * scale;
+  if (input.unit !== 'deg' && upper - lower > 6 * scale) {
+    lower = Math.max(lower, input.value >= 0 && lower >= 0 ? lower : input.value - 2 * scale);
+    upper = Math.min(upper, input.value + 2 * scale);
+  }
+  const inset = (upper - lower) * 1e-4;
+  return [input.lower_open && lower === input.lower ? lower + inset : lower,
+    input.upper_open && upper === input.upper ? upper - inset : upper];
+}
+
+function buildInputs(groups) {
+  groups.forEach((group, number) => {
+    const box = document.createElement('details');
+    box.open = number < 6 && group.inputs.length < 12;
+    const summary = document.createElement('summary');
+    summary.textContent = group.label;
+    box.append(summary);
+    for (const input of group.inputs) {
+      const row = document.createElement('div');
+      row.className = 'input';
+      row.title = input.meaning + (input.source ? `\nSource: ${input.source}` : '');
+      const id = 'input-' + input.name;
+      const label = Object.assign(document.createElement('label'), {htmlFor: id, textContent: input.label});
+      const slider = Object.assign(document.createElement('input'), {type: 'range', step: 'any'});
+      const box2 = Object.assign(document.createElement('input'), {type: 'number', step: 'any', id});
+      const unit = Object.assign(document.createElement('span'), {className: 'unit', textContent: input.unit});
+      const [lower, upper] = sliderRange(input);
+      Object.assign(slider, {min: lower, max: upper});
+      slider.setAttribute('aria-label', `${group.label}: ${input.label}${input.unit ? ' in ' + input.unit : ''}`);
+      slider.addEventListener('pointerdown', remember);
+      slider.addEventListener('keydown', event => { if (!event.repeat && event.key.startsWith('Arrow')) remember(); });
+      slider.addEventListener('input', () => change({[input.name]: digits(slider.value)}));
+      box2.addEventListener('change', () => { remember(); change({[input.name]: Number(box2.value)}); });
+      row.append(label, slider, box2, unit);
+      box.append(row);
+      state.inputs.set(input.name, {...input, row, slider, number: box2, group: group.label});
+    }
+    find('inputs').append(box);
+  });
+}
+
+function showInputs() {
+  for (const [name, input] of state.inputs) {
+    const value = valueOf(name);
+    if (document.activeElement !== input.slider) input.slider.value = value;
+    input.number.value = digits(value);
+    input.row.classList.toggle('changed', name in state.values);
+    input.slider.setAttribute('aria-valuetext', `${digits(value)} ${input.unit}`);
+  }
+  find('undo').disabled = !state.past.length;
+  find('redo').disabled = !state.future.length;
+}
+
+function remember() {
+  state.past.push({...state.values});
+  state.past.splice(0, state.past.length - 200);
+  state.future = [];
+}
+
+function set(values) {
+  state.values = {};
+  for (const [name, value] of Object.entries(values))
+    if (value !== state.inputs.get(name).value) state.values[name] = value;
+}
+
+function change(values) {
+  set({...state.values, ...values});
+  showInputs();
+  refresh();
+}
+
+function goTo(values) {
+  set(values);
+  showInputs();
+  refresh();
+}
+
+function step(from, to) {
+  if (!from.length) return;
+  to.push({...state.values});
+  goTo(from.pop());
+}
+
+const refresh = latest(async () => {
+  if (state.open.moves) { await changeMotion(); return; }
+  show(await ask('/answer', {values: state.values}));
+  refreshMap();
+});
+
+const refreshMap = latest(async () => {
+  if (!state.open.map) return;
+  const titles = ['across', 'up'].map(id => state.inputs.get(find(id).value));
+  const [x, y] = titles.map(input => { const [lower, upper] = sliderRange(input); return {name: input.name, lower, upper}; });
+  if (x.name === y.name) return;
+  const map = await ask('/map', {values: state.values, x, y, output: state.open.map.output, columns: 48, rows: 36});
+  const axes = titles.map(input => ({title: `${input.group}: ${input.label}`, unit: input.unit, grid: false}));
+  const picture = drawMap(map, axes, [valueOf(x.name), valueOf(y.name)], find('chart').clientWidth);
+  picture.setAttribute('aria-label', 'Factor of safety over two inputs; a click sets both');
+  picture.addEventListener('click', event => {
+    const [a, b] = dataAt(picture, event);
+    remember();
+    change({[x.name]: digits(Math.min(map.x.at(-1), Math.max(map.x[0], a))), [y.name]: digits(Math.min(map.y.at(-1), Math.max(map.y[0], b)))});
+  });
+  find('chart').replaceChildren(picture);
+});
+
+function dataAt(picture, event, toPicture = picture.getScreenCTM().inverse()) {
+  const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(toPicture);
+  return picture.toData(place.x, place.y);
+}
+
+function verdictOf(answer) {
+  if (answer.failure) return answer.failure;
+  const results = new Map(answer.results.map(one => [one.name, one]));
+  const words = ['factor_of_safety', 'critical_tilt', 'outcome', 'mode', 'governing_mode', 'planar_sliding', 'tilt'].filter(name => results.has(name));
+  return (words.length ? words.slice(0, 2) : answer.results.slice(0, 1).map(one => one.name))
+    .map(name => `${name.replaceAll('_', ' ')}: ${results.get(name).text.replaceAll('_', ' ')}`).join(', ');
+}
+
+function addHandles(picture, answer) {
+  for (const handle of answer.handles) {
+    const at = picture.toPicture(handle.at);
+    const knob = svg('circle', {class: 'handle', cx: at[0], cy: at[1], r: 9, tabindex: 0, role: 'slider',
+      'aria-label': handle.name, 'aria-valuetext': handle.inputs.map(name => `${name} ${digits(valueOf(name))} ${state.inputs.get(name).unit}`).join(', ')}, picture);
+    svg('title', {}, knob).textContent = `${handle.name}: ${handle.inputs.join(', ')}`;
+    knob.dataset.name = handle.name;
+    knob.addEventListener('pointerdown', event => {
+      event.preventDefault();
+      remember();
+      // The picture is drawn anew with each answer; until the point is let go all of them have the scales of this one.
+      const toPicture = picture.getScreenCTM().inverse();
+      const move = moved => drag(handle.name, dataAt(picture, moved, toPicture));
+      const end = () => {
+        window.removeEventListener('pointermove', move);
+        window.removeEventListener('pointerup', end);
+        state.ranges = null;
+        refresh();
+      };
+      state.ranges = picture.ranges;
+      window.addEventListener('pointermove', move);
+      window.addEventListener('pointerup', end);
+    });
+    knob.addEventListener('keydown', event => {
+      const by = {ArrowLeft: [-6, 0], ArrowRight: [6, 0], ArrowUp: [0, -6], ArrowDown: [0, 6]}[event.key];
+      if (!by) return;
+      event.preventDefault();
+      if (!event.repeat) remember();
+      state.focus = handle.name;
+      drag(handle.name, picture.toData(at[0] + by[0], at[1] + by[1]));
+    });
+  }
+}
+
+const drag = latest(async (handle, to) => {
+  const answer = await ask('/drag', {values: state.values, handle, to});
+  const values = Object.fromEntries(Object.entries(answer.values).map(([name, value]) => [name, digits(value)]));
+  set({...state.values, ...values});
+  showInputs();
+  show(answer);
+  refreshMap();
+});
+
+// Two stand beside each other where there is room.
+function widthOfSections() {
+  const room = find('sections').clientWidth;
+  return state.variants.has(find('beside').value) && room > 560 ? room / 2 - 8 : room;
+}
+
+function sectionOf(answer, title, withHandles) {
+  const box = document.createElement('figure'), figure = answer.figures[0];
+  const caption = document.createElement('figcaption');
+  caption.textContent = title || (figure && figure.caption) || '';
+  if (figure) {
+    if (withHandles && state.ranges) [figure.x.range, figure.y.range] = state.ranges;
+    const picture = drawFigure(figure, widthOfSections());
+    if (withHandles) addHandles(picture, answer);
+    box.append(picture);
+  }
+  box.append(caption);
+  return box;
+}
+
+function show(answer) {
+  state.answer = answer;
+  find('verdict').textContent = verdictOf(answer);
+  find('verdict').className = answer.failure ? 'failure' : '';
+  const beside = state.variants.get(find('beside').value);
+  if (!answer.failure) {
+    const sections = [sectionOf(answer, beside ? 'now' : '', true)];
+    if (beside) sections.push(sectionOf(beside.answer, `${find('beside').value}: ${verdictOf(beside.answer)}`, false));
+    find('sections').replaceChildren(...sections);
+    if (state.focus) find('sections').querySelector(`[data-name="${CSS.escape(state.focus)}"]`)?.focus();
+  }
+  find('warnings').replaceChildren(...(answer.warnings || []).map(text => Object.assign(document.createElement('li'), {textContent: text})));
+  find('figures').replaceChildren();
+  find('more').hidden = Boolean(answer.failure);
+  const other = beside && new Map(beside.answer.results.map(one => [one.name, one]));
+  find('results').tBodies[0].replaceChildren(...(answer.results || []).filter(one => !one.detail).map(one => {
+    const row = document.createElement('tr');
+    row.title = one.meaning;
+    row.insertCell().textContent = one.name.replaceAll('_', ' ');
+    for (const shown of other ? [one, other.get(one.name)] : [one]) {
+      const cell = row.insertCell();
+      cell.className = 'number';
+      cell.textContent = shown ? shown.text.replaceAll('_', ' ') : '';
+    }
+    return row;
+  }));
+}
+
+function addMap() {
+  if (!state.open.map) return;
+  find('map').hidden = false;
+  for (const [id, chosen] of [['across', state.open.map.x], ['up', state.open.map.y]]) {
+    find(id).replaceChildren(...[...state.inputs.keys()].map(name => new Option(name, name, false, name === chosen)));
+    find(id).addEventListener('change', () => refreshMap());
+  }
+}
+
+function attempt(work) {
+  return async () => { try { await work(); } catch (error) { tell(error.message); } };
+}
+
+function addTools() {
+  find('undo').addEventListener('click', () => step(state.past, state.future));
+  find('redo').addEventListener('click', () => step(state.future, state.past));
+  find('restore').addEventListener('click', () => { remember(); goTo({}); });
+  find('beside').addEventListener('change', () => state.answer && show(state.answer));
+  find('keep').addEventListener('click', () => {
+    if (!state.answer || state.answer.failure) return;
+    const name = `variant ${state.variants.size + 1}`;
+    state.variants.set(name, {values: {...state.values}, answer: state.answer});
+    find('beside').add(new Option(name, name, false, true));
+    show(state.answer);
+  });
+  find('save').addEventListener('click', attempt(async () => {
+    const {toml} = await ask('/save', {values: state.values});
+    const link = Object.assign(document.createElement('a'), {download: 'case.toml', href: URL.createObjectURL(new Blob([toml]))});
+    link.click();
+    URL.revokeObjectURL(link.href);
+  }));
+  find('report').addEventListener('click', attempt(async () => {
+    tell('The report is being written.');
+    const {folder} = await ask('/report', {values: state.values});
+    tell(`The report is in ${folder}.`);
+  }));
+  find('more').addEventListener('click', attempt(async () => {
+    const answer = await ask('/answer', {values: state.values, figures: 'all'});
+    find('figures').replaceChildren(...answer.figures.slice(1).map(figure => sectionOf({figures: [figure], handles: []}, '', false)));
+    find('more').hidden = true;
+  }));
+  new ResizeObserver(() => {
+    if (!state.answer || Math.abs(find('sections').clientWidth - state.width) < 8) return;
+    state.width = find('sections').clientWidth;
+    show(state.answer);
+    refreshMap();
+  }).observe(find('sections'));
+  document.addEventListener('keydown', event => {
+    if (!event.ctrlKey || event.target.type === 'number') return;  // there the browser undoes typing
+    if (event.key === 'z' && !event.shiftKey) { event.preventDefault(); step(state.past, state.future); }
+    if (event.key === 'y' || (event.key === 'z' && event.shiftKey) || event.key === 'Z') { event.preventDefault(); step(state.future, state.past); }
+  });
+}
+
+async function begin() {
+  state.open = await ask('/open');
+  document.title = state.open.title;
+  find('title').textContent = state.open.title;
+  find('about').textContent = state.open.description;
+  buildInputs(state.open.groups);
+  addTools();
+  addMap();
+  showInputs();
+  if (state.open.moves) await beginMotion();
+  else await refresh();
+  document.body.dataset.ready = 'yes';
+}
+
+attempt(begin)();

@@ -1,0 +1,136 @@
+// Blocks in motion: asked for a few milliseconds of computing at a time, and drawn in between.
+const motion = {blocks: [], centres: [], playing: false, picture: null, rate: 0};
+const energies = ['work of gravity and loads', 'kinetic', 'elastic', 'friction', 'damping', 'residual'];
+async function beginMotion() {
+  find('motion').hidden = false;
+  find('answers').hidden = true;
+  find('keep').disabled = find('beside').disabled = true;
+  find('start').addEventListener('click', attempt(startMotion));
+  find('play').addEventListener('click', () => { motion.playing ? pause() : play(); });
+  find('step').addEventListener('click', attempt(async () => { pause(); take(await ask('/motion/step', {steps: 1})); }));
+  find('forces').addEventListener('change', drawBlocks);
+  await startMotion();
+}
+
+async function startMotion() {
+  pause();
+  tell('The static start is being found.');
+  const made = await ask('/motion/start', {values: state.values});
+  Object.assign(motion, {blocks: made.blocks, centres: made.centres, tilt: made.tilt, outcomes: made.outcomes.map(word => word.replaceAll('_', ' '))});
+  const handles = await ask('/answer', {values: state.values});
+  motion.handles = handles.handles;
+  take(await ask('/motion/step', {steps: 0}));
+  tell('');
+}
+
+async function changeMotion() {
+  try {
+    await ask('/motion/change', {values: state.values});
+  } catch (error) {
+    await startMotion();
+  }
+}
+
+function take(buffer) {
+  const numbers = new Float32Array(buffer);
+  const [time, steps, outcome] = numbers, blocks = numbers[10], forces = numbers[11];
+  const balance = [...numbers.slice(3, 9)], unbalanced = numbers[9];
+  motion.picture = {time, steps, outcome, poses: numbers.subarray(12, 12 + 3 * blocks),
+    forces: numbers.subarray(12 + 3 * blocks, 12 + 3 * blocks + 4 * forces)};
+  find('clock').textContent = `${time.toFixed(3)} s, ${steps} steps${motion.rate ? `, ${motion.rate.toFixed(0)} pictures a second` : ''}`;
+  find('verdict').textContent = `${motion.outcomes[outcome]}; greatest unbalanced force ${unbalanced.toPrecision(3)} of a weight`;
+  const most = Math.max(...balance.map(Math.abs));  // below a millionth of it a single float holds rounding
+  find('energy').tBodies[0].replaceChildren(...energies.map((name, index) => {
+    const row = document.createElement('tr');
+    row.insertCell().textContent = name;
+    const cell = row.insertCell();
+    cell.className = 'number';
+    cell.textContent = `${Math.abs(balance[index]) < most * 1e-6 ? 0 : (balance[index] / 1000).toPrecision(4)} kJ/m`;
+    return row;
+  }));
+  drawBlocks();
+}
+
+// With gravity downwards; as much is seen as the free blocks take, and half as much again for where they go.
+function viewOf(canvas) {
+  const cosine = Math.cos(motion.tilt), sine = Math.sin(motion.tilt);
+  const upright = ([x, y]) => [cosine * x - sine * y, sine * x + cosine * y];
+  const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+  for (const block of motion.blocks)
+    for (const corner of block.fixed ? [] : block.outline.map(upright))
+      for (const axis of [0, 1]) {
+        low[axis] = Math.min(low[axis], corner[axis]);
+        high[axis] = Math.max(high[axis], corner[axis]);
+      }
+  const scale = Math.min(canvas.width / (high[0] - low[0]), canvas.height / (high[1] - low[1])) / 1.5;
+  return point => {
+    const [x, y] = upright(point);
+    return [canvas.width / 2 + scale * (x - (low[0] + high[0]) / 2), canvas.height / 2 - scale * (y - (low[1] + high[1]) / 2)];
+  };
+}
+
+function drawBlocks() {
+  const canvas = find('blocks'), pen = canvas.getContext('2d'), {poses, forces} = motion.picture;
+  const style = getComputedStyle(document.documentElement), paint = name => style.getPropertyValue('--' + name);
+  const toPicture = viewOf(canvas);
+  pen.clearRect(0, 0, canvas.width, canvas.height);
+  pen.lineWidth = 1;
+  pen.strokeStyle = paint('ink');
+  for (const fixed of [true, false]) {
+    pen.beginPath();
+    motion.blocks.forEach((block, number) => {
+      if (block.fixed !== fixed) return;
+      const [dx, dy, angle] = poses.subarray(3 * number, 3 * number + 3), cosine = Math.cos(angle), sine = Math.sin(angle);
+      const [cx, cy] = motion.centres[number];
+      block.outline.forEach(([x, y], corner) => {
+        const [px, py] = toPicture([cx + dx + cosine * (x - cx) - sine * (y - cy), cy + dy + sine * (x - cx) + cosine * (y - cy)]);
+        corner ? pen.lineTo(px, py) : pen.moveTo(px, py);
+      });
+      pen.closePath();
+    });
+    pen.fillStyle = paint(fixed ? 'rock' : 'panel');
+    pen.fill();
+    pen.stroke();
+  }
+  if (!find('forces').checked) return;
+  let greatest = 0;
+  for (let at = 0; at < forces.length; at += 4) greatest = Math.max(greatest, Math.hypot(forces[at + 2], forces[at + 3]));
+  pen.strokeStyle = paint('vermilion');
+  for (let at = 0; at < forces.length; at += 4) {
+    const [x, y, fx, fy] = forces.subarray(at, at + 4), force = Math.hypot(fx, fy);
+    if (force < greatest / 200) continue;
+    const [px, py] = toPicture([x, y]), [qx, qy] = toPicture([x + fx / force, y + fy / force]);
+    const half = 9 / Math.hypot(qx - px, qy - py);
+    pen.lineWidth = 8 * force / greatest;
+    pen.beginPath();
+    pen.moveTo(px - half * (qx - px), py - half * (qy - py));
+    pen.lineTo(px + half * (qx - px), py + half * (qy - py));
+    pen.stroke();
+  }
+}
+
+function pause() {
+  motion.playing = false;
+  find('play').textContent = 'Play';
+}
+
+async function play() {
+  motion.playing = true;
+  find('play').textContent = 'Pause';
+  let pictures = 0, since = performance.now();
+  while (motion.playing) {
+    try {
+      take(await ask('/motion/step', {milliseconds: 20}));
+    } catch (error) {
+      tell(error.message);
+      pause();
+    }
+    await new Promise(requestAnimationFrame);
+    ++pictures;
+    const now = performance.now();
+    if (now - since > 1000) {
+      motion.rate = 1000 * pictures / (now - since);
+      [pictures, since] = [0, now];
+    }
+  }
+}

@@ -1,0 +1,180 @@
+#include "cases/program/live/server.hpp"
+
+#include "cases/program/live/page.hpp"
+
+#include <httplib.h>
+
+#include <array>
+#include <chrono>
+#include <random>
+#include <string_view>
+#include <thread>
+
+namespace delabole {
+
+namespace {
+
+constexpr std::size_t largest_request = std::size_t{256} << 10U;
+constexpr int patience = 5;  // s
+constexpr std::size_t threads = 8;
+
+std::string new_token() {
+    constexpr std::string_view digits = "0123456789abcdef";
+    constexpr int length = 32;  // 128 bits
+    std::random_device random;
+    std::string token;
+    for (int index = 0; index < length; ++index) {
+        token += digits[random() % digits.size()];
+    }
+    return token;
+}
+
+// In a time that does not tell how much of it is right.
+bool same(std::string_view given, std::string_view right) {
+    unsigned difference = given.size() == right.size() ? 0 : 1;
+    for (std::size_t index = 0; index < right.size(); ++index) {
+        const char letter = index < given.size() ? given[index] : '\0';
+        difference |=
+            static_cast<unsigned>(static_cast<unsigned char>(letter) ^ static_cast<unsigned char>(right[index]));
+    }
+    return difference == 0;
+}
+
+std::string page_with(const std::string& nonce) {
+    constexpr std::string_view placeholder = "@nonce@";
+    std::string page(live_page);
+    for (std::size_t at = page.find(placeholder); at != std::string::npos; at = page.find(placeholder, at)) {
+        page.replace(at, placeholder.size(), nonce);
+    }
+    return page;
+}
+
+void refuse(httplib::Response& response, int status, const std::string& why) {
+    response.status = status;
+    response.set_content(json_text({{"refused", why}}), "application/json");
+}
+
+}  // namespace
+
+struct LiveServer::Parts {
+    httplib::Server server;
+    LiveSession& session;
+    std::string token = new_token();
+    std::string nonce = new_token();
+    int port = -1;
+
+    explicit Parts(LiveSession& served) : session(served) {}
+
+    std::string host() const { return "127.0.0.1:" + std::to_string(port); }
+
+    // Whether the request may be answered at all.
+    bool admits(const httplib::Request& request, httplib::Response& response) const {
+        if (request.get_header_value("Host") != host()) {
+            refuse(response, 403, "this server answers to " + host() + " alone");
+            return false;
+        }
+        if (request.has_header("Origin") && request.get_header_value("Origin") != "http://" + host()) {
+            refuse(response, 403, "pages from elsewhere are not answered");
+            return false;
+        }
+        return true;
+    }
+
+    using Answer = std::function<void(const Json& request, httplib::Response& response)>;
+
+    void answer(const std::string& path, Answer with) {
+        server.Post(path, [this, with = std::move(with)](const httplib::Request& request, httplib::Response& response) {
+            if (!same(request.get_header_value("X-Delabole-Token"), token)) {
+                refuse(response, 401, "the address that delabole live has printed ends with a token: open that one");
+                return;
+            }
+            const Json json = Json::parse(request.body, nullptr, false);
+            if (json.is_discarded()) {
+                refuse(response, 400, "the request is not JSON");
+                return;
+            }
+            try {
+                with(json, response);
+            } catch (const LiveRefusal& error) {
+                refuse(response, 400, error.what());
+            }
+        });
+    }
+
+    void answer_json(const std::string& path, Json (LiveSession::*function)(const Json&) const) {
+        answer(path, [this, function](const Json& request, httplib::Response& response) {
+            response.set_content((session.*function)(request).dump(), "application/json");
+        });
+    }
+    void answer_json(const std::string& path, Json (LiveSession::*function)(const Json&)) {
+        answer(path, [this, function](const Json& request, httplib::Response& response) {
+            response.set_content((session.*function)(request).dump(), "application/json");
+        });
+    }
+
+    void set_up() {
+        server.set_payload_max_length(largest_request);
+        server.set_read_timeout(patience);
+        server.set_write_timeout(patience);
+        server.set_keep_alive_timeout(patience);
+        server.new_task_queue = [] { return new httplib::ThreadPool(threads); };
+        server.set_default_headers({{"Cache-Control", "no-store"},
+                                    {"X-Content-Type-Options", "nosniff"},
+                                    {"X-Frame-Options", "DENY"},
+                                    {"Referrer-Policy", "no-referrer"},
+                                    {"Cross-Origin-Resource-Policy", "same-origin"},
+                                    {"Content-Security-Policy",
+                                     "default-src 'none'; script-src 'nonce-" + nonce + "'; style-src 'nonce-" + nonce +
+                                         "'; connect-src 'self'; img-src data:; base-uri 'none'; form-action 'none'; "
+                                         "frame-ancestors 'none'"}});
+        server.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
+            return admits(request, response) ? httplib::Server::HandlerResponse::Unhandled
+                                             : httplib::Server::HandlerResponse::Handled;
+        });
+        server.set_exception_handler([](const httplib::Request&, httplib::Response& response, std::exception_ptr) {
+            refuse(response, 500, "stopped by an error that lies neither in the case nor in the request");
+        });
+        server.Get("/", [page = page_with(nonce)](const httplib::Request&, httplib::Response& response) {
+            response.set_content(page, "text/html; charset=utf-8");
+        });
+        answer("/open", [this](const Json&, httplib::Response& response) {
+            response.set_content(session.open().dump(), "application/json");
+        });
+        answer_json("/answer", &LiveSession::answer);
+        answer_json("/drag", &LiveSession::drag);
+        answer_json("/map", &LiveSession::map);
+        answer_json("/save", &LiveSession::save);
+        answer_json("/report", &LiveSession::report);
+        answer_json("/motion/start", &LiveSession::start_motion);
+        answer_json("/motion/change", &LiveSession::change_motion);
+        answer("/motion/step", [this](const Json& request, httplib::Response& response) {
+            response.set_content(session.step_motion(request), "application/octet-stream");
+        });
+    }
+};
+
+LiveServer::LiveServer(LiveSession& session) : parts_(std::make_unique<Parts>(session)) {
+    parts_->set_up();
+    parts_->port = parts_->server.bind_to_any_port("127.0.0.1");
+    if (parts_->port < 0) {
+        throw OutputError("127.0.0.1", "no port is free");
+    }
+}
+
+LiveServer::~LiveServer() = default;
+
+std::string LiveServer::address() const {
+    return "http://" + parts_->host() + "/#" + parts_->token;
+}
+
+void LiveServer::serve(const std::function<bool()>& ended) {
+    using std::chrono_literals::operator""ms;
+    std::thread serving([this] { parts_->server.listen_after_bind(); });
+    while (!ended()) {
+        std::this_thread::sleep_for(100ms);
+    }
+    parts_->server.stop();
+    serving.join();
+}
+
+}  // namespace delabole

@@ -1,0 +1,35 @@
+// The local server of `delabole live`. It is heard on 127.0.0.1 alone and answers only who knows its token.
+//
+// What it refuses, each with a status of its own: a Host that is not this address (403: another name that leads here,
+// DNS rebinding), an Origin that is not this page (403: a page from elsewhere), a request without the token (401), a
+// body of more than 256 kB (413), what is not JSON or not what a request may ask (400), any other path (404). A
+// connection that says nothing for 5 s is closed, and at most eight are served at a time.
+#pragma once
+
+#include "cases/program/live/session.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace delabole {
+
+class LiveServer {
+  public:
+    explicit LiveServer(LiveSession& session);
+    ~LiveServer();
+    LiveServer(const LiveServer&) = delete;
+    LiveServer& operator=(const LiveServer&) = delete;
+
+    // http://127.0.0.1:43567/#<token>. The part behind # does not travel: no log and no other page sees the token.
+    std::string address() const;
+
+    // Serves until `ended` says so, which is asked several times a second. OutputError where no port is free.
+    void serve(const std::function<bool()>& ended);
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace delabole

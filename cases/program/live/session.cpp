@@ -1,0 +1,360 @@
+#include "cases/program/live/session.hpp"
+
+#include "cases/program/live/case_text.hpp"
+#include "cases/program/live/figure_json.hpp"
+#include "cases/program/live/handles.hpp"
+#include "cases/program/results/analysis.hpp"
+#include "cases/program/results/impossible_case.hpp"
+#include "cases/program/results/model_reports.hpp"
+#include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+namespace delabole {
+
+namespace {
+
+constexpr std::size_t most_handles = 60;  // more would cover the section
+constexpr std::size_t most_map_points = 40'000;
+constexpr std::chrono::seconds longest_map{3};
+constexpr int longest_motion = 1000;  // ms, of one request
+constexpr std::size_t most_live_blocks = 20'000;
+
+// The member, of the type that is asked for.
+template <class Type>
+Type member(const Json& json, const char* name) {
+    const auto found = json.is_object() ? json.find(name) : json.end();
+    if (!json.is_object() || found == json.end()) {
+        throw LiveRefusal(std::string("the request has no '") + name + "'");
+    }
+    try {
+        return found->get<Type>();
+    } catch (const Json::exception&) {
+        throw LiveRefusal(std::string("'") + name + "' of the request is of the wrong kind");
+    }
+}
+
+template <class Type>
+Type member_or(const Json& json, const char* name, Type otherwise) {
+    return json.is_object() && json.contains(name) ? member<Type>(json, name) : otherwise;
+}
+
+Json finite(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+// "strength" of "strength.friction_angle", "bolt[1]" of "bolt[1].force"; "case" for what stands in no section.
+std::string group_of(const std::string& name) {
+    const std::size_t end = name.rfind('.');
+    return end == std::string::npos ? "case" : name.substr(0, end);
+}
+
+Json described(const Quantity& input, const CaseFile& file) {
+    const double unit = display_unit(input.dimension).si_per_unit;
+    const auto source = file.sources.find(input.name);
+    return {{"name", input.name},
+            {"label", human_name(input.name.substr(input.name.rfind('.') + 1))},
+            {"unit", std::string(display_unit(input.dimension).symbol)},
+            {"value", input.value / unit},
+            {"lower", finite(input.range.lower / unit)},
+            {"upper", finite(input.range.upper / unit)},
+            {"lower_open", input.range.lower_open},
+            {"upper_open", input.range.upper_open},
+            {"meaning", input.meaning},
+            {"source", source == file.sources.end() ? "" : source->second}};
+}
+
+// The first of the endings that an input has, in the order of the endings.
+std::string first_ending(const std::vector<Quantity>& inputs, std::initializer_list<std::string_view> endings) {
+    for (const std::string_view ending : endings) {
+        const auto found =
+            std::ranges::find_if(inputs, [&](const Quantity& input) { return input.name.ends_with(ending); });
+        if (found != inputs.end()) {
+            return found->name;
+        }
+    }
+    return "";
+}
+
+Json json_of_handles(const CaseModel& model) {
+    Json handles = Json::array();
+    for (const Handle& handle : handles_of(model)) {
+        if (handles.size() < most_handles) {
+            handles.push_back({{"name", handle.name},
+                               {"inputs", handle.inputs},
+                               {"at", Json::array({handle.at.x(), handle.at.y()})}});
+        }
+    }
+    return handles;
+}
+
+// Ends the walk through a report's figures after the first.
+struct EnoughFigures {};
+
+std::vector<Quantity> figures_axes(const std::vector<Quantity>& inputs, const std::string& name) {
+    const Quantity* found = find_quantity(inputs, name);
+    if (found == nullptr) {
+        throw LiveRefusal("the case has no input '" + name + "'");
+    }
+    return {*found};
+}
+
+struct MapAxis {
+    std::size_t input;
+    std::vector<double> values;  // SI
+    double unit;
+};
+
+MapAxis axis_of_map(const Json& request, const char* name, const char* count, const std::vector<Quantity>& inputs) {
+    const Json axis = member<Json>(request, name);
+    const auto input = member<std::string>(axis, "name");
+    const Quantity quantity = figures_axes(inputs, input).front();
+    const int points = member<int>(request, count);
+    if (points < 2 || points > 200) {
+        throw LiveRefusal("a map has 2 to 200 rows and columns");
+    }
+    MapAxis made{*place_of(inputs, input), {}, display_unit(quantity.dimension).si_per_unit};
+    const auto lower = member<double>(axis, "lower");
+    const auto upper = member<double>(axis, "upper");
+    if (!std::isfinite(lower) || !std::isfinite(upper)) {
+        throw LiveRefusal("the ends of a map are numbers");
+    }
+    for (int index = 0; index < points; ++index) {
+        made.values.push_back((lower + (upper - lower) * index / (points - 1)) * made.unit);
+    }
+    return made;
+}
+
+}  // namespace
+
+LiveSession::LiveSession(CaseFile file, std::string text, WriteReport write_report)
+    : file_(std::move(file)),
+      text_(std::move(text)),
+      inputs_(named_inputs(file_.model)),
+      write_report_(std::move(write_report)) {}
+
+std::vector<Condition> LiveSession::conditions(const Json& request) const {
+    std::vector<Condition> conditions;
+    const Json values = member_or<Json>(request, "values", Json::object());
+    if (!values.is_object()) {
+        throw LiveRefusal("'values' of the request is of the wrong kind");
+    }
+    for (const auto& [name, value] : values.items()) {
+        const Quantity* input = find_quantity(inputs_, name);
+        if (input == nullptr) {
+            throw LiveRefusal("the case has no input '" + name + "'");
+        }
+        if (!value.is_number()) {
+            throw LiveRefusal(name + " has to be a number");
+        }
+        const double unit = display_unit(input->dimension).si_per_unit;
+        const auto shown = value.get<double>();
+        // What is shown as the case's own value is that value, to the last bit.
+        const double si = shown == input->value / unit ? input->value : shown * unit;
+        if (!std::isfinite(si) || !input->range.contains(si)) {
+            throw LiveRefusal(name + " = " + readable_quantity(si, input->dimension) + ": must be " +
+                              readable_range(input->range, input->dimension));
+        }
+        conditions.push_back({name, si});
+    }
+    return conditions;
+}
+
+CaseModel LiveSession::model(const Json& request) const {
+    return with_conditions(file_.model, conditions(request));
+}
+
+Json LiveSession::open() const {
+    Json groups = Json::array();
+    for (const Quantity& input : inputs_) {
+        const std::string group = group_of(input.name);
+        const auto found = std::ranges::find_if(groups, [&](const Json& one) { return one["name"] == group; });
+        if (found == groups.end()) {
+            groups.push_back(
+                {{"name", group}, {"label", human_name(group)}, {"inputs", Json::array({described(input, file_)})}});
+        } else {
+            (*found)["inputs"].push_back(described(input, file_));
+        }
+    }
+    const bool moves = std::holds_alternative<RelaxationStudy>(file_.model);
+    const std::string friction = first_ending(
+        inputs_, {"strength.friction_angle", "joints.friction_angle", "base.friction_angle", "friction_angle"});
+    const std::string water =
+        first_ending(inputs_, {"water.water_depth", "water.water_elevation", "water.filled_ratio", "cohesion", "dip"});
+    Json json{{"title", file_.title.empty() ? file_.name : file_.title},
+              {"description", file_.description},
+              {"model", std::string(model_name(file_.model))},
+              {"moves", moves},
+              {"groups", std::move(groups)}};
+    if (!moves && find_quantity(interface_of(file_.model).outputs, "factor_of_safety") != nullptr &&
+        !friction.empty() && !water.empty()) {
+        json["map"] = {{"x", friction}, {"y", water}, {"output", "factor_of_safety"}};
+    }
+    return json;
+}
+
+Json LiveSession::answer_to(const CaseModel& model, bool all_figures) const {
+    Json json{{"handles", json_of_handles(model)}, {"figures", Json::array()}};
+    if (std::holds_alternative<RelaxationStudy>(model)) {
+        return json;  // it is set in motion instead
+    }
+    const CaseAnswer answer = analyse_case(model);
+    const Analysis analysis = named_outputs(model, answer);
+    if (!analysis.failure.empty()) {
+        CaseFile changed = file_;
+        changed.model = model;
+        json["failure"] = impossible(changed, analysis.failure).message;
+        return json;
+    }
+    json["results"] = Json::array();
+    for (const NamedOutput& output : analysis.outputs) {
+        const auto* number = std::get_if<double>(&output.value);
+        json["results"].push_back({{"name", output.name},
+                                   {"meaning", output.meaning},
+                                   {"text", number != nullptr ? in_six_digits(*number, output.dimension)
+                                                              : std::get<std::string>(output.value)},
+                                   {"detail", output.detail}});
+    }
+    json["warnings"] = analysis.warnings;
+    Report ignored;
+    const ResultFolder figures([&](const Figure& figure, const std::string& caption) {
+        json["figures"].push_back(json_of(figure));
+        json["figures"].back()["caption"] = caption;
+        if (!all_figures) {
+            throw EnoughFigures();
+        }
+    });
+    try {
+        append_case_figures(model, answer, figures, ignored);
+    } catch (const EnoughFigures&) {
+        return json;
+    }
+    return json;
+}
+
+Json LiveSession::answer(const Json& request) const {
+    return answer_to(model(request), member_or<std::string>(request, "figures", "first") == "all");
+}
+
+Json LiveSession::drag(const Json& request) const {
+    const CaseModel before = model(request);
+    const auto to = member<std::vector<double>>(request, "to");
+    if (to.size() != 2 || !std::isfinite(to[0]) || !std::isfinite(to[1])) {
+        throw LiveRefusal("'to' of the request is a point: two numbers");
+    }
+    std::vector<Condition> moved;
+    try {
+        moved = dragged(before, member<std::string>(request, "handle"), {to[0], to[1]});
+    } catch (const std::invalid_argument& error) {
+        throw LiveRefusal(error.what());
+    }
+    Json json = answer_to(with_conditions(before, moved), false);
+    for (const Condition& condition : moved) {
+        const double unit = display_unit(find_quantity(inputs_, condition.input)->dimension).si_per_unit;
+        json["values"][condition.input] = condition.value / unit;
+    }
+    return json;
+}
+
+Json LiveSession::map(const Json& request) const {
+    const ModelInterface model = interface_of(this->model(request));
+    const MapAxis x = axis_of_map(request, "x", "columns", model.inputs);
+    const MapAxis y = axis_of_map(request, "y", "rows", model.inputs);
+    const auto name = member<std::string>(request, "output");
+    const auto output = place_of(model.outputs, name);
+    if (!output || model.costly || x.values.size() * y.values.size() > most_map_points) {
+        throw LiveRefusal("there is no map of '" + name + "'");
+    }
+    const auto end = std::chrono::steady_clock::now() + longest_map;
+    const auto in_units = [](const MapAxis& axis) {
+        Json values = Json::array();
+        for (const double value : axis.values) {
+            values.push_back(value / axis.unit);
+        }
+        return values;
+    };
+    Json rows = Json::array();
+    for (const double up : y.values) {
+        Json row = Json::array();
+        for (const double across : x.values) {
+            Prediction prediction;
+            if (std::chrono::steady_clock::now() < end) {
+                prediction = model.predict(std::array{Assignment{x.input, across}, Assignment{y.input, up}});
+            }
+            row.push_back(prediction.outputs.empty() ? Json(nullptr) : finite(prediction.outputs[*output]));
+        }
+        rows.push_back(std::move(row));
+    }
+    return {{"x", in_units(x)}, {"y", in_units(y)}, {"values", std::move(rows)}};
+}
+
+Json LiveSession::save(const Json& request) const {
+    try {
+        return {{"toml", with_values(text_, file_, conditions(request))}};
+    } catch (const std::invalid_argument& error) {
+        throw LiveRefusal(error.what());
+    }
+}
+
+Json LiveSession::report(const Json& request) {
+    std::vector<std::string> settings;
+    for (const Condition& condition : conditions(request)) {
+        settings.push_back(condition.input + "=" +
+                           written_quantity(condition.value, find_quantity(inputs_, condition.input)->dimension));
+    }
+    const std::scoped_lock lock(writing_);
+    try {
+        return {{"folder", write_report_(settings).string()}};
+    } catch (const std::runtime_error& error) {
+        throw LiveRefusal(error.what());
+    }
+}
+
+Json LiveSession::start_motion(const Json& request) {
+    const CaseModel model = this->model(request);
+    const auto* study = std::get_if<RelaxationStudy>(&model);
+    if (study == nullptr) {
+        throw LiveRefusal("only blocks of the model relaxation can be set in motion");
+    }
+    if (number_of_blocks(*study) > most_live_blocks) {
+        throw LiveRefusal("there are more than " + std::to_string(most_live_blocks) + " blocks: use delabole run");
+    }
+    if (const std::string failure = failure_of(model); !failure.empty()) {
+        CaseFile changed = file_;
+        changed.model = model;
+        throw LiveRefusal(impossible(changed, failure).message);
+    }
+    const std::scoped_lock lock(moving_);
+    motion_.emplace(*study);
+    return motion_->blocks();
+}
+
+std::string LiveSession::step_motion(const Json& request) {
+    const auto steps = member_or<std::uint64_t>(request, "steps", std::uint64_t{1} << 32U);
+    const int time = std::clamp(member_or<int>(request, "milliseconds", longest_motion), 0, longest_motion);
+    const std::scoped_lock lock(moving_);
+    if (!motion_) {
+        throw LiveRefusal("nothing has been set in motion");
+    }
+    motion_->go_on(steps, std::chrono::milliseconds(time));
+    return motion_->picture();
+}
+
+Json LiveSession::change_motion(const Json& request) {
+    const CaseModel model = this->model(request);
+    const auto* study = std::get_if<RelaxationStudy>(&model);
+    const std::scoped_lock lock(moving_);
+    if (study == nullptr || !motion_) {
+        throw LiveRefusal("nothing has been set in motion");
+    }
+    if (check(*study).check != SceneCheck::valid || !motion_->change(*study)) {
+        throw LiveRefusal("blocks of another shape have to be set in motion anew");
+    }
+    return Json::object();
+}
+
+}  // namespace delabole

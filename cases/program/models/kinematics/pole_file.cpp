@@ -1,0 +1,209 @@
+#include "cases/program/models/kinematics/pole_file.hpp"
+
+#include "cases/program/case/model_cases.hpp"
+#include "cases/program/reader/ordinary_file.hpp"
+#include "kinematics/kinematics.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+constexpr std::size_t largest_pole_file = std::size_t{16} << 20U;
+
+struct PoleCell {
+    std::string_view text;
+    int column;  // of its first character, from 1
+};
+
+std::string_view unquoted(std::string_view text) {
+    constexpr std::string_view blank = " \t\r\"";
+    const std::size_t begin = text.find_first_not_of(blank);
+    return begin == std::string_view::npos ? "" : text.substr(begin, text.find_last_not_of(blank) + 1 - begin);
+}
+
+std::vector<PoleCell> cells_of(std::string_view line, char separator) {
+    std::vector<PoleCell> cells;
+    for (std::size_t begin = 0; begin <= line.size();) {
+        const std::size_t end = std::min(line.find(separator, begin), line.size());
+        cells.push_back({unquoted(line.substr(begin, end - begin)), static_cast<int>(begin) + 1});
+        begin = end + 1;
+    }
+    return cells;
+}
+
+// "Dip Direction (deg)" -> "dipdirection"
+std::string plain_name(std::string_view name) {
+    std::string plain;
+    for (const char letter : name.substr(0, name.find('('))) {
+        if (std::isalpha(static_cast<unsigned char>(letter)) != 0) {
+            plain += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+        }
+    }
+    return plain.size() > 3 && plain.ends_with("deg") ? plain.substr(0, plain.size() - 3) : plain;
+}
+
+std::optional<std::size_t> column_named(const std::vector<PoleCell>& header,
+                                        std::initializer_list<std::string_view> names) {
+    for (std::size_t column = 0; column < header.size(); ++column) {
+        if (std::ranges::find(names, plain_name(header[column].text)) != names.end()) {
+            return column;
+        }
+    }
+    return std::nullopt;
+}
+
+// How two columns give a plane.
+struct PoleColumns {
+    std::size_t inclination;
+    std::size_t azimuth;
+    Orientation (*plane)(double inclination, double azimuth);
+};
+
+std::optional<PoleColumns> columns_of(const std::vector<PoleCell>& header) {
+    const auto dip = column_named(header, {"dip"});
+    if (const auto direction = column_named(header, {"dipdirection", "dipdir", "dipazimuth", "ddr"});
+        dip && direction) {
+        return PoleColumns{*dip, *direction, [](double inclination, double azimuth) {
+                               return Orientation{inclination, wrapped_azimuth(azimuth)};
+                           }};
+    }
+    if (const auto strike = column_named(header, {"strike", "strikeright", "strikerhr"}); dip && strike) {
+        return PoleColumns{*dip, *strike, [](double inclination, double azimuth) {
+                               return Orientation{inclination, wrapped_azimuth(azimuth + degrees(90))};
+                           }};
+    }
+    const auto trend = column_named(header, {"trend", "poletrend"});
+    const auto plunge = column_named(header, {"plunge", "poleplunge"});
+    if (trend && plunge) {
+        return PoleColumns{*plunge, *trend, [](double inclination, double azimuth) {
+                               return plane_with_normal(direction_of({inclination, azimuth}));
+                           }};
+    }
+    return std::nullopt;
+}
+
+class PoleReader {
+  public:
+    explicit PoleReader(std::string_view name) : reading_(std::string(name)) {}
+
+    std::vector<Orientation> planes(std::string_view text) {
+        if (text.starts_with("\xEF\xBB\xBF")) {
+            text.remove_prefix(3);
+        }
+        int line = 0;
+        for (std::size_t begin = 0; begin < text.size();) {
+            const std::size_t end = std::min(text.find('\n', begin), text.size());
+            const std::string_view content = text.substr(begin, end - begin);
+            begin = end + 1;
+            ++line;
+            if (unquoted(content).empty() || unquoted(content).starts_with('#')) {
+                continue;
+            }
+            if (!columns_) {
+                read_header(content, line);
+            } else if (planes_.size() < most_poles) {
+                read_row(cells_of(content, separator_), line);
+            } else {
+                reading_.complain(
+                    {.line = line, .column = 1}, "", "",
+                    "is the first line beyond " + std::to_string(most_poles) + " planes: more are not read");
+                break;
+            }
+        }
+        if (planes_.empty() && reading_.clean()) {
+            reading_.complain({.line = 1, .column = 1}, "", "", "has no planes below the names of its columns");
+        }
+        reading_.finish();
+        return std::move(planes_);
+    }
+
+  private:
+    void read_header(std::string_view content, int line) {
+        for (const char candidate : {';', '\t', ','}) {
+            if (content.find(candidate) != std::string_view::npos) {
+                separator_ = candidate;
+                break;
+            }
+        }
+        columns_ = columns_of(cells_of(content, separator_));
+        if (!columns_) {
+            reading_.complain({.line = line, .column = 1}, "", "",
+                              "must name the columns dip and dip_direction, strike and dip, or trend and plunge");
+            reading_.finish();
+        }
+    }
+
+    void read_row(const std::vector<PoleCell>& cells, int line) {
+        const auto inclination = angle(cells, columns_->inclination, line, "inclination", 0, 90);
+        const auto azimuth = angle(cells, columns_->azimuth, line, "azimuth", -360, 360);
+        if (inclination && azimuth) {
+            planes_.push_back(columns_->plane(*inclination, *azimuth));
+        }
+    }
+
+    std::optional<double> angle(const std::vector<PoleCell>& cells, std::size_t column, int line,
+                                const std::string& what, double lowest, double highest) {
+        if (column >= cells.size()) {
+            reading_.complain({.line = line, .column = 1}, "", "", "has no " + what + ": too few columns");
+            return std::nullopt;
+        }
+        const std::string_view text = cells[column].text;
+        double value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc{} || end != text.data() + text.size() || !(value >= lowest && value <= highest)) {
+            reading_.complain({.line = line, .column = cells[column].column}, what, in_quotes(text),
+                              "must be a number of degrees from " + std::to_string(static_cast<int>(lowest)) + " to " +
+                                  std::to_string(static_cast<int>(highest)));
+            return std::nullopt;
+        }
+        return degrees(value);
+    }
+
+    Reading reading_;
+    char separator_ = ',';
+    std::optional<PoleColumns> columns_;
+    std::vector<Orientation> planes_;
+};
+
+}  // namespace
+
+std::vector<Orientation> planes_of_csv(std::string_view text, std::string_view name) {
+    return PoleReader(name).planes(text);
+}
+
+void take_files(Reading& reading, KinematicsStudy& study, const std::filesystem::path& folder,
+                const std::string& prefix) {
+    for (std::size_t index = 0; index < study.model.poles.size(); ++index) {
+        PoleSurvey& survey = study.model.poles[index];
+        if (!survey.file) {
+            continue;
+        }
+        const std::string key = prefix + indexed("poles", index) + ".file";
+        if (!survey.plane.empty()) {
+            reading.complain_at(key, "and " + indexed("poles", index) + ".plane exclude each other");
+            continue;
+        }
+        const std::filesystem::path path = folder / *std::exchange(survey.file, std::nullopt);
+        const FileContent content = read_ordinary_file(path, "a table of poles", largest_pole_file);
+        if (!content.fault.empty()) {
+            reading.complain_at(key, path.string() + " " + content.fault);
+            continue;
+        }
+        try {
+            survey.plane = planes_of_csv(content.bytes, path.string());
+        } catch (const CaseError& error) {
+            for (const Problem& problem : error.problems()) {
+                reading.complain(problem);
+            }
+        }
+    }
+}
+
+}  // namespace delabole

@@ -1,0 +1,185 @@
+// Stepped surfaces along joint sets, as the program reports them.
+#include "cases/program/models/stepped_base/drawing.hpp"
+#include "cases/program/results/model_reports.hpp"
+#include "fitting/work/words.hpp"
+#include "limit_equilibrium/stepped_path/stepped_path.hpp"
+#include "plots/figures/block_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+Figure section_figure(const SteppedPath& path, const SteppedPathResult& result) {
+    BlockDrawing drawing;
+    drawing.title = "The surface that fails first, factor of safety " + number_in_words(result.factor_of_safety);
+    std::size_t number = 0;
+    for (const SteppedPathResult::Part& part : result.parts) {
+        const bool column = path.search.mechanism != SteppedPathMechanism::sliding && !part.wedge;
+        drawing.blocks.push_back({part.outline,
+                                  column       ? std::to_string(++number)
+                                  : part.wedge ? "wedge"
+                                               : "",
+                                  part.wedge ? DrawnMode::plain : drawn(part.mode)});
+    }
+    const double end = 1.1 * (result.surface.back().x() + path.slope.height / 20);
+    drawing.base = profile_after_failure(path, result);
+    drawing.base.insert(drawing.base.begin(), Point(-path.slope.height / 4, 0));
+    drawing.base.back() =
+        result.surface.back() + (end - result.surface.back().x()) * Point(1, std::tan(path.slope.upper_surface_dip));
+    const Point crest(path.slope.height / std::tan(path.slope.face_dip), path.slope.height);
+    drawing.ground = {drawing.base.front(), Point(0, 0), crest, drawing.base.back()};
+    for (const Point& point : water_surface(path)) {
+        if (point.x() < end) {
+            drawing.water.push_back(point);
+        }
+    }
+    drawing.toe_elevation = path.slope.toe_elevation.value_or(0.0);
+    return block_figure(drawing);
+}
+
+SteppedPathCheck check_of(std::string_view failure) {
+    return value_of<SteppedPathCheck>(failure).value_or(SteppedPathCheck::valid);
+}
+
+std::string_view in_words(SteppedPathCheck check) {
+    switch (check) {
+    case SteppedPathCheck::risers_needed:
+        return "the mechanism steps up along risers, and there are none";
+    case SteppedPathCheck::columns_needed:
+        return "the mechanism moves columns, and no joints cut them";
+    case SteppedPathCheck::bench_not_covered:
+        return "the ground is a face and an upper surface, without a bench";
+    case SteppedPathCheck::ground_too_steep:
+        return "the ground behind the crest is as steep as the face or the joints that should come out there";
+    case SteppedPathCheck::steps_steeper_than_face:
+        return "steps as steep as the face do not daylight in it";
+    case SteppedPathCheck::joints_too_close:
+        return "two joint sets have nearly the same direction: steps, risers and columns have to cross";
+    case SteppedPathCheck::elevation_without_datum:
+        return "an elevation is given, but slope.toe_elevation is not";
+    case SteppedPathCheck::no_path:
+        return "no surface along the joints is as wide as the least width and comes out within the greatest retreat";
+    case SteppedPathCheck::too_many_nodes:
+        return "the joints cross more than 100 000 times: larger spacings, or a smaller search.greatest_retreat";
+    case SteppedPathCheck::input_out_of_range:
+        return "a number is outside its allowed range";
+    case SteppedPathCheck::valid:
+        break;
+    }
+    return "";
+}
+
+}  // namespace
+
+SteppedPathResult analyse_case(const SteppedPath& path, const AnalysisWork&) {
+    return analyse(path);
+}
+
+Analysis named_outputs(const SteppedPath&, const SteppedPathResult& result) {
+    Analysis analysis;
+    if (result.check != SteppedPathCheck::valid) {
+        analysis.failure = word_of(result.check);
+        return analysis;
+    }
+    append_outputs(analysis, result);
+    if (result.surface.empty()) {
+        for (NamedOutput& output : analysis.outputs) {
+            if (output.name != "limit" && output.name != "factor_of_safety" && output.name != "searches") {
+                output.value = "none";
+            }
+        }
+        analysis.warnings.emplace_back(result.limit == LimitState::holds_at_any_strength
+                                           ? "no surface moves, even without strength: the factor of safety is infinite"
+                                           : "a surface moves whatever the strength");
+        return analysis;
+    }
+    if (result.limit == LimitState::abrupt) {
+        analysis.warnings.emplace_back(
+            "no limiting equilibrium: the mass as a whole stands down to the factor of safety, at which its upper part "
+            "begins to push; its toe alone has failed before");
+    }
+    if (result.extent == PathExtent::least) {
+        analysis.warnings.emplace_back(
+            "the surface is the smallest that counts: search.least_width decides where it runs");
+    } else if (result.extent == PathExtent::greatest) {
+        analysis.warnings.emplace_back(
+            "the surface is the largest that is searched: a larger search.greatest_retreat may lower the factor of "
+            "safety");
+    }
+    return analysis;
+}
+
+HeadCard head_card(const SteppedPath&, const SteppedPathResult& result) {
+    const bool found = result.limit == LimitState::found || result.limit == LimitState::abrupt;
+    const bool stands = result.limit == LimitState::holds_at_any_strength || (found && result.factor_of_safety >= 1);
+    HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
+    head.sentences.push_back(found ? "FS " + number_in_words(result.factor_of_safety) +
+                                         (stands ? ": stands." : ": fails.")
+                             : stands ? std::string("Nothing moves even without strength.")
+                                      : std::string("Fails at any strength."));
+    if (!result.surface.empty()) {
+        head.sentences.push_back("The most critical surface along joints takes " +
+                                 value_in_words(result.failed_area, Dimension::area) + ", " +
+                                 value_in_words(result.retreat, Dimension::length) + " behind the crest.");
+    }
+    return head;
+}
+
+void append_case_figures(const SteppedPath& path, const SteppedPathResult& result, const ResultFolder& folder,
+                         Report& report) {
+    if (!result.surface.empty()) {
+        report.blocks.emplace_back(folder.draw(section_figure(path, result), "section",
+                                               "What moves at the factor of safety, along joints, and what stays."));
+    }
+}
+
+void append_mechanism_figures(const SteppedPath& at_best, const MechanismFit& fit, const FitProblem& problem,
+                              const ResultFolder& folder, Report& report) {
+    const SteppedPathResult result = analyse(at_best);
+    if (result.check != SteppedPathCheck::valid || result.surface.empty()) {
+        return;
+    }
+    Figure figure = section_figure(at_best, result);
+    add_profiles(figure, problem.profile ? problem.profile->profile : Polyline{},
+                 profile_after_failure(at_best, result), at_best.slope.toe_elevation.value_or(0.0));
+    report.blocks.emplace_back(folder.draw(figure, fit.name + "_section",
+                                           "What moves at the best point, and the ground observed after the failure."));
+    const std::vector<std::string> warnings = named_outputs(at_best, result).warnings;
+    if (!warnings.empty()) {
+        report.blocks.emplace_back(Notice{NoticeKind::warning, "The surface at the best point", warnings});
+    }
+}
+
+std::vector<std::string> blamed_keys(const SteppedPath&, std::string_view failure) {
+    switch (check_of(failure)) {
+    case SteppedPathCheck::risers_needed:
+    case SteppedPathCheck::columns_needed:
+        return {"search.mechanism"};
+    case SteppedPathCheck::bench_not_covered:
+        return {"slope.bench"};
+    case SteppedPathCheck::ground_too_steep:
+        return {"slope.upper_surface_dip"};
+    case SteppedPathCheck::steps_steeper_than_face:
+    case SteppedPathCheck::joints_too_close:
+        return {"steps.dip"};
+    case SteppedPathCheck::elevation_without_datum:
+        return {"water.water_elevation"};
+    case SteppedPathCheck::no_path:
+        return {"search.greatest_retreat", "search.least_width", "search.mechanism"};
+    case SteppedPathCheck::too_many_nodes:
+        return {"steps.spacing"};
+    case SteppedPathCheck::input_out_of_range:
+    case SteppedPathCheck::valid:
+        break;
+    }
+    return {};
+}
+
+std::string explain_failure(const SteppedPath&, std::string_view failure, const std::string&) {
+    return std::string(in_words(check_of(failure)));
+}
+
+}  // namespace delabole

@@ -1,0 +1,26 @@
+// The data of wedge figures, from the model.
+#pragma once
+
+#include "plots/figures/figures.hpp"
+#include "plots/figures/stereonet.hpp"
+#include "plots/figures/wedge_figure.hpp"
+#include "wedge_failure/wedge_failure.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace delabole {
+
+// Both of a problem whose check is valid.
+WedgeDrawing wedge_drawing(const WedgeFailure<>& problem, const std::string& title);
+WedgeNet wedge_net(const WedgeFailure<>& problem, const WedgeFailureResult& result);
+
+// Factor of safety against the filled ratio of the fissures; nothing where another form of water is given.
+std::optional<WaterDepthCurves> filled_ratio_curve(const WedgeFailure<>& problem);
+
+// Change of the factor of safety when one input is increased by the step of reports/sensitivity_step.hpp, or decreased
+// by it where the increased one is no longer a wedge. Inputs that change nothing are left out.
+std::vector<SensitivityBar> sensitivity_bars(const WedgeFailure<>& problem);
+
+}  // namespace delabole

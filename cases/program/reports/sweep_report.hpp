@@ -1,0 +1,26 @@
+// [[sweep]] as figures, tables and files: for `run`, `grid` and the reproductions of the thesis.
+#pragma once
+
+#include "cases/program/reports/sweep_run.hpp"
+#include "cases/program/results/result_folder.hpp"
+
+namespace delabole {
+
+// Draws into the folder, writes <name>.csv, appends to the report: a table where there are few values, one figure for
+// each value of `each`, one of the crossings over these.
+void document_sweep(const SweepRun& run, const ResultFolder& folder, Report& report);
+
+// Everything that the sweeps of a case give: documents and the comparisons with what is printed.
+std::vector<Comparison> document_sweeps(const CaseFile& file, const SweepWork& work, const ResultFolder& folder,
+                                        Report& report);
+
+// The points of a run, an object each: inputs and outputs with their units, as in its CSV file.
+Json json_of(const SweepRun& run);
+
+// The points as a table for a terminal; empty where there are too many to be read.
+std::string screen_of(const SweepRun& run);
+
+Table comparison_table(const std::vector<Comparison>& comparisons);
+Json json_of(const std::vector<Comparison>& comparisons);
+
+}  // namespace delabole

@@ -1,0 +1,59 @@
+#include "cases/program/thesis/data_item.hpp"
+
+#include "cases/program/reports/sweep_report.hpp"
+#include "cases/program/thesis/thesis_tables.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+// In `verify` the source stands in its own column; here it goes without saying.
+PrintedRow printed_row_of(const Comparison& comparison) {
+    std::string remark = comparison.verdict == Verdict::met           ? ""
+                         : comparison.verdict == Verdict::unreachable ? comparison.source
+                                                                      : statement(false);
+    if (!comparison.note.empty()) {
+        remark += (remark.empty() ? "" : "; ") + comparison.note;
+    }
+    return {comparison.what, comparison.expected, comparison.computed, comparison.difference, remark};
+}
+
+void reproduce_data(const CaseFile& file, const ResultFolder& folder, Report& report, Reproduction& result) {
+    report.blocks.emplace_back(Heading{file.title});
+    if (!file.description.empty()) {
+        report.blocks.emplace_back(Paragraph{file.description});
+    }
+    // Figures go below the table of what is printed of them.
+    Report drawn;
+    std::vector<Comparison> comparisons = compare_expectations(file);
+    std::ranges::move(document_sweeps(file, {.threads = folder.threads()}, folder, drawn),
+                      std::back_inserter(comparisons));
+    std::vector<PrintedRow> rows;
+    std::ranges::transform(comparisons, std::back_inserter(rows), printed_row_of);
+    if (!rows.empty()) {
+        report.blocks.emplace_back(printed_table("Printed and computed", rows));
+    }
+    std::ranges::move(drawn.blocks, std::back_inserter(report.blocks));
+    std::ranges::move(rows, std::back_inserter(result.rows));
+}
+
+}  // namespace
+
+ReproductionItem data_item(const std::string& name, const std::string& meaning, const std::string& folder,
+                           const std::vector<std::string>& cases) {
+    const auto reproduce = [folder, cases](const ResultFolder& results, Report& report) {
+        Reproduction result;
+        for (const std::string& one : cases) {
+            reproduce_data(built_in_case(folder, one), results, report, result);
+            result.json["cases"].push_back(folder + "/" + one + ".toml");
+        }
+        return result;
+    };
+    return {name, meaning, reproduce};
+}
+
+}  // namespace delabole

@@ -1,0 +1,132 @@
+#include "dynamic_relaxation/statics/face_assembly.hpp"
+
+#include "dynamic_relaxation/contact/corner_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace delabole {
+
+namespace {
+
+struct FaceStrength {
+    double friction_angle;
+    double cohesion;
+    double tensile_strength;
+};
+
+// Rock across a joint adds to its strength no more than it has itself.
+FaceStrength strength_of(const BlocksUnderLoad& blocks, const SharedFace& face, std::span<const BondMemory> memory) {
+    const RelaxationScene& scene = blocks.scene;
+    const JointMaterial& joint = scene.material[weaker_joint(scene, blocks.bodies, face.edge, face.other_edge)];
+    FaceStrength strength{joint.friction_angle, joint.cohesion, joint.tensile_strength};
+    for (std::size_t index = 0; index < scene.bond.size(); ++index) {
+        const FaceBond& bond = scene.bond[index];
+        const bool here = bond.block == face.block && bond.other == face.other;
+        const bool there = bond.block == face.other && bond.other == face.block;
+        const bool whole = memory.empty() || memory[index].state == BondState::whole;
+        if (bond.material && whole && (here || there)) {
+            const BondMaterial& rock = scene.bond_material[*bond.material];
+            strength.friction_angle = std::max(strength.friction_angle, rock.friction_angle);
+            strength.cohesion = std::max(strength.cohesion, rock.cohesion);
+            strength.tensile_strength = std::max(strength.tensile_strength, rock.tensile_strength);
+        }
+    }
+    return strength;
+}
+
+constexpr std::size_t held = static_cast<std::size_t>(-1);
+
+std::vector<std::size_t> bodies_of_blocks(const BlocksUnderLoad& blocks) {
+    std::vector<std::size_t> body(blocks.held.size(), held);
+    std::size_t next = 0;
+    for (std::size_t block = 0; block < body.size(); ++block) {
+        if (blocks.held[block] == 0) {
+            body[block] = next++;
+        }
+    }
+    return body;
+}
+
+PlanePoint<> centroid_of(const BlocksUnderLoad& blocks, std::size_t block) {
+    const Motion& motion = blocks.motion[block];
+    return blocks.bodies.centroid[block] + PlanePoint<>(motion.x, motion.y);
+}
+
+// The face's edge has its own block, `other`, on its left.
+void add_face(std::size_t block, std::size_t other, const PlanePoint<>& middle, const PlanePoint<>& half,
+              const FaceStrength& strength, Assembly& assembly) {
+    if (block != held) {
+        assembly.contacts.push_back({block, other != held ? std::optional(other) : std::nullopt, middle + half,
+                                     middle - half, strength.friction_angle, strength.cohesion,
+                                     strength.tensile_strength});
+    } else if (other != held) {
+        assembly.contacts.push_back({other,
+                                     {},
+                                     middle - half,
+                                     middle + half,
+                                     strength.friction_angle,
+                                     strength.cohesion,
+                                     strength.tensile_strength});
+    }
+}
+
+// Whether a corner bears on its edge and on no corner of it.
+bool is_on_edge(const Bodies& bodies, const ContactLaw& law, const RelaxationContact& contact,
+                const ContactPosition& at) {
+    constexpr double straight = 1e-6;  // sine
+    return !is_on_corner(bodies, law, contact, at) || (law.alone == 0 && law.rival_sine < straight);
+}
+
+}  // namespace
+
+FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<SharedFace>& faces,
+                           std::span<const BondMemory> bond) {
+    const Bodies& bodies = blocks.bodies;
+    const std::vector<std::size_t> body = bodies_of_blocks(blocks);
+    FaceAssembly made;
+    made.assembly.check = AssemblyCheck::valid;
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        if (body[block] != held) {
+            const double weight = bodies.mass[block] * blocks.scene.gravity.acceleration;
+            const BlockForce& load = blocks.load[block];
+            made.assembly.bodies.push_back(
+                {weight, centroid_of(blocks, block), {Point(load.x, load.y + weight), load.moment}});
+            made.block_of.push_back(block);
+        }
+    }
+    for (const SharedFace& face : faces) {
+        const FacePosition at = locate(face, blocks.motion[face.block], blocks.motion[face.other]);
+        const PlanePoint<> middle = centroid_of(blocks, face.block) + PlanePoint<>(at.arm_x, at.arm_y);
+        const PlanePoint<> half = face.length / 2 * PlanePoint<>(at.along_x(), at.along_y());
+        add_face(body[face.block], body[face.other], middle, half, strength_of(blocks, face, bond), made.assembly);
+    }
+    return made;
+}
+
+void add_corners_on_edges(const BlocksUnderLoad& blocks, const ContactList& list, FaceAssembly& made) {
+    constexpr double short_face = 1e-6;  // of the shortest edge: the programme wants a length
+    const std::vector<std::size_t> body = bodies_of_blocks(blocks);
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const ContactMemory memory = list.memory[index];
+        if (!memory.touching) {
+            continue;
+        }
+        const RelaxationContact contact = list.contact[index];
+        const ContactLaw law = list.law_of(contact);
+        const ContactPosition at = locate(contact, blocks.motion[contact.block], blocks.motion[contact.other]);
+        if (!is_on_edge(blocks.bodies, law, contact, at)) {
+            continue;
+        }
+        const PlanePoint<> point = centroid_of(blocks, contact.block) + PlanePoint<>(at.arm_x, at.arm_y);
+        const double half = short_face * std::min(blocks.bodies.shortest_edge[contact.block],
+                                                  blocks.bodies.shortest_edge[contact.other]);
+        const double friction = memory.broken ? law.residual_friction : law.friction;
+        add_face(body[contact.block], body[contact.other], point, half * PlanePoint<>(at.along_x(), at.along_y()),
+                 {std::atan(friction), 0, 0}, made.assembly);
+    }
+}
+
+}  // namespace delabole

@@ -1,0 +1,88 @@
+// Measured poles: weights against the bias of a scanline, Fisher's statistics, densities, and the sets found in them.
+//
+// Poles are axes: a normal and its opposite are the same plane. Angles in radians, weights positive.
+//
+// Sources: Fisher, R. (1953), Dispersion on a sphere; Fisher, N. I., Lewis & Embleton (1987), Statistical Analysis of
+// Spherical Data, 5.3; Terzaghi (1965), Sources of error in joint surveys; Kamb (1959), Ice petrofabric observations
+// from Blue Glacier; Schwarz (1978), Estimating the dimension of a model.
+#pragma once
+
+#include "kinematics/orientation.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace delabole {
+
+// A line meets a plane at the angle d the more seldom the smaller d is: a plane met counts for 1 / sin d. Planes nearly
+// parallel to the line would count for all the others: d is taken as `least_angle` where it is smaller.
+double terzaghi_weight(const Orientation& plane, const LineOrientation& line, double least_angle);
+// Customary (Priest 1993: 10 to 20 deg).
+inline constexpr double customary_least_angle = degrees(15);
+
+// Of poles turned to the side of their principal axis, weights w scaled to the sum N. R is the length of their
+// resultant.
+struct FisherStatistics {
+    double mean_dip;
+    double mean_dip_direction;
+    double count;          // N
+    double resultant;      // R
+    double concentration;  // K = (N - 1) / (N - R); infinite where nothing scatters
+    double
+        lower_concentration;  // 95 % bounds: 2 K (N - R) is distributed as chi-square with 2 N - 2 degrees of freedom
+    double upper_concentration;
+    double confidence_cone;   // 95 %: half-angle about the mean that holds the true mean,
+                              // cos a = 1 - (N - R) / R (20^(1 / (N - 1)) - 1)
+    double variability_cone;  // 68 %: half-angle about the mean that holds that share of the poles
+    static constexpr auto fields() {
+        using F = FisherStatistics;
+        constexpr Interval any = any_number();
+        return std::tuple{
+            number("mean_dip", &F::mean_dip, Dimension::angle, any, "dip of the mean plane"),
+            number("mean_dip_direction", &F::mean_dip_direction, Dimension::angle, any,
+                   "dip direction of the mean plane"),
+            number("count", &F::count, Dimension::ratio, any, "number of poles"),
+            number("resultant", &F::resultant, Dimension::ratio, any,
+                   "length R of the resultant of their unit vectors"),
+            number("concentration", &F::concentration, Dimension::ratio, any, "Fisher's K"),
+            number("lower_concentration", &F::lower_concentration, Dimension::ratio, any, "lower 95 % bound of K"),
+            number("upper_concentration", &F::upper_concentration, Dimension::ratio, any, "upper 95 % bound of K"),
+            number("confidence_cone", &F::confidence_cone, Dimension::angle, any,
+                   "half-angle of the cone that holds the true mean with 95 %"),
+            number("variability_cone", &F::variability_cone, Dimension::angle, any,
+                   "half-angle of the cone about the mean that holds 68 % of the poles")};
+    }
+};
+
+// At least one plane; as many weights. Of a single plane K is infinite, its lower bound 0 and the confidence cone
+// 180 deg. The bounds and cones are good for K above 3.
+FisherStatistics fisher_statistics(const std::vector<Orientation>& planes, const std::vector<double>& weights);
+
+struct PoleCluster {
+    Direction axis;        // unit vector, upwards
+    double concentration;  // Fisher's K
+    double share;          // of the poles, by weight
+};
+
+// A mixture of Fisher distributions on axes, each of density K cosh(K x.m) / sinh K in multiples of the uniform one,
+// over a uniform background of poles that belong to no set.
+struct PoleClusters {
+    std::vector<PoleCluster> sets;               // the largest first
+    std::vector<std::optional<std::size_t>> of;  // the set of each pole; none: background
+    std::vector<double> information_criterion;  // Bayesian, less that of no set: of 0, 1, 2 ... sets; the least decides
+};
+
+// The number of sets, at most `most_sets`, is that of the least Bayesian information criterion, -2 log L + 4 k log N;
+// the parameters for each number are those of greatest likelihood that expectation-maximisation finds from the sets of
+// one fewer and a new one at one of the densest of their unexplained poles. Deterministic. K is held below 1e4 (a
+// scatter of 0.8 deg, what a compass resolves). A pole belongs to the set of greatest probability. Time grows with
+// poles times the square of most_sets. Two sets whose scatter overlaps by more than their distance count as one.
+PoleClusters find_clusters(const std::vector<Orientation>& planes, const std::vector<double>& weights,
+                           std::size_t most_sets);
+
+// Kamb's density at a direction: the weight of the poles within the circle of area 9 / (N + 9) of the hemisphere, less
+// what uniform poles would give, in standard deviations of the latter. 3 and more is commonly called significant.
+double kamb_density(const std::vector<Direction>& poles, const std::vector<double>& weights, const Direction& at);
+
+}  // namespace delabole

@@ -1,0 +1,132 @@
+// The crossings of steps, risers and columns in a slope, and the loads on everything that a stepped surface can cut
+// off.
+//
+// Rock lies below the face and below the ground behind the crest: it is convex. Water is at rest below a surface that
+// is the lowest of a few straight lines, the ground among them, so that the height of water over a straight edge is
+// concave and linear between a few points.
+//
+// Levels are counted from the plane of the steps that daylights at the toe, 0, upwards; risers from the joint through
+// the crest, 0, into the slope; joints of columns from the one through the toe, 0, into the slope. Column n stands
+// between joints n - 1 and n.
+#pragma once
+
+#include "geometry/polyline.hpp"
+#include "limit_equilibrium/columns/column.hpp"
+#include "limit_equilibrium/stepped_path/stepped_path_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace delabole {
+
+// Points `point` with normal . point = offset.
+struct SectionLine {
+    Point normal;
+    double offset;
+};
+
+// Loads of rock and water on a part, and their moment about a point, positive anticlockwise: tipping out of the slope.
+struct PathLoad {
+    Point force = Point(0, 0);
+    double moment = 0;
+};
+
+// A column on one level. `exists` where its base lies in the rock; at the toe its base begins at the face.
+struct PathCell {
+    bool exists = false;
+    bool at_face = false;
+    Point base_from = Point(0, 0);  // the corner about which it turns
+    Point base_to = Point(0, 0);
+    double area = 0;
+    double down_dip = 0;     // of the load, along the base out of the slope
+    double normal = 0;       // of the load, into the base
+    double overturning = 0;  // moment of the load about base_from
+    double base_length = 0;
+    double lower_contact =
+        0;                   // height of the ground at the lower joint above base_from, along the joint; 0 at the face
+    double upper_reach = 0;  // length of the upper joint from base_to to the ground
+    // Moment about base_from of a unit push at the ground end of the upper joint, and of a unit drag down along it.
+    double push_arm = 0;
+    double drag_arm = 0;
+};
+
+// A wedge between joint n of the columns and a riser, from where they cross up to the ground.
+struct PathWedge {
+    std::size_t riser;
+    double depth;  // of the crossing below the ground, along the joint of the columns
+    Point corner;
+    Point outcrop;
+    double area;
+    SlideHeadWedge<> loads;
+};
+
+class PathLattice {
+  public:
+    // `check` is valid where there is a lattice; otherwise nothing else has a meaning.
+    explicit PathLattice(const SteppedPath& path);
+
+    SteppedPathCheck check = SteppedPathCheck::no_path;
+    Point crest;
+    double least_width = 0;
+    double greatest_retreat = 0;
+    std::size_t levels = 0;
+
+    // Sliding; a node is absent outside the rock and where the mass in front of it would be too narrow.
+    std::vector<std::vector<std::optional<Point>>> riser_node;  // by riser, then level
+    std::vector<Point> riser_outcrop;
+
+    // Toppling.
+    std::vector<std::vector<PathCell>> cells;    // by column - 1, then level
+    std::vector<Point> column_outcrop;           // of joint n, by n - 1
+    std::vector<std::vector<PathWedge>> wedges;  // behind joint n, by n - 1
+
+    std::optional<Point> face_point(std::size_t level) const;
+    double retreat(const Point& outcrop) const { return outcrop.x() - crest.x(); }
+    // Rock between an edge and the ground above it, m2.
+    double area_above(const Point& from, const Point& to) const;
+    // Force of the water on an edge (N/m, 0 or more) and how far along it from `from` it acts.
+    struct EdgeWater {
+        double force = 0;
+        double position = 0;
+    };
+    EdgeWater water_on(const Point& from, const Point& to) const;
+    // Vertices by x; the last two give how it goes on. Empty where it is dry.
+    const std::vector<Point>& water_surface() const { return water_surface_; }
+
+  private:
+    double ground(double x) const;
+    double ground_integral(double x) const;
+    bool inside(const Point& point) const;
+    Point exit(const Point& from, const Point& direction) const;
+    void set_water(const SteppedPath& path);
+    bool has_surface() const;
+    void set_risers();
+    void set_columns(const SteppedPath& path);
+    PathCell make_cell(std::size_t column, std::size_t level) const;
+    std::optional<PathWedge> make_wedge(const SteppedPath& path, std::size_t column, std::size_t riser) const;
+    SectionLine level_line(std::size_t level) const;
+    SectionLine riser_line(std::size_t riser) const;
+    SectionLine column_line(std::size_t joint) const;
+    void add_part(PathLoad& load, double& area, const Point* corners, std::size_t count, const Point& about) const;
+    void add_push(PathLoad& load, const EdgeWater& water, const Point& from, const Point& along, const Point& normal,
+                  const Point& about) const;
+
+    SectionLine face_;
+    SectionLine upper_;
+    double slope_upper_ = 0;
+    double cot_face_ = 0;
+    double unit_weight_ = 0;
+    double water_weight_ = 0;  // 0: dry
+    std::vector<Point> water_surface_;
+    Point step_along_;
+    Point riser_along_;
+    Point column_up_;
+    double step_spacing_ = 0;
+    double riser_spacing_ = 0;
+    double column_spacing_ = 0;
+    double tolerance_ = 0;
+};
+
+}  // namespace delabole

@@ -1,0 +1,340 @@
+#include "limit_equilibrium/stepped_path/path_search.hpp"
+
+#include "limit_equilibrium/stepped_path/sliding_search.hpp"
+#include "limit_equilibrium/stepped_path/surface_strength.hpp"
+#include "numerics/edge_of_sign.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace delabole {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int most_searches = 200;
+// Strength is divided by at most this, and multiplied.
+constexpr double widest_factor = 1e8;
+
+// At one strength.
+struct ColumnLaw {
+    double joint, base, cohesion;  // tangents; Pa
+    double push_effect;
+
+    ColumnLaw(const SteppedPath& problem, const SurfaceStrength& strength, double factor)
+        : joint(std::tan(problem.columns->friction_angle) / factor),
+          base(strength.step_friction / factor),
+          cohesion(strength.step_cohesion / factor) {
+        const double sum = problem.steps.dip - problem.columns->dip;
+        push_effect = std::sin(sum) - (joint + base) * std::cos(sum) - joint * base * std::sin(sum);
+    }
+
+    double overturning(const PathCell& cell, double push, double depth) const {
+        return cell.overturning + push * (cell.push_arm + joint * cell.drag_arm - depth);
+    }
+    double unresisted(const PathCell& cell, double push) const {
+        return cell.down_dip - base * cell.normal - cohesion * cell.base_length + push * push_effect;
+    }
+    double against_turning(const PathCell& cell, double push, double depth) const {
+        const double moment = overturning(cell, push, depth);
+        return !(moment > 0) ? 0 : cell.lower_contact > 0 ? moment / cell.lower_contact : infinity;
+    }
+    double against_sliding(const PathCell& cell, double push) const {
+        const double lacking = unresisted(cell, push);
+        return !(lacking > 0) ? 0 : push_effect > 0 ? lacking / push_effect : infinity;
+    }
+    // What the column needs from below; at the face, what it lacks, which may be negative.
+    double needed(const PathCell& cell, double push, double depth) const {
+        if (!(push < infinity)) {
+            return infinity;
+        }
+        if (cell.at_face) {
+            return std::max(overturning(cell, push, depth) / std::max(cell.upper_reach, cell.base_length),
+                            unresisted(cell, push));
+        }
+        return std::max(against_turning(cell, push, depth), against_sliding(cell, push));
+    }
+};
+
+class ColumnSearch {
+  public:
+    ColumnSearch(const SteppedPath& problem, const PathLattice& lattice)
+        : problem_(problem), lattice_(lattice), strength_(problem), base_dip_(degrees(90) + problem.columns->dip) {}
+
+    struct Push {
+        double force = 0;
+        double depth = 0;
+    };
+
+    static constexpr std::size_t no_wedge = static_cast<std::size_t>(-1);
+    // What stands above a column: the next one on a level, with the least push it can have or the greatest; or, the
+    // level being one past the last, a wedge or a crack.
+    struct Choice {
+        std::size_t level, wedge;
+        bool least;
+    };
+    struct Extreme {
+        bool reached = false;
+        double need = 0;
+        Choice where = {};
+    };
+    // The greatest and the least push of surfaces that move, and where they come from.
+    struct Extremes {
+        Extreme greatest = {};
+        Extreme least = {};
+
+        // A column that needs nothing does not move; at the face any surface counts.
+        void take(double need, const Choice& where, bool at_face) {
+            if (!at_face && !(need > 0)) {
+                return;
+            }
+            if (!greatest.reached || need > greatest.need) {
+                greatest = {true, need, where};
+            }
+            if (!least.reached || need < least.need) {
+                least = {true, need, where};
+            }
+        }
+        void take(const Extremes& other) {
+            if (other.greatest.reached && (!greatest.reached || other.greatest.need > greatest.need)) {
+                greatest = other.greatest;
+            }
+            if (other.least.reached && (!least.reached || other.least.need < least.need)) {
+                least = other.least;
+            }
+        }
+        // As the column below sees them.
+        Extremes at(std::size_t level) const {
+            Extremes seen = *this;
+            seen.greatest.where = {level, no_wedge, false};
+            seen.least.where = {level, no_wedge, true};
+            return seen;
+        }
+    };
+    using Choices = std::vector<Extremes>;
+
+    // Nothing where the wedge does not push.
+    std::optional<Push> wedge_push(const PathWedge& wedge, double factor) const {
+        const SlideHeadThrust<> thrust =
+            slide_head_thrust(wedge.loads, base_dip_, std::tan(problem_.columns->friction_angle), factor);
+        return thrust.state == SlideHeadState::pushes
+                   ? std::optional(Push{thrust.force, std::max(0.0, wedge.depth - thrust.height)})
+                   : std::nullopt;
+    }
+
+    // What the surface's toe lacks, negative where it stands or where a column of it stays; from the top down, `visit`
+    // gets the place of each column in the path, the push on it and what it needs.
+    template <class Visitor>
+    double lacking(const LatticePath& path, double factor, const Visitor& visit) const {
+        const ColumnLaw law(problem_, strength_, factor);
+        Push push;
+        if (path.wedge) {
+            const auto found = wedge_push(lattice_.wedges[path.first + path.level.size() - 2][*path.wedge], factor);
+            if (!found) {
+                return -infinity;
+            }
+            push = *found;
+        }
+        for (std::size_t index = path.level.size(); index-- > 0;) {
+            const PathCell& cell = lattice_.cells[path.first + index - 1][path.level[index]];
+            const double needed = law.needed(cell, push.force, push.depth);
+            visit(index, law, cell, push);
+            if (index == 0) {
+                return needed;
+            }
+            if (!(needed > 0)) {
+                return -infinity;
+            }
+            push = {needed, 0};
+        }
+        return -infinity;
+    }
+    double lacking(const LatticePath& path, double factor) const {
+        return lacking(path, factor, [](auto&&...) {});
+    }
+
+    // The surface whose toe lacks most at a strength.
+    double most_lacking(double factor, LatticePath& path) const {
+        const ColumnLaw law(problem_, strength_, factor);
+        const std::size_t count = lattice_.cells.size();
+        const std::size_t levels = lattice_.levels;
+        Choices chosen(count * levels);
+        // Extreme needs of the next column on each level or a higher one.
+        std::vector<Extremes> above(levels);
+        double most = -infinity;
+        Choice toe{};
+        std::size_t first = 0;
+        std::vector<std::optional<Push>> pushes;
+        for (std::size_t column = count; column-- > 0;) {
+            const bool crack_allowed = lattice_.retreat(lattice_.column_outcrop[column]) >= lattice_.least_width;
+            pushes.clear();
+            for (const PathWedge& wedge : lattice_.wedges[column]) {
+                pushes.push_back(wedge_push(wedge, factor));
+            }
+            std::vector<Extremes> here(levels);
+            for (std::size_t level = 0; level < levels; ++level) {
+                const PathCell& cell = lattice_.cells[column][level];
+                if (!cell.exists) {
+                    continue;
+                }
+                Extremes own;
+                const auto offer = [&](double push, double depth, const Choice& above_it) {
+                    own.take(law.needed(cell, push, depth), above_it, cell.at_face);
+                };
+                for (const Extreme& extreme : {above[level].greatest, above[level].least}) {
+                    if (extreme.reached) {
+                        offer(extreme.need, 0, extreme.where);
+                    }
+                }
+                if (crack_allowed) {
+                    offer(0, 0, {levels, no_wedge, false});
+                }
+                for (std::size_t index = 0; index < pushes.size(); ++index) {
+                    if (pushes[index] && lattice_.wedges[column][index].depth <= cell.upper_reach) {
+                        offer(pushes[index]->force, pushes[index]->depth, {levels, index, false});
+                    }
+                }
+                chosen[column * levels + level] = own;
+                if (!cell.at_face) {
+                    here[level] = own.at(level);
+                } else if (own.greatest.reached && own.greatest.need > most) {
+                    most = own.greatest.need;
+                    first = column;
+                    toe = {level, no_wedge, false};
+                }
+            }
+            for (std::size_t level = levels; level-- > 0;) {
+                if (level + 1 < levels) {
+                    here[level].take(here[level + 1]);
+                }
+            }
+            above = std::move(here);
+        }
+        path = {first + 1, {}, {}};
+        if (!(most > -infinity)) {
+            return most;
+        }
+        for (std::size_t column = first;; ++column) {
+            path.level.push_back(toe.level);
+            const Extremes& own = chosen[column * levels + toe.level];
+            toe = toe.least ? own.least.where : own.greatest.where;
+            if (toe.level == levels) {
+                if (toe.wedge != no_wedge) {
+                    path.wedge = toe.wedge;
+                }
+                return most;
+            }
+        }
+    }
+
+    // Below `failing`, at which the surface lacks something.
+    Limit limit_of(const LatticePath& path, double failing) const {
+        int evaluations = 0;
+        const auto lacks = [&](double logarithm) {
+            ++evaluations;
+            return lacking(path, std::exp(logarithm));
+        };
+        SignBracket bracket{std::log(failing), std::log(failing), 0, 0};
+        bracket.at_upper = lacks(bracket.upper);
+        for (;;) {
+            bracket.lower = bracket.upper - 0.25;
+            if (bracket.lower < -std::log(widest_factor)) {
+                return {LimitState::fails_at_any_strength, 0, evaluations};
+            }
+            bracket.at_lower = lacks(bracket.lower);
+            if (!(bracket.at_lower > 0)) {
+                break;
+            }
+            bracket.upper = bracket.lower;
+            bracket.at_upper = bracket.at_lower;
+        }
+        // Past the edge, where it moves.
+        const double factor = std::exp(edge_in(lacks, bracket)) * (1 + 1e-12);
+        // In equilibrium there unless what the toe lacks jumps, as where a column above begins to move.
+        double scale = 0;
+        for (std::size_t index = 0; index < path.level.size(); ++index) {
+            const PathCell& cell = lattice_.cells[path.first + index - 1][path.level[index]];
+            scale += std::abs(cell.normal) + std::abs(cell.down_dip);
+        }
+        constexpr double share = 1e-6;
+        return {lacking(path, factor) <= share * scale ? LimitState::found : LimitState::abrupt, factor, evaluations};
+    }
+
+    CriticalPath search() const {
+        CriticalPath critical;
+        critical.factor_of_safety = infinity;
+        LatticePath path;
+        double factor = 1;
+        while (!(++critical.searches, most_lacking(factor, path) > 0)) {
+            factor *= 4;
+            if (factor > widest_factor) {
+                return critical;
+            }
+        }
+        while (critical.searches < most_searches) {
+            const Limit limit = limit_of(path, factor);
+            critical.limit = limit.state;
+            critical.factor_of_safety = limit.value;
+            critical.path = path;
+            if (!(limit.value > 0)) {
+                break;
+            }
+            // Just before the edge: that surface itself stands there.
+            factor = limit.value * (1 - 4e-12);
+            ++critical.searches;
+            if (!(most_lacking(factor, path) > 0)) {
+                break;
+            }
+        }
+        return critical;
+    }
+
+  private:
+    const SteppedPath& problem_;
+    const PathLattice& lattice_;
+    SurfaceStrength strength_;
+    double base_dip_;  // of normals to the joints between columns
+};
+
+}  // namespace
+
+CriticalPath least_stable_path(const SteppedPath& problem, const PathLattice& lattice) {
+    return problem.search.mechanism == SteppedPathMechanism::sliding ? least_stable_sliding(problem, lattice)
+                                                                     : ColumnSearch(problem, lattice).search();
+}
+
+Limit factor_of_safety(const SteppedPath& problem, const PathLattice& lattice, const LatticePath& path) {
+    if (problem.search.mechanism == SteppedPathMechanism::sliding) {
+        return sliding_limit(problem, lattice, path);
+    }
+    const ColumnSearch search(problem, lattice);
+    double factor = 1;
+    while (!(search.lacking(path, factor) > 0)) {
+        factor *= 4;
+        if (factor > widest_factor) {
+            return {LimitState::holds_at_any_strength, infinity, 0};
+        }
+    }
+    return search.limit_of(path, factor);
+}
+
+std::vector<MovingColumn> moving_columns(const SteppedPath& problem, const PathLattice& lattice,
+                                         const LatticePath& path, double factor) {
+    std::vector<MovingColumn> columns(path.level.size());
+    ColumnSearch(problem, lattice)
+        .lacking(path, factor, [&](std::size_t index, const ColumnLaw& law, const PathCell& cell, const auto& push) {
+            MovingColumn& column = columns[index];
+            column.push = push.force;
+            column.depth = push.depth;
+            const double turning = cell.at_face ? law.overturning(cell, push.force, push.depth) /
+                                                      std::max(cell.upper_reach, cell.base_length)
+                                                : law.against_turning(cell, push.force, push.depth);
+            const double sliding =
+                cell.at_face ? law.unresisted(cell, push.force) : law.against_sliding(cell, push.force);
+            column.mode = turning >= sliding ? ColumnMode::topples : ColumnMode::slides;
+        });
+    return columns;
+}
+
+}  // namespace delabole

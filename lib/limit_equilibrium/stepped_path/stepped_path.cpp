@@ -1,0 +1,288 @@
+#include "limit_equilibrium/stepped_path/stepped_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delabole {
+
+namespace {
+
+// A joint across which displacements differ by less than this part of the greatest is no crack that anybody would see.
+constexpr double least_difference = 0.05;
+
+void add_point(Polyline& line, const Point& point) {
+    if (line.empty() || (point - line.back()).norm() > 1e-9 * (1 + point.norm())) {
+        line.push_back(point);
+    }
+}
+
+// Behind the crest the ground from one point to another passes no corner; in front of it, the crest.
+void add_ground(Polyline& line, const PathLattice& lattice, const Point& to) {
+    const double from = line.back().x();
+    if ((from - lattice.crest.x()) * (to.x() - lattice.crest.x()) < 0) {
+        add_point(line, lattice.crest);
+    }
+    add_point(line, to);
+}
+
+// First displacement of a rigid part: a translation, or a turn about a corner (positive anticlockwise, out of the
+// slope).
+struct PartMotion {
+    Point translation = Point(0, 0);
+    Point corner = Point(0, 0);
+    double turn = 0;
+
+    Point at(const Point& point) const {
+        const Point arm = point - corner;
+        return translation + turn * Point(-arm.y(), arm.x());
+    }
+    PartMotion times(double factor) const { return {factor * translation, corner, factor * turn}; }
+};
+
+// Parts of a mechanism from the toe up, with the joints between them and behind the last.
+struct Motion {
+    std::vector<PartMotion> part = {};
+    struct Outcrop {
+        Point point;
+        Point out;  // normal to the joint, out of the slope
+    };
+    std::vector<Outcrop> outcrop = {};  // of the joint above each part
+};
+
+void add_crest_movements(const Motion& motion, const PathLattice& lattice, SteppedPathResult& result) {
+    double greatest = 0;
+    for (std::size_t index = 0; index < motion.part.size(); ++index) {
+        greatest = std::max(greatest, motion.part[index].at(motion.outcrop[index].point).norm());
+    }
+    if (!(greatest > 0)) {
+        return;
+    }
+    for (std::size_t index = 0; index < motion.part.size(); ++index) {
+        const Motion::Outcrop& outcrop = motion.outcrop[index];
+        if (!(outcrop.point.x() > lattice.crest.x())) {
+            continue;
+        }
+        Point across = motion.part[index].at(outcrop.point);
+        if (index + 1 < motion.part.size()) {
+            across -= motion.part[index + 1].at(outcrop.point);
+        }
+        result.crest_opening = std::max(result.crest_opening, across.dot(outcrop.out) / greatest);
+        result.crest_cracks += across.norm() >= least_difference * greatest ? 1 : 0;
+    }
+    const PartMotion& last = motion.part.back();
+    result.crest_sinking = -last.at(motion.outcrop.back().point).y() / greatest;
+    const Polyline& outline = result.parts.back().outline;
+    const auto [low, high] = std::ranges::minmax_element(outline, {}, [](const Point& point) { return point.y(); });
+    result.crest_turning = 0 - last.turn * (high->y() - low->y()) / greatest;
+}
+
+Point unit(double dip) {
+    return {std::cos(dip), std::sin(dip)};
+}
+
+double area_of(const Polyline& outline) {
+    double twice = 0;
+    for (std::size_t index = 0; index < outline.size(); ++index) {
+        const Point& a = outline[index];
+        const Point& b = outline[(index + 1) % outline.size()];
+        twice += a.x() * b.y() - b.x() * a.y();
+    }
+    return twice / 2;
+}
+
+void set_sliding(const SteppedPath& problem, const PathLattice& lattice, const LatticePath& path,
+                 SteppedPathResult& result) {
+    add_point(result.surface, *lattice.face_point(path.level.front()));
+    for (std::size_t index = 0; index < path.level.size(); ++index) {
+        const auto& nodes = lattice.riser_node[path.first + index];
+        add_point(result.surface, *nodes[path.level[index]]);
+        if (index + 1 < path.level.size()) {
+            add_point(result.surface, *nodes[path.level[index + 1]]);
+        }
+    }
+    add_point(result.surface, lattice.riser_outcrop[path.first + path.level.size() - 1]);
+    Polyline outline = result.surface;
+    add_point(outline, lattice.crest);
+    result.parts.push_back({outline, ColumnMode::slides, false});
+    result.sliding_share = 1;
+    const Point along = unit(problem.risers->dip);
+    const Point out(-along.y(), along.x());
+    add_crest_movements({{{-unit(problem.steps.dip), Point(0, 0), 0}}, {{result.surface.back(), out}}}, lattice,
+                        result);
+}
+
+void set_columns(const SteppedPath& problem, const PathLattice& lattice, const CriticalPath& critical,
+                 SteppedPathResult& result) {
+    const LatticePath& path = critical.path;
+    const std::vector<MovingColumn> columns = moving_columns(problem, lattice, path, critical.factor_of_safety);
+    const Point up = -unit(problem.columns->dip);  // along the joints between columns
+    const Point out(-up.y(), up.x());
+    const Point step = unit(problem.steps.dip);
+    Motion motion;
+    double area = 0;
+    for (std::size_t index = 0; index < columns.size(); ++index) {
+        const std::size_t column = path.first + index;
+        const PathCell& cell = lattice.cells[column - 1][path.level[index]];
+        const Point& top = lattice.column_outcrop[column - 1];
+        add_point(result.surface, cell.base_from);
+        add_point(result.surface, cell.base_to);
+        Polyline outline{cell.base_from, cell.base_to, top};
+        add_ground(outline, lattice, cell.at_face ? cell.base_from : lattice.column_outcrop[column - 2]);
+        if (outline.back() == outline.front()) {
+            outline.pop_back();
+        }
+        const bool turns = columns[index].mode == ColumnMode::topples;
+        result.parts.push_back({outline, columns[index].mode, false});
+        PartMotion moves = turns ? PartMotion{Point(0, 0), cell.base_from, 1} : PartMotion{-step, Point(0, 0), 0};
+        if (index > 0) {
+            // It follows the column below where the two touch, at the ground of the joint between them.
+            const Point& contact = lattice.column_outcrop[column - 2];
+            const double own = moves.at(contact).dot(out);
+            moves = moves.times(own > 0 ? motion.part.back().at(contact).dot(out) / own : 0);
+        }
+        motion.part.push_back(moves);
+        motion.outcrop.push_back({top, out});
+        area += cell.area;
+        result.toppling_count += turns ? 1 : 0;
+        (turns ? result.toppling_share : result.sliding_share) += cell.area;
+    }
+    const std::size_t last = path.first + columns.size() - 1;
+    if (path.wedge) {
+        const PathWedge& wedge = lattice.wedges[last - 1][*path.wedge];
+        const Point& top = lattice.column_outcrop[last - 1];
+        add_point(result.surface, wedge.corner);
+        add_point(result.surface, wedge.outcrop);
+        Polyline outline{wedge.corner, wedge.outcrop};
+        add_ground(outline, lattice, top);
+        result.parts.push_back({outline, ColumnMode::slides, true});
+        const Point riser = unit(problem.risers->dip);
+        PartMotion moves{-riser, Point(0, 0), 0};
+        const Point contact = top - columns.back().depth * up;
+        moves = moves.times(motion.part.back().at(contact).dot(out) / moves.at(contact).dot(out));
+        motion.part.push_back(moves);
+        motion.outcrop.push_back({wedge.outcrop, Point(-riser.y(), riser.x())});
+        area += wedge.area;
+        result.slide_head_share = wedge.area;
+    } else {
+        add_point(result.surface, lattice.column_outcrop[last - 1]);
+    }
+    result.column_count = static_cast<double>(columns.size());
+    for (double* share : {&result.toppling_share, &result.sliding_share, &result.slide_head_share}) {
+        *share /= area;
+    }
+    add_crest_movements(motion, lattice, result);
+}
+
+// The upper surface is the last straight stretch, along one joint.
+void describe_surface(const PathLattice& lattice, SteppedPathResult& result) {
+    const Polyline& surface = result.surface;
+    const Point& foot = surface.front();
+    const Point& top = surface.back();
+    const Point& knee = surface[surface.size() - 2];
+    for (const SteppedPathResult::Part& part : result.parts) {
+        result.failed_area += area_of(part.outline);
+    }
+    result.retreat = lattice.retreat(top);
+    result.foot_height = foot.y();
+    result.knee_distance = knee.x();
+    result.knee_height = knee.y();
+    result.upper_height = top.y() - knee.y();
+    result.upper_angle = std::atan2(top.y() - knee.y(), top.x() - knee.x());
+    const Point line = knee - foot;
+    result.lower_angle = std::atan2(line.y(), line.x());
+    const auto distance = [&](const Point& point) {
+        return (line.x() * (point.y() - foot.y()) - line.y() * (point.x() - foot.x())) / line.norm();
+    };
+    double squares = 0;
+    double length = 0;
+    double from = 0;
+    for (std::size_t index = 1; index + 1 < surface.size(); ++index) {
+        const double to = distance(surface[index]);
+        const double stretch = (surface[index] - surface[index - 1]).norm();
+        squares += stretch * (from * from + from * to + to * to) / 3;
+        length += stretch;
+        from = to;
+        const Point edge = surface[index] - surface[index - 1];
+        result.lower_steps += std::abs(edge.y()) > std::abs(edge.x()) ? 1 : 0;
+    }
+    result.lower_roughness = std::sqrt(squares / length);
+}
+
+// At a limit where the next joint would lie beyond it.
+void set_extent(const SteppedPath& problem, const PathLattice& lattice, const LatticePath& path,
+                SteppedPathResult& result) {
+    const bool on_riser = problem.search.mechanism == SteppedPathMechanism::sliding || path.wedge;
+    const double next = on_riser ? problem.risers->spacing / std::sin(problem.risers->dip)
+                                 : -problem.columns->spacing / std::sin(problem.columns->dip);
+    if (result.retreat + next > lattice.greatest_retreat) {
+        result.extent = PathExtent::greatest;
+    } else if (result.retreat - next < lattice.least_width) {
+        result.extent = PathExtent::least;
+    }
+}
+
+}  // namespace
+
+SteppedPathResult analyse(const SteppedPath& problem) {
+    SteppedPathResult result;
+    const PathLattice lattice(problem);
+    result.check = lattice.check;
+    if (lattice.check != SteppedPathCheck::valid) {
+        return result;
+    }
+    const CriticalPath critical = least_stable_path(problem, lattice);
+    result.limit = critical.limit;
+    result.factor_of_safety = critical.factor_of_safety;
+    result.searches = critical.searches;
+    if (critical.path.level.empty()) {
+        return result;
+    }
+    if (problem.search.mechanism == SteppedPathMechanism::sliding) {
+        set_sliding(problem, lattice, critical.path, result);
+    } else if (critical.factor_of_safety > 0) {
+        set_columns(problem, lattice, critical, result);
+    } else {
+        return result;
+    }
+    describe_surface(lattice, result);
+    set_extent(problem, lattice, critical.path, result);
+    return result;
+}
+
+Polyline profile_after_failure(const SteppedPath& problem, const SteppedPathResult& result) {
+    if (result.surface.empty()) {
+        return {};
+    }
+    Polyline profile{Point(0, 0)};
+    for (const Point& point : result.surface) {
+        add_point(profile, point);
+    }
+    const double further = problem.slope.height / 3;
+    profile.push_back(profile.back() + further * Point(1, std::tan(problem.slope.upper_surface_dip)));
+    return profile;
+}
+
+Polyline water_surface(const SteppedPath& problem) {
+    return PathLattice(problem).water_surface();
+}
+
+ModelInterface model_interface(const SteppedPath& problem) {
+    ModelInterface model;
+    model.inputs = inputs_of(problem);
+    model.outputs = outputs_of(SteppedPathResult{});
+    model.predict = [problem](std::span<const Assignment> assignments) -> Prediction {
+        SteppedPath varied = problem;
+        assign(varied, assignments);
+        const SteppedPathResult result = analyse(varied);
+        if (result.check != SteppedPathCheck::valid) {
+            return {word_of(result.check), {}, {}};
+        }
+        if (result.surface.empty() || !(result.factor_of_safety > 0)) {
+            return {word_of(result.limit), {}, {}};
+        }
+        return {{}, output_values(result), profile_after_failure(varied, result)};
+    };
+    return model;
+}
+
+}  // namespace delabole

@@ -1,0 +1,130 @@
+// Limit equilibrium that predicts its failure surface: along joint sets, the stepped surface and the crack that fail
+// first. The model "stepped_path".
+//
+// Case: stepped_path_parameters.hpp. Search, equations and what counts as a failure: path_search.hpp.
+//
+// What moves, and how, follows from the mechanism at its limit, which has one degree of freedom: columns turn about
+// their toe corners or slide on their bases, touch where they push each other, and a wedge slides on its riser. With
+// the greatest displacement at the ground set to 1, each joint that comes out behind the crest opens and slips by the
+// difference of displacements across it. Displacements are the first ones; what happens later is dynamic relaxation's.
+//
+// Limits: rigid parts, surfaces within the three sets, water at rest, no loads but weight and water. A wedge does not
+// turn; nor does a sliding mass, whose moments are not asked for. The least factor of safety is exact on the lattice
+// (path_search.hpp); finer steps lower it, see tests/lib/stepped_path_test.cpp.
+#pragma once
+
+#include "limit_equilibrium/stepped_path/path_search.hpp"
+#include "parameters/model_interface.hpp"
+
+#include <vector>
+
+namespace delabole {
+
+// Whether the least stable surface is as small or as large as the search allows.
+enum class PathExtent { within, least, greatest };
+
+constexpr std::array<std::string_view, 3> enum_names(PathExtent) {
+    return {"within", "least", "greatest"};
+}
+
+struct SteppedPathResult {
+    SteppedPathCheck check = SteppedPathCheck::no_path;
+    LimitState limit = LimitState::fails_at_any_strength;
+    double factor_of_safety = 0;
+    PathExtent extent = PathExtent::within;
+    double failed_area = 0;
+    double retreat = 0;
+    double foot_height = 0;
+    double knee_distance = 0;
+    double knee_height = 0;
+    double lower_angle = 0;
+    double upper_angle = 0;
+    double upper_height = 0;
+    double lower_steps = 0;
+    double lower_roughness = 0;
+    double column_count = 0;
+    double toppling_count = 0;
+    double toppling_share = 0;
+    double sliding_share = 0;
+    double slide_head_share = 0;
+    double crest_cracks = 0;
+    double crest_opening = 0;
+    double crest_sinking = 0;
+    double crest_turning = 0;
+    double searches = 0;
+
+    // Not named: for figures and the profile.
+    struct Part {
+        Polyline outline;
+        ColumnMode mode;
+        bool wedge;
+    };
+    Polyline surface = {};         // from where it daylights to where it comes out behind the crest
+    std::vector<Part> parts = {};  // what moves, from the toe up
+
+    static constexpr auto fields() {
+        using R = SteppedPathResult;
+        return std::tuple{
+            section("limit", &R::limit,
+                    "whether limiting equilibrium exists at any strength; abrupt: past the factor of safety the mass "
+                    "fails, but its toe is not in equilibrium there"),
+            number("factor_of_safety", &R::factor_of_safety, Dimension::ratio, any_number(),
+                   "factor on all strength for limiting equilibrium, of the surface for which it is least"),
+            section("extent", &R::extent,
+                    "whether the surface is the smallest or the largest that may fail: then it is the limit of its "
+                    "size that decides, not strength"),
+            number("failed_area", &R::failed_area, Dimension::area, any_number(), "area in section of what fails"),
+            number("retreat", &R::retreat, Dimension::length, any_number(),
+                   "horizontal distance behind the crest at which the surface comes out"),
+            number("foot_height", &R::foot_height, Dimension::length, any_number(),
+                   "height above the toe at which the surface daylights"),
+            number("knee_distance", &R::knee_distance, Dimension::length, any_number(),
+                   "horizontal distance from the toe to where the upper surface begins"),
+            number("knee_height", &R::knee_height, Dimension::length, any_number(), "height of that point"),
+            number("lower_angle", &R::lower_angle, Dimension::angle, any_number(),
+                   "inclination of the line from the foot to that point"),
+            number("upper_angle", &R::upper_angle, Dimension::angle, any_number(),
+                   "inclination of the upper surface, one joint from there to the ground; above 90 deg it overhangs"),
+            number("upper_height", &R::upper_height, Dimension::length, any_number(), "height of the upper surface"),
+            number("lower_steps", &R::lower_steps, Dimension::ratio, any_number(), "risers in the lower surface"),
+            number("lower_roughness", &R::lower_roughness, Dimension::length, any_number(),
+                   "root mean square distance of the lower surface from its line"),
+            number("column_count", &R::column_count, Dimension::ratio, any_number(), "columns that move"),
+            number("toppling_count", &R::toppling_count, Dimension::ratio, any_number(), "columns that turn"),
+            number("toppling_share", &R::toppling_share, Dimension::ratio, any_number(),
+                   "share of the moving area that turns"),
+            number("sliding_share", &R::sliding_share, Dimension::ratio, any_number(),
+                   "share of the moving area that slides on steps"),
+            number("slide_head_share", &R::slide_head_share, Dimension::ratio, any_number(),
+                   "share of the moving area in the wedge"),
+            number("crest_cracks", &R::crest_cracks, Dimension::ratio, any_number(),
+                   "joints behind the crest that open or slip at the ground by a twentieth of the greatest "
+                   "displacement or more"),
+            number("crest_opening", &R::crest_opening, Dimension::ratio, any_number(),
+                   "greatest opening there, over the greatest displacement"),
+            number("crest_sinking", &R::crest_sinking, Dimension::ratio, any_number(),
+                   "displacement downwards of the uppermost part at its outcrop, over the greatest displacement; "
+                   "negative: it rises"),
+            number("crest_turning", &R::crest_turning, Dimension::ratio, any_number(),
+                   "rotation of the uppermost part times its height, over the greatest displacement; positive: "
+                   "backwards, into the slope"),
+            number("searches", &R::searches, Dimension::ratio, any_number(), "searches of all surfaces")};
+    }
+};
+
+// Where `check` is not valid the rest is unspecified. Time: columns or risers times levels, some ten microseconds for a
+// hundred crossings.
+SteppedPathResult analyse(const SteppedPath& problem);
+
+// Ground left standing: the surface, from the toe on, and the ground behind it. Empty where there is no surface.
+Polyline profile_after_failure(const SteppedPath& problem, const SteppedPathResult& result);
+
+// Vertices of the water surface, from the toe into the slope; the last two give how it goes on. Empty where it is dry
+// or the case is not valid.
+Polyline water_surface(const SteppedPath& problem);
+
+// Inputs: every number of the case. Outputs: every number of SteppedPathResult. A slope that fails or holds at any
+// strength is a failed prediction, under the name of that state.
+ModelInterface model_interface(const SteppedPath& problem);
+
+}  // namespace delabole

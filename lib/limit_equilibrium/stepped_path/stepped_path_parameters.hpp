@@ -1,0 +1,190 @@
+// A slope cut by joint sets along which a failure surface may step: the case of the model "stepped_path".
+//
+// Section, per metre run. Origin at the toe, x into the slope, y up. Dips are positive out of the slope and negative
+// into it. Three sets: `steps` (cleavage, bedding), of which one plane daylights at the toe; `risers`, steep and out of
+// the slope, of which one joint passes through the crest; `columns`, steep and into the slope, of which one joint
+// passes through the toe.
+#pragma once
+
+#include "limit_equilibrium/columns/column_parameters.hpp"
+#include "parameters/fields.hpp"
+#include "parameters/lengths.hpp"
+#include "plane_failure/parameters.hpp"
+#include "water/water.hpp"
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <variant>
+
+namespace delabole {
+
+// `sliding`: one rigid mass on steps, whose risers open. `toppling`: columns that turn or slide on steps, with a crack
+// behind the last one. `slide_head_toppling`: the same, or a wedge behind the last one that slides on a riser and
+// pushes it, whichever fails first.
+enum class SteppedPathMechanism { sliding, toppling, slide_head_toppling };
+
+constexpr std::array<std::string_view, 3> enum_names(SteppedPathMechanism) {
+    return {"sliding", "toppling", "slide_head_toppling"};
+}
+
+struct SteppedPathSearch {
+    SteppedPathMechanism mechanism;
+    std::optional<double> least_width;
+    std::optional<double> greatest_retreat;
+    static constexpr auto fields() {
+        using S = SteppedPathSearch;
+        return std::tuple{
+            section("mechanism", &S::mechanism, "how the mass fails"),
+            number("least_width", &S::least_width, Dimension::length, distance_range(),
+                   "horizontal width that the failing mass has at least, behind the crest and in front of each riser "
+                   "of a sliding mass: what is smaller is no failure of the slope; absent: one whole block, the width "
+                   "between two risers, or between two joints of the columns where they topple without a wedge"),
+            number("greatest_retreat", &S::greatest_retreat, Dimension::length, extent_range(),
+                   "horizontal distance behind the crest at which the surface comes out at most; absent: the height "
+                   "of the slope")};
+    }
+};
+
+struct PathSteps {
+    double dip;
+    double spacing;
+    double friction_angle;
+    double cohesion;
+    static constexpr auto fields() {
+        using S = PathSteps;
+        return std::tuple{
+            number("dip", &S::dip, Dimension::angle, between(degrees(-60), degrees(60)),
+                   "of the planes, positive out of the slope, negative into it"),
+            number("spacing", &S::spacing, Dimension::length, extent_range(),
+                   "normal spacing of the planes on which the surface may step; where they lie closer "
+                   "than matters, how finely levels are searched"),
+            number("friction_angle", &S::friction_angle, Dimension::angle, right_open(0, degrees(90)), "of the planes"),
+            number("cohesion", &S::cohesion, Dimension::stress, at_least(0), "of the planes")};
+    }
+};
+
+struct PathRisers {
+    double dip;
+    double spacing;
+    double friction_angle;
+    double cohesion;
+    static constexpr auto fields() {
+        using R = PathRisers;
+        return std::tuple{
+            number("dip", &R::dip, Dimension::angle, left_open(0, degrees(90)), "of the joints, out of the slope"),
+            number("spacing", &R::spacing, Dimension::length, extent_range(),
+                   "normal spacing of the joints, one of which passes through the crest"),
+            number("friction_angle", &R::friction_angle, Dimension::angle, right_open(0, degrees(90)),
+                   "of the joints, for a wedge that slides on one"),
+            number("cohesion", &R::cohesion, Dimension::stress, at_least(0),
+                   "of the joints, for a wedge that slides on one")};
+    }
+};
+
+struct PathColumns {
+    double dip;
+    double spacing;
+    double friction_angle;
+    static constexpr auto fields() {
+        using C = PathColumns;
+        return std::tuple{number("dip", &C::dip, Dimension::angle, within(degrees(-90), degrees(-30)),
+                                 "of the joints between columns, into the slope: negative"),
+                          number("spacing", &C::spacing, Dimension::length, extent_range(),
+                                 "normal spacing of the joints, one of which passes through the toe"),
+                          number("friction_angle", &C::friction_angle, Dimension::angle, right_open(0, degrees(90)),
+                                 "of the joints between columns")};
+    }
+};
+
+// Where joints end before they meet others, the surface breaks through rock.
+struct RockBridges {
+    double step_persistence;
+    double riser_persistence;
+    double cohesion;
+    double friction_angle;
+    double tensile_strength;
+    static constexpr auto fields() {
+        using B = RockBridges;
+        return std::tuple{
+            number("step_persistence", &B::step_persistence, Dimension::ratio, within(0, 1),
+                   "share of the length along steps that is joint, not rock"),
+            number("riser_persistence", &B::riser_persistence, Dimension::ratio, within(0, 1), "the same along risers"),
+            number("cohesion", &B::cohesion, Dimension::stress, at_least(0), "of the rock"),
+            number("friction_angle", &B::friction_angle, Dimension::angle, right_open(0, degrees(90)), "of the rock"),
+            number("tensile_strength", &B::tensile_strength, Dimension::stress, at_least(0),
+                   "of the rock, where a riser opens")};
+    }
+};
+
+// A water surface drawn down to the toe: straight from there to its level at a given distance, level behind.
+struct WaterDrawnDown {
+    double unit_weight;
+    WaterLevel<> level;
+    double reach;
+    static constexpr std::string_view kind = "drawn_down";
+    static constexpr auto fields() {
+        using W = WaterDrawnDown;
+        return std::tuple{water_unit_weight_field(&W::unit_weight),
+                          inlined(&W::level, "level behind, above the toe; full is the height of the slope"),
+                          number("reach", &W::reach, Dimension::length, extent_range(),
+                                 "horizontal distance from the toe to where the water stands at its level")};
+    }
+};
+
+using SteppedPathWater = std::variant<Dry, WaterTable<>, WaterDrawnDown>;
+
+struct SteppedPath {
+    SteppedPathSearch search;
+    SlopeSection<> slope;
+    PathSteps steps;
+    std::optional<PathRisers> risers;
+    std::optional<PathColumns> columns;
+    Rock<> rock;
+    std::optional<RockBridges> rock_bridges;
+    SteppedPathWater water;
+
+    static constexpr std::string_view kind = "stepped_path";
+    static constexpr auto fields() {
+        using P = SteppedPath;
+        return std::tuple{
+            section("search", &P::search, "which mechanism, and what counts as a failure"),
+            section("slope", &P::slope, "the ground surface; no bench"),
+            section("steps", &P::steps, "the flat set, on which the mass slides or its columns stand"),
+            section("risers", &P::risers, "the steep set out of the slope; absent: none"),
+            section("columns", &P::columns, "the steep set into the slope, which cuts columns; absent: none"),
+            section("rock", &P::rock, "the rock mass"),
+            section("rock_bridges", &P::rock_bridges, "rock between the ends of joints; absent: joints persist"),
+            section("water", &P::water, "water in the joints, at rest below a surface")};
+    }
+};
+
+enum class SteppedPathCheck {
+    valid,
+    risers_needed,   // sliding and wedges need risers
+    columns_needed,  // toppling needs the joints between columns
+    bench_not_covered,
+    ground_too_steep,         // the ground behind the crest is as steep as the face, the steps or the risers
+    steps_steeper_than_face,  // they do not daylight
+    joints_too_close,         // to each other in direction: steps, risers and columns have to cross
+    elevation_without_datum,
+    no_path,         // no surface along the joints comes out within the allowed retreat
+    too_many_nodes,  // more than 100 000 crossings of joints
+    input_out_of_range,
+};
+
+constexpr std::array<std::string_view, 11> enum_names(SteppedPathCheck) {
+    return {"valid",
+            "risers_needed",
+            "columns_needed",
+            "bench_not_covered",
+            "ground_too_steep",
+            "steps_steeper_than_face",
+            "joints_too_close",
+            "elevation_without_datum",
+            "no_path",
+            "too_many_nodes",
+            "input_out_of_range"};
+}
+
+}  // namespace delabole

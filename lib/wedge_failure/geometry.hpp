@@ -1,0 +1,236 @@
+// Geometry of a wedge: the block between two planes, face, upper surface and, where there is one, a tension crack.
+//
+// The notation is as follows. f, u: unit normals of face and upper surface, out of the rock; n1, n2: upward unit
+// normals of the planes; i: their line of intersection, plunging. The origin O is the point where the line comes out of
+// the face. Rock fills f . x < 0, u . x < u . C1, with C1 the point of the crest on plane 1, given by the height.
+//
+// Which side of each plane the wedge lies on follows from block theory (Goodman & Shi 1985), as in
+// kinematics/criteria.hpp: exactly one block between the planes is finite where the line leaves through the face
+// (i . f > 0) and reaches the upper surface (i . u < 0), and the signs s1, s2 with which it lies at
+// sk nk . x >= 0 are those of the components of m = f / (i . f) - u / (i . u) along n1 and n2. So either plane may be
+// called plane 1, and one may overlie the other. a1 = s1 n1 and a2 = s2 n2 point into the wedge.
+//
+// Corners. C1, C2: where the planes meet the crest, along n1 x f and n2 x f from O; L: where the line meets the upper
+// surface. The crack passes through a point of the trace C1 L. It cuts O from L and leaves the crest on O's side:
+// otherwise the case is refused. It cuts the edges O L, C1 L, C2 L in E, P1, P2; without a crack all three are L.
+//
+// Volume and areas are sums of positive tetrahedra and triangles with a corner in O, so that nothing cancels:
+//     6 V = |C1 . (C2 x P2)| + |C1 . (P2 x P1)| + |E . (P1 x P2)|.
+//
+// Accuracy: relative errors of a few roundings divided by the sines of the angles between the planes that meet in a
+// corner, and by the share of the trace that is left where the crack comes near its end.
+//
+// Templates over the scalar: double, and 50-digit numbers in tests.
+#pragma once
+
+#include "wedge_failure/parameters.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace delabole {
+
+enum class WedgeFailureCheck {
+    valid,
+    planes_parallel,                  // to within 1e-9 rad
+    line_does_not_daylight,           // the line of intersection is level or does not leave through the face
+    line_does_not_surface,            // it never reaches the ground behind the crest
+    upper_surface_steeper_than_face,  // there is no crest
+    crest_below_daylight,             // plane 1 meets the crest no higher than the line comes out of the face
+    crack_misses_wedge,               // the crack lies behind the wedge, or does not cut the line of intersection
+    crack_cuts_face,                  // the crack meets the crest between the planes
+    water_needs_crack,                // a pressure is given in a crack that is not there
+    friction_not_below_90_deg,        // friction_angle + roughness_angle
+    input_out_of_range,               // a number outside the range of its field, or not finite
+};
+
+constexpr std::array<std::string_view, 11> enum_names(WedgeFailureCheck) {
+    return {"valid",
+            "planes_parallel",
+            "line_does_not_daylight",
+            "line_does_not_surface",
+            "upper_surface_steeper_than_face",
+            "crest_below_daylight",
+            "crack_misses_wedge",
+            "crack_cuts_face",
+            "water_needs_crack",
+            "friction_not_below_90_deg",
+            "input_out_of_range"};
+}
+
+template <class T>
+using Vector3 = Eigen::Matrix<T, 3, 1>;
+
+// Of a plane with dip d (above 90 deg: overturned) and dip direction a.
+template <class T>
+Vector3<T> normal_of(const T& dip, const T& dip_direction) {
+    using std::cos;
+    using std::sin;
+    return {T(sin(dip) * sin(dip_direction)), T(sin(dip) * cos(dip_direction)), T(cos(dip))};
+}
+
+// Unit vector of this plunge and trend.
+template <class T>
+Vector3<T> direction_along(const T& plunge, const T& trend) {
+    using std::cos;
+    using std::sin;
+    return {T(cos(plunge) * sin(trend)), T(cos(plunge) * cos(trend)), T(-sin(plunge))};
+}
+
+template <class T>
+T length_of(const Vector3<T>& vector) {
+    using std::sqrt;
+    return T(sqrt(T(vector.dot(vector))));
+}
+
+template <class T>
+struct WedgeGeometry {
+    Vector3<T> line;     // unit vector down the line of intersection
+    Vector3<T> inner_1;  // unit normals of the planes, into the wedge
+    Vector3<T> inner_2;
+    Vector3<T> crack_normal;  // unit normal of the crack, out of the wedge; zero without a crack
+    Vector3<T> crest_1;       // C1
+    Vector3<T> crest_2;       // C2
+    Vector3<T> line_top;      // L
+    Vector3<T> line_end;      // E, and the corners of the crack on the upper surface
+    Vector3<T> crack_1;       // P1
+    Vector3<T> crack_2;       // P2
+    T volume;
+    T area_1;
+    T area_2;
+    T crack_area;
+    T line_length;  // O E
+    T crack_depth;  // vertical depth of E below the upper surface; 0 without a crack
+};
+
+namespace detail {
+
+template <class T>
+Vector3<T> unit(const Vector3<T>& vector) {
+    return vector / length_of(vector);
+}
+
+template <class T>
+T triangle_area(const Vector3<T>& a, const Vector3<T>& b) {
+    return length_of(Vector3<T>(a.cross(b))) / 2;
+}
+
+template <class T>
+T six_volumes(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c) {
+    const T product = a.dot(b.cross(c));
+    return product < 0 ? T(-product) : product;
+}
+
+template <class T>
+WedgeFailureCheck cut_by_crack(const WedgeCrack<T>& crack, WedgeGeometry<T>& wedge) {
+    const Vector3<T> trace = wedge.line_top - wedge.crest_1;
+    const T trace_length = length_of(trace);
+    if (!(crack.distance < trace_length)) {
+        return WedgeFailureCheck::crack_misses_wedge;
+    }
+    const Vector3<T> on_crack = wedge.crest_1 + T(crack.distance / trace_length) * trace;
+    Vector3<T> normal = normal_of(crack.dip, crack.dip_direction);
+    if (normal.dot(on_crack) < 0) {
+        normal = -normal;
+    }
+    const T reach = normal.dot(on_crack);
+    const T behind = normal.dot(wedge.line_top) - reach;
+    if (!(reach > 0) || !(behind > 0)) {
+        return WedgeFailureCheck::crack_misses_wedge;
+    }
+    const T before = reach - normal.dot(wedge.crest_2);
+    if (before < 0) {
+        return WedgeFailureCheck::crack_cuts_face;
+    }
+    wedge.crack_normal = normal;
+    wedge.line_end = T(reach / (reach + behind)) * wedge.line_top;
+    wedge.crack_1 = on_crack;
+    wedge.crack_2 = wedge.crest_2 + T(before / (before + behind)) * (wedge.line_top - wedge.crest_2);
+    return WedgeFailureCheck::valid;
+}
+
+}  // namespace detail
+
+// `wedge` is complete where the answer is valid.
+template <class T>
+WedgeFailureCheck make_geometry(const WedgeFailure<T>& problem, WedgeGeometry<T>& wedge) {
+    const WedgeSlope<T>& slope = problem.slope;
+    const Vector3<T> face = normal_of(slope.face_dip, slope.face_dip_direction);
+    const Vector3<T> upper = normal_of(slope.upper_surface_dip, slope.upper_surface_dip_direction);
+    const Vector3<T> normal_1 = normal_of(problem.plane_1.dip, problem.plane_1.dip_direction);
+    const Vector3<T> normal_2 = normal_of(problem.plane_2.dip, problem.plane_2.dip_direction);
+    // Directions are known to a few roundings; a line in the face must not daylight by one of them.
+    constexpr double direction_rounding = 1e-12;
+    constexpr double least_angle = 1e-9;
+
+    const Vector3<T> axis = normal_1.cross(normal_2);
+    if (!(length_of(axis) > least_angle)) {
+        return WedgeFailureCheck::planes_parallel;
+    }
+    wedge.line = detail::unit(axis);
+    if (wedge.line.z() > 0) {
+        wedge.line = -wedge.line;
+    }
+    const T out_of_face = wedge.line.dot(face);
+    const T out_of_upper = wedge.line.dot(upper);
+    if (!(wedge.line.z() < -direction_rounding) || !(out_of_face > direction_rounding)) {
+        return WedgeFailureCheck::line_does_not_daylight;
+    }
+    if (!(out_of_upper < -direction_rounding)) {
+        return WedgeFailureCheck::line_does_not_surface;
+    }
+    if (!(upper.z() > upper.dot(face) * face.z())) {
+        return WedgeFailureCheck::upper_surface_steeper_than_face;
+    }
+    const Vector3<T> m = face / out_of_face - upper / out_of_upper;
+    wedge.inner_1 = m.cross(normal_2).dot(axis) < 0 ? Vector3<T>(-normal_1) : normal_1;
+    wedge.inner_2 = normal_1.cross(m).dot(axis) < 0 ? Vector3<T>(-normal_2) : normal_2;
+
+    // Along the traces of the planes on the face, away from O: each on the inner side of the other plane.
+    Vector3<T> trace_1 = normal_1.cross(face);
+    Vector3<T> trace_2 = normal_2.cross(face);
+    if (wedge.inner_2.dot(trace_1) < 0) {
+        trace_1 = -trace_1;
+    }
+    if (wedge.inner_1.dot(trace_2) < 0) {
+        trace_2 = -trace_2;
+    }
+    if (!(trace_1.z() > direction_rounding)) {
+        return WedgeFailureCheck::crest_below_daylight;
+    }
+    wedge.crest_1 = T(slope.height / trace_1.z()) * trace_1;
+    const T upper_level = upper.dot(wedge.crest_1);
+    const T rise_2 = upper.dot(trace_2);
+    if (!(upper_level > 0) || !(rise_2 > 0)) {
+        return WedgeFailureCheck::crest_below_daylight;
+    }
+    wedge.crest_2 = T(upper_level / rise_2) * trace_2;
+    wedge.line_top = T(upper_level / out_of_upper) * wedge.line;
+    wedge.crack_normal = Vector3<T>(T(0), T(0), T(0));
+    wedge.line_end = wedge.crack_1 = wedge.crack_2 = wedge.line_top;
+    if (problem.tension_crack) {
+        const WedgeFailureCheck check = detail::cut_by_crack(*problem.tension_crack, wedge);
+        if (check != WedgeFailureCheck::valid) {
+            return check;
+        }
+    }
+    using detail::six_volumes;
+    using detail::triangle_area;
+    wedge.volume = (six_volumes(wedge.crest_1, wedge.crest_2, wedge.crack_2) +
+                    six_volumes(wedge.crest_1, wedge.crack_2, wedge.crack_1) +
+                    six_volumes(wedge.line_end, wedge.crack_1, wedge.crack_2)) /
+                   6;
+    wedge.area_1 = triangle_area(wedge.crest_1, wedge.crack_1) + triangle_area(wedge.crack_1, wedge.line_end);
+    wedge.area_2 = triangle_area(wedge.crest_2, wedge.crack_2) + triangle_area(wedge.crack_2, wedge.line_end);
+    wedge.crack_area =
+        triangle_area(Vector3<T>(wedge.crack_1 - wedge.line_end), Vector3<T>(wedge.crack_2 - wedge.line_end));
+    wedge.line_length = length_of(wedge.line_end);
+    wedge.crack_depth = problem.tension_crack ? T((upper_level - upper.dot(wedge.line_end)) / upper.z()) : T(0);
+    return WedgeFailureCheck::valid;
+}
+
+}  // namespace delabole

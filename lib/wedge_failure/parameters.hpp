@@ -1,0 +1,204 @@
+// Wedge failure: what a slope, its two planes, crack, strengths, water and loads are.
+//
+// Directions are compass readings (kinematics/orientation.hpp): dips and plunges below the horizontal, azimuths
+// clockwise from north, in the frame east, north, up. The rock lies behind the face and below the upper surface; the
+// two planes meet in a line that plunges out of the slope and comes out of the face at the origin.
+#pragma once
+
+#include "parameters/fields.hpp"
+#include "parameters/lengths.hpp"
+#include "plane_failure/study.hpp"
+#include "strength/strength.hpp"
+#include "water/water.hpp"
+
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace delabole {
+
+constexpr Interval azimuth_range() {
+    return within(0, degrees(360));
+}
+
+// `height` is H1 of Hoek & Bray. Where face and upper surface differ in strike the crest is inclined, and the height
+// where plane 2 meets it is another one.
+template <class T = double>
+struct WedgeSlope {
+    T height;
+    T face_dip;
+    T face_dip_direction;
+    T upper_surface_dip;
+    T upper_surface_dip_direction;
+    static constexpr auto fields() {
+        using S = WedgeSlope;
+        return std::tuple{
+            number("height", &S::height, Dimension::length, extent_range(),
+                   "vertical height from the point where the line of intersection comes out of the face to the point "
+                   "where plane 1 meets the crest"),
+            number("face_dip", &S::face_dip, Dimension::angle, between(0, degrees(180)),
+                   "dip of the face; above 90 deg it overhangs"),
+            number("face_dip_direction", &S::face_dip_direction, Dimension::angle, azimuth_range(),
+                   "dip direction of the face, out of the slope"),
+            number("upper_surface_dip", &S::upper_surface_dip, Dimension::angle, within(0, degrees(89)),
+                   "dip of the ground behind the crest"),
+            number("upper_surface_dip_direction", &S::upper_surface_dip_direction, Dimension::angle, azimuth_range(),
+                   "dip direction of the ground behind the crest")};
+    }
+};
+
+template <class T = double>
+struct WedgePlane {
+    T dip;
+    T dip_direction;
+    StrengthLaw<T> strength;
+    static constexpr auto fields() {
+        return std::tuple{number("dip", &WedgePlane::dip, Dimension::angle, within(0, degrees(90)), "dip"),
+                          number("dip_direction", &WedgePlane::dip_direction, Dimension::angle, azimuth_range(),
+                                 "azimuth of the dip, clockwise from north"),
+                          section("strength", &WedgePlane::strength, "shear strength of the plane")};
+    }
+};
+
+template <class T = double>
+struct WedgeCrack {
+    T dip;
+    T dip_direction;
+    T distance;
+    static constexpr auto fields() {
+        return std::tuple{number("dip", &WedgeCrack::dip, Dimension::angle, within(0, degrees(90)), "dip"),
+                          number("dip_direction", &WedgeCrack::dip_direction, Dimension::angle, azimuth_range(),
+                                 "azimuth of the dip, clockwise from north"),
+                          number("distance", &WedgeCrack::distance, Dimension::length, distance_range(),
+                                 "distance from the crest, measured along the trace of plane 1 on the upper surface")};
+    }
+};
+
+// Hoek & Bray: heavy rain fills the fissures. Pressure is zero where a surface meets the open air and rises linearly to
+// its greatest value p: at the foot of the crack, p = unit weight times its depth below the upper surface; without a
+// crack half-way down the line of intersection, p = unit weight times half the height between the ends of that line.
+// The mean pressure on either plane and on the crack is p / 3. `filled_ratio` multiplies p.
+template <class T = double>
+struct FilledFissures {
+    T unit_weight;
+    T filled_ratio;
+    static constexpr std::string_view kind = "filled_fissures";
+    static constexpr auto fields() {
+        return std::tuple{water_unit_weight_field(&FilledFissures::unit_weight),
+                          number("filled_ratio", &FilledFissures::filled_ratio, Dimension::ratio, within(0, 1),
+                                 "greatest pressure over that of fissures filled to the ground")};
+    }
+};
+
+template <class T = double>
+struct MeanPressures {
+    T plane_1;
+    T plane_2;
+    std::optional<T> tension_crack;
+    static constexpr std::string_view kind = "mean_pressures";
+    static constexpr auto fields() {
+        using P = MeanPressures;
+        return std::tuple{
+            number("plane_1", &P::plane_1, Dimension::stress, at_least(0), "mean water pressure on plane 1"),
+            number("plane_2", &P::plane_2, Dimension::stress, at_least(0), "mean water pressure on plane 2"),
+            number("tension_crack", &P::tension_crack, Dimension::stress, at_least(0),
+                   "mean water pressure on the tension crack; absent: 0")};
+    }
+};
+
+template <class T = double>
+using WedgeWater = std::variant<Dry, FilledFissures<T>, MeanPressures<T>>;
+
+template <class T = double>
+struct WedgeSeismicLoad {
+    T coefficient;
+    std::optional<T> plunge;
+    std::optional<T> trend;
+    static constexpr auto fields() {
+        using S = WedgeSeismicLoad;
+        return std::tuple{
+            number("coefficient", &S::coefficient, Dimension::ratio, within(-5, 5), "inertia force over weight"),
+            number("plunge", &S::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
+                   "direction of the force below the horizontal; absent: level"),
+            number("trend", &S::trend, Dimension::angle, azimuth_range(),
+                   "azimuth of the force; absent: that of the line of intersection")};
+    }
+};
+
+template <class T = double>
+struct WedgeLoad {
+    T force;
+    T plunge;
+    T trend;
+    static constexpr auto fields() {
+        return std::tuple{number("force", &WedgeLoad::force, Dimension::force, at_least(0), "force on the wedge"),
+                          number("plunge", &WedgeLoad::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
+                                 "direction of the force below the horizontal; negative: upwards"),
+                          number("trend", &WedgeLoad::trend, Dimension::angle, azimuth_range(),
+                                 "azimuth of the force, clockwise from north")};
+    }
+};
+
+// The force is what the bolt does to the wedge: it points from the head into the rock.
+template <class T = double>
+struct WedgeBolt {
+    T force;
+    T plunge;
+    T trend;
+    BoltAction action;
+    static constexpr auto fields() {
+        return std::tuple{
+            number("force", &WedgeBolt::force, Dimension::force, at_least(0), "tension"),
+            number("plunge", &WedgeBolt::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
+                   "direction below the horizontal, into the rock; negative: inclined upwards"),
+            number("trend", &WedgeBolt::trend, Dimension::angle, azimuth_range(),
+                   "azimuth of the direction into the rock, clockwise from north"),
+            section("action", &WedgeBolt::action,
+                    "active: tensioned, part of the driving forces; passive: mobilised by movement, adds to "
+                    "resistance")};
+    }
+};
+
+template <class T = double>
+struct WedgeFailure {
+    WedgeSlope<T> slope;
+    WedgePlane<T> plane_1;
+    WedgePlane<T> plane_2;
+    std::optional<WedgeCrack<T>> tension_crack;
+    Rock<T> rock;
+    WedgeWater<T> water;
+    std::optional<WedgeSeismicLoad<T>> seismic;
+    std::vector<WedgeLoad<T>> load;
+    std::vector<WedgeBolt<T>> bolt;
+
+    static constexpr std::string_view kind = "wedge";
+    static constexpr auto fields() {
+        using W = WedgeFailure;
+        return std::tuple{section("slope", &W::slope, "face and upper surface"),
+                          section("plane_1", &W::plane_1,
+                                  "the plane along whose trace heights and the crack's place "
+                                  "are measured"),
+                          section("plane_2", &W::plane_2, "the other plane"),
+                          section("tension_crack", &W::tension_crack, "crack that cuts the wedge off; absent: none"),
+                          section("rock", &W::rock, "the rock mass"),
+                          section("water", &W::water, "water pressure on the planes and in the crack"),
+                          section("seismic", &W::seismic, "pseudo-static earthquake load; absent: none"),
+                          section("load", &W::load, "forces on the wedge"),
+                          section("bolt", &W::bolt, "bolts and cables through the planes")};
+    }
+};
+
+template <class T = double>
+struct WedgeFailureStudy {
+    WedgeFailure<T> model;
+    std::vector<RequiredValue<T>> required;
+
+    static constexpr std::string_view kind = "wedge";
+    static constexpr auto fields() {
+        return std::tuple{inlined(&WedgeFailureStudy::model, "the slope and its wedge"),
+                          section("required", &WedgeFailureStudy::required, "inputs solved for")};
+    }
+};
+
+}  // namespace delabole

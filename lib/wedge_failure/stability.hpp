@@ -1,0 +1,187 @@
+// Balance of forces on a wedge and its factor of safety.
+//
+// The notation is that of geometry.hpp. Active forces, R: weight, inertia, loads, active bolts and water,
+//     R = W (0, 0, -1) + k W e + U1 a1 + U2 a2 - V t + loads + active bolts,
+// t the crack's normal out of the wedge, U and V mean pressure times area. Passive bolts P press on the planes and
+// resist, but do not decide which way the wedge moves.
+//
+// Contact (Hoek & Bray 1981, appendix 2: complete solution). With c = a1 . a2 the normal forces that hold the wedge
+// across the line of intersection are
+//     N1 = -(R . a1 - c R . a2) / (1 - c^2),   N2 = -(R . a2 - c R . a1) / (1 - c^2).
+//   both N >= 0: it slides along the line i on both planes;
+//   N2 < 0 and R . a1 < 0: on plane 1 alone, along r = R - (R . a1) a1, for then r . a2 = -(1 - c^2) N2 > 0: it leaves
+//     plane 2. Likewise on plane 2;
+//   otherwise it is lifted off both planes, and the factor of safety is 0.
+// One and only one of these holds. With s the direction of sliding,
+//     FS = (tau1 A1 + tau2 A2 - P . s) / (R . s),
+// tau from the mean normal stress of R + P on each plane that carries. FS is infinite where R . s is not positive.
+//
+// Moments are left out: a wedge may rotate about an edge before it slides. The far wall of the crack carries nothing,
+// which is on the safe side.
+//
+// Accuracy: sums that may cancel; the absolute error of each force is a few units in the last place of the sum of the
+// magnitudes of its terms, over 1 - c^2 where both planes carry.
+#pragma once
+
+#include "kinematics/criteria.hpp"
+#include "strength/shear_strength.hpp"
+#include "wedge_failure/geometry.hpp"
+
+#include <limits>
+
+namespace delabole {
+
+template <class T>
+struct WedgePressures {
+    T plane_1;
+    T plane_2;
+    T crack;
+};
+
+// Mean pressures; parameters.hpp says how fissures fill. The wedge is that of the problem.
+template <class T>
+WedgePressures<T> mean_pressures(const WedgeFailure<T>& problem, const WedgeGeometry<T>& wedge) {
+    if (const auto* filled = std::get_if<FilledFissures<T>>(&problem.water)) {
+        const T depth = problem.tension_crack ? wedge.crack_depth : T(wedge.line_top.z() / 2);
+        const T mean = filled->unit_weight * filled->filled_ratio * depth / 3;
+        return {mean, mean, problem.tension_crack ? mean : T(0)};
+    }
+    if (const auto* given = std::get_if<MeanPressures<T>>(&problem.water)) {
+        return {given->plane_1, given->plane_2, given->tension_crack.value_or(T(0))};
+    }
+    return {T(0), T(0), T(0)};
+}
+
+template <class T>
+struct WedgeStability {
+    SlidingContact contact;
+    T factor_of_safety;
+    Vector3<T> sliding;  // unit vector; zero where the wedge is lifted off
+    T weight;
+    T water_force_1;
+    T water_force_2;
+    T crack_water_force;
+    T normal_force_1;  // effective; 0 on a plane that does not carry
+    T normal_force_2;
+    T driving_force;    // R . s; that of R itself where the wedge is lifted off
+    T resisting_force;  // strength of the planes and passive bolts
+};
+
+namespace detail {
+
+template <class T>
+struct WedgeForces {
+    Vector3<T> active;
+    Vector3<T> passive;
+};
+
+template <class T>
+WedgeForces<T> forces_on(const WedgeFailure<T>& problem, const WedgeGeometry<T>& wedge,
+                         const WedgeStability<T>& result) {
+    WedgeForces<T> forces{Vector3<T>(T(0), T(0), T(-result.weight)), Vector3<T>(T(0), T(0), T(0))};
+    forces.active += result.water_force_1 * wedge.inner_1 + result.water_force_2 * wedge.inner_2 -
+                     result.crack_water_force * wedge.crack_normal;
+    if (problem.seismic) {
+        using std::atan2;
+        const WedgeSeismicLoad<T>& load = *problem.seismic;
+        const T trend = load.trend ? *load.trend : T(atan2(wedge.line.x(), wedge.line.y()));
+        forces.active += T(load.coefficient * result.weight) * direction_along(T(load.plunge.value_or(T(0))), trend);
+    }
+    for (const WedgeLoad<T>& load : problem.load) {
+        forces.active += load.force * direction_along(load.plunge, load.trend);
+    }
+    for (const WedgeBolt<T>& bolt : problem.bolt) {
+        (bolt.action == BoltAction::active ? forces.active : forces.passive) +=
+            bolt.force * direction_along(bolt.plunge, bolt.trend);
+    }
+    return forces;
+}
+
+// The normal forces that hold a force across the line of intersection.
+template <class T>
+std::pair<T, T> both_normal_forces(const WedgeGeometry<T>& wedge, const Vector3<T>& force) {
+    const T cosine = wedge.inner_1.dot(wedge.inner_2);
+    const Vector3<T> axis = wedge.inner_1.cross(wedge.inner_2);
+    const T on_1 = force.dot(wedge.inner_1);
+    const T on_2 = force.dot(wedge.inner_2);
+    const T sine_squared = axis.dot(axis);  // 1 - c^2 without its cancellation
+    return {T((cosine * on_2 - on_1) / sine_squared), T((cosine * on_1 - on_2) / sine_squared)};
+}
+
+}  // namespace detail
+
+template <class T>
+WedgeFailureCheck balance_forces(const WedgeFailure<T>& problem, const WedgeGeometry<T>& wedge,
+                                 WedgeStability<T>& result) {
+    if (!friction_below_90_degrees(problem.plane_1.strength) || !friction_below_90_degrees(problem.plane_2.strength)) {
+        return WedgeFailureCheck::friction_not_below_90_deg;
+    }
+    const auto* given = std::get_if<MeanPressures<T>>(&problem.water);
+    if (given != nullptr && given->tension_crack && !problem.tension_crack) {
+        return WedgeFailureCheck::water_needs_crack;
+    }
+    const WedgePressures<T> pressures = mean_pressures(problem, wedge);
+    result.weight = problem.rock.unit_weight * wedge.volume;
+    result.water_force_1 = pressures.plane_1 * wedge.area_1;
+    result.water_force_2 = pressures.plane_2 * wedge.area_2;
+    result.crack_water_force = pressures.crack * wedge.crack_area;
+    const detail::WedgeForces<T> forces = detail::forces_on(problem, wedge, result);
+
+    const auto [both_1, both_2] = detail::both_normal_forces(wedge, forces.active);
+    const Vector3<T> total = forces.active + forces.passive;
+    result.normal_force_1 = result.normal_force_2 = T(0);
+    result.sliding = Vector3<T>(T(0), T(0), T(0));
+    const auto slide_on = [&](const Vector3<T>& inner, SlidingContact contact, T& normal_force) {
+        const Vector3<T> along = forces.active - T(forces.active.dot(inner)) * inner;
+        result.contact = contact;
+        result.sliding = along / length_of(along);
+        normal_force = -total.dot(inner);
+    };
+    if (both_1 >= 0 && both_2 >= 0) {
+        result.contact = SlidingContact::both_planes;
+        result.sliding = wedge.line;
+        std::tie(result.normal_force_1, result.normal_force_2) = detail::both_normal_forces(wedge, total);
+    } else if (both_2 < 0 && forces.active.dot(wedge.inner_1) < 0) {
+        slide_on(wedge.inner_1, SlidingContact::first_plane, result.normal_force_1);
+    } else if (both_1 < 0 && forces.active.dot(wedge.inner_2) < 0) {
+        slide_on(wedge.inner_2, SlidingContact::second_plane, result.normal_force_2);
+    } else {
+        result.contact = SlidingContact::none;
+        result.driving_force = length_of(forces.active);
+        result.resisting_force = result.factor_of_safety = T(0);
+        return result.driving_force >= 0 ? WedgeFailureCheck::valid : WedgeFailureCheck::input_out_of_range;
+    }
+    T resisting = -forces.passive.dot(result.sliding);
+    if (result.contact != SlidingContact::second_plane) {
+        resisting += wedge.area_1 * shear_strength(problem.plane_1.strength, T(result.normal_force_1 / wedge.area_1));
+    }
+    if (result.contact != SlidingContact::first_plane) {
+        resisting += wedge.area_2 * shear_strength(problem.plane_2.strength, T(result.normal_force_2 / wedge.area_2));
+    }
+    // A passive bolt that sliding would shorten counts against the rest, but nothing resists less than not at all.
+    result.resisting_force = resisting < 0 ? T(0) : resisting;
+    result.driving_force = forces.active.dot(result.sliding);
+    result.factor_of_safety = result.driving_force <= 0 ? T(std::numeric_limits<double>::infinity())
+                                                        : T(result.resisting_force / result.driving_force);
+    return result.factor_of_safety >= 0 ? WedgeFailureCheck::valid : WedgeFailureCheck::input_out_of_range;
+}
+
+// Geometry and forces; where `check` is not valid the other members are unspecified.
+template <class T>
+struct WedgeEquilibrium {
+    WedgeFailureCheck check;
+    WedgeGeometry<T> wedge;
+    WedgeStability<T> stability;
+};
+
+template <class T>
+WedgeEquilibrium<T> evaluate(const WedgeFailure<T>& problem) {
+    WedgeEquilibrium<T> result;
+    result.check = make_geometry(problem, result.wedge);
+    if (result.check == WedgeFailureCheck::valid) {
+        result.check = balance_forces(problem, result.wedge, result.stability);
+    }
+    return result;
+}
+
+}  // namespace delabole

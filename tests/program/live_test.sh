@@ -1,0 +1,207 @@
+#!/usr/bin/env bash
+# delabole live: who is answered and who is not, what the page does when a person uses it.
+source "$DELABOLE_SOURCE/tests/program/harness.sh"
+source "$DELABOLE_SOURCE/tests/program/browser.sh"
+
+# Leaves $port, $token and $server.
+serve() {
+    "$program" live "$@" >"$scratch/served" 2>"$scratch/served_err" </dev/null &
+    server=$!
+    until grep -q '#' "$scratch/served" 2>/dev/null; do
+        kill -0 "$server" || { fail "live has ended: $(cat "$scratch/served_err")" && return; }
+        sleep 0.05
+    done
+    address=$(grep -oE 'http://[^ ]+' "$scratch/served")
+    port=$(sed -E 's/.*:([0-9]+)\/.*/\1/' <<<"$address")
+    token=${address#*#}
+}
+
+end_server() {
+    kill -INT "$server"
+    status=0
+    wait "$server" || status=$?
+    expect "Ctrl-C ends it with exit code 0" test "$status" == 0
+}
+
+# raw TEXT: sends it as it stands, leaves the answer in $scratch/answer and its status in $code.
+raw() {
+    exec 9<>"/dev/tcp/127.0.0.1/$port"
+    printf '%b' "$1" >&9
+    timeout 20 cat <&9 >"$scratch/answer" || true
+    exec 9>&- 9<&-
+    code=$(head -n 1 "$scratch/answer" | cut -d ' ' -f 2)
+}
+
+# post PATH BODY [HEADER...]: as the page asks, unless a header is given anew.
+post() {
+    local path=$1 body=$2 headers=""
+    shift 2
+    local host="Host: 127.0.0.1:$port" key="X-Delabole-Token: $token" header
+    for header in "$@"; do
+        case $header in
+        Host:*) host=$header ;;
+        X-Delabole-Token:*) key=$header ;;
+        *) headers+="$header\r\n" ;;
+        esac
+    done
+    raw "POST $path HTTP/1.1\r\n$host\r\n$key\r\n${headers}Content-Length: ${#body}\r\nConnection: close\r\n\r\n$body"
+}
+
+expect_code() {
+    checks=$((checks + 1))
+    [[ $code == "$1" ]] || fail "$2: status $code instead of $1"
+}
+
+write_good_case case.toml
+sed -i 's/^height = "12 m"/height = "12 m"  # measured in 2024/' case.toml
+
+title "who is answered"
+serve case.toml
+post /open '{}'
+expect_code 200 "the page itself"
+expect "the case is described" contains "$scratch/answer" '"name":"strength.friction_angle"'
+raw "GET / HTTP/1.1\r\nHost: 127.0.0.1:$port\r\nConnection: close\r\n\r\n"
+expect_code 200 "the page"
+expect "the page holds no token" refuse contains "$scratch/answer" "$token"
+expect "nothing is loaded from elsewhere" refuse grep -qE '(src|href)="https?:' "$scratch/answer"
+expect "scripts need a nonce" grep -qiE "content-security-policy: default-src 'none'; script-src 'nonce-[0-9a-f]{32}'" "$scratch/answer"
+post /open '{}' "X-Delabole-Token: 00000000000000000000000000000000"
+expect_code 401 "another token"
+post /open '{}' "X-Delabole-Token: "
+expect_code 401 "no token"
+post /open '{}' "Host: delabole.example:$port"
+expect_code 403 "another name that leads here (DNS rebinding)"
+post /open '{}' "Host: localhost:$port"
+expect_code 403 "another name of this machine"
+post /open '{}' "Origin: http://example.org"
+expect_code 403 "a page from elsewhere"
+post /open '{}' "Origin: null"
+expect_code 403 "a page of a file"
+post /open '{}' "Origin: http://127.0.0.1:$port"
+expect_code 200 "its own page"
+raw "OPTIONS /open HTTP/1.1\r\nHost: 127.0.0.1:$port\r\nOrigin: http://example.org\r\nAccess-Control-Request-Method: POST\r\nConnection: close\r\n\r\n"
+expect_code 403 "a question of a browser on behalf of another page"
+post /../../etc/passwd '{}'
+expect_code 404 "a path out of it"
+raw "GET /etc/passwd HTTP/1.1\r\nHost: 127.0.0.1:$port\r\nConnection: close\r\n\r\n"
+expect_code 404 "another path"
+
+title "what is refused"
+post /answer 'not JSON'
+expect_code 400 "what is not JSON"
+post /answer '[]'
+expect_code 200 "a request without values asks for the case as it is"
+post /answer '{"values":{"slope.heigth":12}}'
+expect_code 400 "an unknown input"
+expect "it is named" contains "$scratch/answer" "slope.heigth"
+post /answer '{"values":{"slope.face_dip":190}}'
+expect_code 400 "a value out of its range"
+expect "the range is said" contains "$scratch/answer" "90 deg"
+post /answer '{"values":{"slope.face_dip":"60"}}'
+expect_code 400 "a text for a number"
+post /map '{"x":{"name":"strength.friction_angle","lower":1,"upper":60},"y":{"name":"water.water_depth","lower":0,"upper":4},"output":"factor_of_safety","columns":100000,"rows":100000}'
+expect_code 400 "a map without end"
+post /motion/step '{"steps":1}'
+expect_code 400 "motion of a slope that has no blocks"
+big=$(head -c 300000 /dev/zero | tr '\0' ' ')
+post /answer "$big"
+expect_code 413 "a body of 300 kB"
+raw "POST /answer HTTP/1.1\r\nHost: 127.0.0.1:$port\r\nContent-Length: 99\r\n\r\n{"
+expect "who says nothing more is not waited for" test -n "$port"
+post /answer '{}'
+expect_code 200 "it still answers"
+
+title "the same numbers as delabole run"
+post /answer '{"values":{"strength.friction_angle":30}}'
+"$program" run case.toml --set 'strength.friction_angle=30 deg' --no-report --out plain >plain.txt
+factor=$(sed -nE 's/^factor_of_safety +//p' plain.txt)
+expect "a factor of safety of $factor" contains "$scratch/answer" "\"text\":\"$factor\""
+
+title "a case is saved with its comments"
+post /save '{"values":{"slope.height":13.5,"strength.friction_angle":31}}'
+expect "the new height stands before its comment" contains "$scratch/answer" 'height = \"13.5 m\"  # measured in 2024'
+expect "the friction angle too" contains "$scratch/answer" 'friction_angle = \"31 deg\"'
+expect "the rest is as it was" contains "$scratch/answer" 'title = \"A slope that is in order\"'
+
+title "as a person uses it"
+open_browser 1400 900
+visit "$address"
+wait_for "document.body && document.body.dataset.ready === 'yes'"
+expect_value "the verdict" "document.getElementById('verdict').textContent.startsWith('factor of safety: 1.2')" true
+expect_value "handles of crest, plane, crack and water" "document.querySelectorAll('.handle').length" 4
+evaluate "(async () => {
+    const box = document.querySelector('[data-name=\"water level\"]').getBoundingClientRect(), before = find('verdict').textContent;
+    const at = (type, dy) => new PointerEvent(type, {clientX: box.x + box.width / 2, clientY: box.y + box.height / 2 + dy, bubbles: true});
+    document.querySelector('[data-name=\"water level\"]').dispatchEvent(at('pointerdown', 0));
+    const times = [];
+    for (let turn = 1; turn <= 20; ++turn) {
+        const since = performance.now(), old = state.answer;
+        window.dispatchEvent(at('pointermove', 2 * turn));
+        while (state.answer === old) await new Promise(requestAnimationFrame);
+        times.push(performance.now() - since);
+    }
+    window.dispatchEvent(at('pointerup', 40));
+    window.times = times.sort((a, b) => a - b);
+    return find('verdict').textContent !== before && state.values['water.water_depth'] < 3;
+})()"
+expect "the water level follows a drag, and the verdict with it" test "$value" == true
+evaluate "Math.round(times[10])"
+echo "  from drag to picture: $value ms in the middle of twenty"
+expect_value "undo" "(find('undo').click(), 'water.water_depth' in state.values)" false
+expect_value "redo" "(find('redo').click(), state.values['water.water_depth'] < 3)" true
+expect_value "an arrow key moves a handle" "(async () => {
+    const old = state.values['slope.height'];
+    document.querySelector('[data-name=crest]').dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowUp', bubbles: true}));
+    while (state.values['slope.height'] === old) await new Promise(requestAnimationFrame);
+    return state.values['slope.height'] > 12;
+})()" true
+expect_value "a variant beside it" "(find('keep').click(), document.querySelectorAll('#sections figure').length)" 2
+wait_for "document.querySelector('#chart svg .here')"
+expect_value "the line of a factor of 1" "document.querySelector('#chart svg title').textContent" '"factor of safety 1"'
+expect_value "every control has a name" "[...document.querySelectorAll('button, select, input, [role=slider]')].filter(one => !(one.textContent.trim() || one.getAttribute('aria-label') || one.labels?.length)).length" 0
+[[ -z ${DELABOLE_SCREENSHOTS:-} ]] || screenshot "$DELABOLE_SCREENSHOTS/live_desk.png"
+tell_browser Emulation.setDeviceMetricsOverride '{"width":390,"height":844,"deviceScaleFactor":1,"mobile":true}'
+expect_value "nothing is wider than a phone" "document.documentElement.scrollWidth <= 390" true
+[[ -z ${DELABOLE_SCREENSHOTS:-} ]] || screenshot "$DELABOLE_SCREENSHOTS/live_phone.png"
+expect "the console is empty" test ! -s "$scratch/console"
+close_browser
+end_server
+
+title "blocks in motion"
+cp "$source_folder/cases/relaxation/two_blocks_3.toml" blocks.toml
+serve blocks.toml
+post /motion/start '{}'
+expect_code 200 "blocks are set in motion"
+expect "the blocks are described" contains "$scratch/answer" '"outline"'
+post /motion/step '{"steps":10}'
+expect_code 200 "ten steps"
+open_browser 1400 900
+visit "$address"
+wait_for "document.body && document.body.dataset.ready === 'yes'"
+evaluate "(async () => {
+    find('play').click();
+    while (!(motion.picture.steps > 2000)) await new Promise(requestAnimationFrame);
+    find('play').click();
+    return motion.picture.time > 0 && motion.picture.poses.some(number => number !== 0);
+})()"
+expect "time goes on and blocks move" test "$value" == true
+expect_value "the energy balance stands beside them" "find('energy').rows.length" 6
+evaluate "(async () => {
+    const before = motion.picture.steps, name = [...state.inputs.keys()].find(one => one.endsWith('friction_angle'));
+    change({[name]: 15});
+    find('step').click();
+    while (motion.picture.steps === before) await new Promise(requestAnimationFrame);
+    return name in state.values;
+})()"
+expect "friction changes while they move" test "$value" == true
+[[ -z ${DELABOLE_SCREENSHOTS:-} ]] || screenshot "$DELABOLE_SCREENSHOTS/live_motion.png"
+expect "the console is empty" test ! -s "$scratch/console"
+close_browser
+end_server
+
+title "what cannot be served"
+delabole live missing.toml
+expect_status 3
+delabole live -
+expect_status 2
+finish
