@@ -105,7 +105,7 @@ for arguments in "run good.toml" "fit good_fit.toml --json" "check good.toml" "s
     expect_error 'delabole: cannot write to standard output'
 done
 expect_complete_results results/good
-expect_complete_results results/good_fit
+expect_complete_results results/good_fit_fit
 
 title "standard output is closed, and so are the others: nothing ends up in the results"
 rm -rf results
