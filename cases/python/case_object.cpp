@@ -110,7 +110,7 @@ py::tuple evaluate_case(const CaseObject& object, const std::map<std::string, Co
     return py::make_tuple(answers, failures, causes);
 }
 
-const CaseSensitivity& sensitivity_of(const CaseFile& file) {
+const SensitivityStudy& sensitivity_of(const CaseFile& file) {
     if (!file.sensitivity) {
         throw CaseError({problem_at(file, "sensitivity", "the case has no [sensitivity] section")});
     }
@@ -120,7 +120,7 @@ const CaseSensitivity& sensitivity_of(const CaseFile& file) {
 // Samples of the uncertain parameters of [sensitivity], by name; what is absent is as in its propagation.
 py::dict sample_case(const CaseObject& object, std::optional<long> samples, const std::optional<std::string>& method,
                      std::optional<std::uint64_t> seed) {
-    const SensitivityStudy& study = sensitivity_of(object.file).study;
+    const SensitivityStudy& study = sensitivity_of(object.file);
     // With every complaint about distributions and correlations.
     sensitivity_problem_of(object.file, 1, seed);
     PropagationSettings settings = study.propagation.value_or(PropagationSettings{});

@@ -174,11 +174,11 @@ py::dict fit_of(const CaseFile& given, const py::object& progress, const FitRequ
     if (!file.fit) {
         throw CaseError({problem_at(file, "fit", "the case has no [fit] section: there is nothing to back-analyse")});
     }
-    py::list left_out;
+    std::vector<std::string> left_out;
     if (!request.mechanisms.empty()) {
         leave_mechanisms(*file.fit, request.mechanisms);
     } else if (!request.with_costly) {
-        left_out = py::cast(leave_out_costly(*file.fit));
+        left_out = leave_out_costly(*file.fit);
     }
     const FitProblem problem = fit_problem_of(file, request.threads, request.seed);
     FitResult result;
@@ -186,6 +186,9 @@ py::dict fit_of(const CaseFile& given, const py::object& progress, const FitRequ
     in_background(progress, [&](BackgroundWatch& watch) {
         result = fit(problem, telling(watch), watch.stop_flag());
         json = json_of_fit(file, result);
+        if (!left_out.empty()) {
+            json["left_out"] = left_out;
+        }
         add_studies(problem, result, watch, json);
     });
     py::dict dict;

@@ -184,7 +184,7 @@ MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem
     fit.status = search.stopped() ? FitStatus::interrupted : status_of(found.best.status);
     fit.evaluations.add(found.best.evaluations);
     if (by_surrogate) {
-        // Looks at the surrogate are none of the model.
+        // Surrogate calls are not counted as model evaluations.
         fit.evaluations = costly.evaluations;
         fit.surrogate = account_of(costly);
         fit.surrogate->jump = jump;

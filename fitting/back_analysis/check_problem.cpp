@@ -132,35 +132,18 @@ void check_profile(const ProfileObservation& profile, Faults& faults) {
     }
 }
 
-void check_settings(const FitSettings& settings, Faults& faults) {
-    const auto check = [&faults](const char* key, double value, double least) {
-        if (value < least) {
-            faults.push_back("settings: " + std::string(key) + " = " + number_in_words(value) +
-                             " must be >= " + number_in_words(least));
+template <Described Settings>
+void check_ranges(const std::string& where, const Settings& settings, Faults& faults) {
+    for_each_named_number(settings, [&](const std::string& path, const FieldInfo& info, auto value) {
+        const auto number = static_cast<double>(value);
+        if (!info.range.contains(number)) {
+            faults.push_back(where + ": " + path + " = " + number_in_words(number) + " must be " +
+                             range_in_words(info.range));
         }
-    };
-    check("starts", settings.starts, 1);
-    check("evaluations_per_start", settings.evaluations_per_start, 10);
-    check("profile_points", settings.profile_points, 5);
-    check("map_points", settings.map_points, 5);
-    check("threads", settings.threads, 1);
-    check("surrogate.runs", settings.surrogate.runs, 12);
-    check("surrogate.first_runs", settings.surrogate.first_runs.value_or(12), 12);
-    if (!(settings.surrogate.tolerance > 0 && settings.surrogate.tolerance < 1)) {
-        faults.push_back("settings: surrogate.tolerance = " + number_in_words(settings.surrogate.tolerance) +
-                         " must be > 0 and < 1");
-    }
-    if (!(settings.surrogate.give_up_below >= 0 && settings.surrogate.give_up_below < 1)) {
-        faults.push_back("settings: surrogate.give_up_below = " + number_in_words(settings.surrogate.give_up_below) +
-                         " must be >= 0 and < 1");
-    }
-    if (!(settings.relative_tolerance > 0 && settings.relative_tolerance < 1)) {
-        faults.push_back("settings: relative_tolerance = " + number_in_words(settings.relative_tolerance) +
-                         " must be > 0 and < 1");
-    }
+    });
 }
 
-// As given, and as the study of the dependence on them changes them.
+// Checks priors as given, and as the study of the dependence on them changes them.
 void check_priors(const FitProblem& problem, Faults& faults) {
     for (const EvidenceVariant variant : variants_of(problem)) {
         for (const Mechanism& mechanism : varied(problem, variant).mechanisms) {
@@ -181,16 +164,11 @@ void check_priors(const FitProblem& problem, Faults& faults) {
 
 void check_posterior(const FitProblem& problem, Faults& faults) {
     const PosteriorStudy& study = *problem.posterior;
-    const auto check = [&faults](const char* key, int value, int least) {
-        if (value < least) {
-            faults.push_back("posterior: " + std::string(key) + " = " + std::to_string(value) +
-                             " must be >= " + std::to_string(least));
-        }
-    };
-    check("chains", study.chains, 2);
-    check("draws", study.draws, 8 * study.chains);
-    check("evaluations_per_chain", study.evaluations_per_chain, 1);
-    check("evidence_points", study.evidence_points, 16);
+    check_ranges("posterior", study, faults);
+    if (study.draws < draws_per_chain * study.chains) {
+        faults.push_back("posterior: draws = " + std::to_string(study.draws) + " must be at least " +
+                         std::to_string(draws_per_chain * study.chains));
+    }
     for (const Mechanism& mechanism : problem.mechanisms) {
         // Two coordinates of the sequence serve the choice among distributions and their tails.
         if (mechanism.parameters.size() + 2 > most_parameters) {
@@ -214,7 +192,10 @@ std::vector<std::string> check_problem(const FitProblem& problem) {
     if (problem.profile) {
         check_profile(*problem.profile, faults);
     }
-    check_settings(problem.settings, faults);
+    check_ranges("settings", problem.settings, faults);
+    if (problem.settings.threads < 1) {
+        faults.push_back("settings: threads = " + std::to_string(problem.settings.threads) + " must be at least 1");
+    }
     if (problem.posterior && faults.empty()) {
         check_posterior(problem, faults);
     }

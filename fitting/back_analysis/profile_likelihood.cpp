@@ -35,7 +35,7 @@ using Place = Knots::const_iterator;
 
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, Knot>
-auto members(Type& knot) {
+auto members_of(Type& knot) {
     return std::tie(knot.misfit, knot.point);
 }
 
@@ -48,7 +48,7 @@ struct Traced {
 
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, Traced>
-auto members(Type& traced) {
+auto members_of(Type& traced) {
     return std::tie(traced.profile, traced.lowest, traced.evaluations);
 }
 

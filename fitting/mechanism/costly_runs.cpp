@@ -88,7 +88,7 @@ class Refinement {
     }
 
     double evidence_error() const { return evidence_error_; }
-    // Of the evidence and twice its error.
+    // The logarithm of the evidence with twice its error.
     double log_evidence_bound() const { return log_evidence_bound_; }
 
   private:
@@ -105,7 +105,7 @@ class Refinement {
         return candidates;
     }
 
-    // Of the candidates drawn from the prior.
+    // Remembers the error of the candidates drawn from the prior.
     void remember_error(const std::vector<Candidate>& candidates) {
         double greatest = -std::numeric_limits<double>::infinity();
         for (const Candidate& candidate : candidates) {
@@ -155,7 +155,7 @@ struct RunMessage {
 
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, RunMessage>
-auto members(Type& run) {
+auto members_of(Type& run) {
     return std::tie(run.made, run.pulls, run.idle, run.scatter, run.failure);
 }
 
@@ -231,7 +231,7 @@ double distance(const Misfit& misfit, std::span<const double> left, std::span<co
     return greatest;
 }
 
-// In standard deviations of the data; satisfied inequalities are alike.
+// Differences in standard deviations of the data; satisfied inequalities are alike.
 double difference(const Residuals& left, const Residuals& right) {
     double squares = 0;
     for (std::size_t index = 0; index < left.pulls.size(); ++index) {

@@ -66,10 +66,10 @@ struct ProfileLikelihood {
     bool with_priors;  // whether the priors of the other and of this parameter were counted
 };
 
-// For share_tasks, as members() of the locus below.
+// For share_tasks, as members_of() of the locus below.
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, ProfileLikelihood>
-auto members(Type& profile) {
+auto members_of(Type& profile) {
     return std::tie(profile.parameter, profile.values, profile.misfits, profile.least_misfit, profile.interval_68,
                     profile.interval_95, profile.determination, profile.with_priors);
 }
@@ -91,10 +91,11 @@ constexpr std::array<std::string_view, 5> enum_names(IdentifiabilityStatus) {
 struct Identifiability {
     IdentifiabilityStatus status = IdentifiabilityStatus::not_evaluated;
     std::vector<std::string> parameters;  // those with lower < upper, in the order of rows of directions
-    // Of the scaled Jacobian: standard deviations of data per range of parameter; as many as parameters, descending.
+    // Singular values of the scaled Jacobian: standard deviations of data per range of parameter; as many as
+    // parameters, descending.
     std::vector<double> singular_values;
     Eigen::MatrixXd directions;  // right singular vectors, one per column, in the order of singular_values
-    // Of each parameter: the greatest pull among the data that its range moves by over half a sd.
+    // For each parameter, the greatest residual among the data that its range moves by over half a standard deviation.
     std::vector<double> misses;
     int rank = 0;              // singular values above 1 / 2: a range of parameter moves the data by over half a sd
     int rank_with_priors = 0;  // the same with a row range / standard deviation for each prior
@@ -113,7 +114,7 @@ struct FailureLocus {
 
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, FailureLocus>
-auto members(Type& locus) {
+auto members_of(Type& locus) {
     return std::tie(locus.x, locus.y, locus.points, locus.branch);
 }
 
@@ -196,7 +197,7 @@ struct MechanismFit {
     Prediction prediction;  // at the best point
     std::vector<ObservationFit> observations;
     std::optional<ProfileFit> profile_fit;
-    // By which the logarithm of the likelihood is lower because what is predicted scatters, at a mean that fits.
+    // What the scatter of predictions costs: by how much it lowers the logarithm of the likelihood at a mean that fits.
     double scatter_cost = 0;
     std::vector<std::string> explained;  // names of field evidence
     std::vector<std::string>
@@ -210,7 +211,7 @@ struct MechanismFit {
     std::optional<MechanismPosterior> posterior;  // where the problem asks for it
     EvaluationCount evaluations;                  // the posterior's included
 
-    // Of one of the parameters, by its name.
+    // The dimension of a parameter, by its name.
     Dimension dimension_of(const std::string& parameter) const {
         const auto found = std::ranges::find(parameters, parameter, &FreeParameter::name);
         return dimensions[static_cast<std::size_t>(found - parameters.begin())];

@@ -31,7 +31,7 @@ void scale_priors(FitProblem& problem, double factor) {
     }
 }
 
-// By so many standard deviations.
+// Moves them by so many standard deviations.
 void move_prior_means(FitProblem& problem, double deviations) {
     for (Mechanism& mechanism : problem.mechanisms) {
         for (FreeParameter& parameter : mechanism.parameters) {
@@ -157,7 +157,7 @@ std::vector<Polyline> profiles_of(const Misfit& misfit, const std::vector<Draw>&
 }
 
 // Least distance of each datum, in standard deviations, over draws of the prior; infinite where none has an answer.
-// Of a costly mechanism the runs stand for the draws.
+// The runs of a costly mechanism stand for the draws.
 struct Reach {
     std::vector<double> pulls;
     std::vector<std::string> labels;

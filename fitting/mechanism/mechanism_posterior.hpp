@@ -66,9 +66,9 @@ std::vector<EvidenceVariant> variants_of(const FitProblem& problem);
 // The problem with that change made.
 FitProblem varied(const FitProblem& problem, EvidenceVariant variant);
 
-// Of the mechanism of that index; the problem has to ask for a posterior and to have passed check_problem. A costly
-// mechanism comes with the runs that were made of it: its surrogate, error included, takes the model's place. The
-// result does not depend on the number of threads.
+// The posterior of the mechanism of that index; the problem has to ask for a posterior and to have passed
+// check_problem. A costly mechanism comes with the runs that were made of it: its surrogate, error included, takes the
+// model's place. The result does not depend on the number of threads.
 MechanismPosterior study_posterior(const FitProblem& problem, std::size_t mechanism, const CostlyRuns* costly,
                                    ProgressMeter& progress, StopFlag stop = nullptr);
 

@@ -89,7 +89,7 @@ class Misfit {
     // Nothing where no profile is predicted.
     std::optional<ProfileFit> compare_profile(std::span<const double> parameters) const;
 
-    // By which the logarithm of the likelihood is lower because what is predicted scatters, at a mean that fits.
+    // What the scatter of predictions costs: by how much it lowers the logarithm of the likelihood at a mean that fits.
     double scatter_cost(std::span<const double> parameters) const;
 
     // Index of an output of the model by name.

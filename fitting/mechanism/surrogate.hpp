@@ -56,7 +56,7 @@ class Surrogate {
 
     const Misfit& misfit() const { return misfit_; }
 
-    // As of Misfit: one number per parameter of the mechanism, SI.
+    // As Misfit has them: one number per parameter of the mechanism, SI.
     Evaluation value(std::span<const double> parameters, Priors priors) const;
     Residuals residuals(std::span<const double> parameters) const;
 

@@ -18,6 +18,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -30,14 +31,35 @@ struct Prior {
     double mean;
     double standard_deviation;  // > 0
     std::string source;
+    static constexpr bool written_in_line = true;
+    static constexpr auto fields() {
+        using P = Prior;
+        return std::tuple{
+            number("mean", &P::mean, Dimension::named, any_number(), "mean of the prior"),
+            number("standard_deviation", &P::standard_deviation, Dimension::named, more_than(0),
+                   "standard deviation of the prior"),
+            with_default(section("source", &P::source, "where the prior comes from")),
+        };
+    }
 };
 
 struct FreeParameter {
-    std::string name;  // an input of the mechanism's model
-    double lower;      // lower == upper fixes the parameter
+    std::string name;
+    double lower;  // lower == upper fixes the parameter
     double upper;
     std::optional<Prior> prior;
-    std::vector<std::string> also = {};  // further inputs that take the same value, as two points of a water table
+    std::vector<std::string> also = {};  // as two points of a water table
+    Dimension dimension = Dimension::ratio;
+    static constexpr auto fields() {
+        using P = FreeParameter;
+        return std::tuple{
+            refers_to(NameOf::input, section("name", &P::name, "the input that is free, e.g. strength.friction_angle")),
+            number("lower", &P::lower, Dimension::named, any_number(), "lower bound"),
+            number("upper", &P::upper, Dimension::named, any_number(), "upper bound"),
+            section("prior", &P::prior, "what is known beforehand"),
+            refers_to(NameOf::input, section("also", &P::also, "further inputs that take the same value")),
+        };
+    }
 };
 
 enum class Relation { equal, at_least, at_most };
@@ -46,27 +68,45 @@ constexpr std::array<std::string_view, 3> enum_names(Relation) {
     return {"equal", "at_least", "at_most"};
 }
 
-// Value that an input had when the observation was made, where it differs from the mechanism's (for example the water
-// level on the day the slope still stood). Overrides a free parameter of the same name.
-struct Condition {
-    std::string input;
-    double value;
-};
-
 struct QuantityObservation {
     std::string label;
-    std::string quantity;  // an output of the model; a mechanism without that output leaves the observation unexplained
+    std::string quantity;  // a mechanism without that output leaves the observation unexplained
     Relation relation = Relation::equal;
     double value;
     double standard_deviation;  // > 0; of measurement, or of the model for a factor of safety at failure
+    // Values that inputs had when the observation was made, where they differ from the mechanism's (for example the
+    // water level on the day the slope still stood). They override free parameters of the same name.
     std::vector<Condition> conditions;
     std::string source;
+    Dimension dimension = Dimension::ratio;
+    static constexpr auto fields() {
+        using O = QuantityObservation;
+        return std::tuple{
+            section("label", &O::label, "what was observed, in a few words"),
+            refers_to(NameOf::output, section("quantity", &O::quantity, "name of an output of the model")),
+            with_default(section("relation", &O::relation, "how the quantity compares with the value")),
+            number("value", &O::value, Dimension::named, any_number(), "the observed value"),
+            number("standard_deviation", &O::standard_deviation, Dimension::named, more_than(0),
+                   "standard deviation of the observation, or of the model"),
+            section("with", &O::conditions, "inputs that differed"),
+            with_default(section("source", &O::source, "where the observation comes from")),
+        };
+    }
 };
 
 struct ProfileObservation {
-    Polyline profile;           // at least two distinct points, from the toe into the slope, same axes as the model
+    Polyline profile;           // same axes as the model
     double standard_deviation;  // m, > 0
     std::string source;
+    static constexpr auto fields() {
+        using O = ProfileObservation;
+        return std::tuple{
+            section("points", &O::profile, "the ground after the failure, from the toe into the slope"),
+            number("standard_deviation", &O::standard_deviation, Dimension::length, more_than(0),
+                   "standard deviation of the distance from the profile"),
+            with_default(section("source", &O::source, "where the profile comes from")),
+        };
+    }
 };
 
 // Evidence without a number, such as "crest_block_rotation": a mechanism explains it or it does not.
@@ -74,108 +114,238 @@ struct FieldEvidence {
     std::string name;
     std::string statement;
     std::string source;
+    static constexpr auto fields() {
+        using E = FieldEvidence;
+        return std::tuple{
+            section("name", &E::name, "a short name, e.g. crest_block_rotation"),
+            section("statement", &E::statement, "what was seen"),
+            with_default(section("source", &E::source, "who saw it")),
+        };
+    }
 };
 
 // What a prediction at the best point must be like to show a piece of field evidence.
 struct EvidenceSign {
-    std::string evidence;  // its name
-    std::string quantity;  // an output of the mechanism
-    Relation relation;     // at_least or at_most
+    std::string evidence;
+    std::string quantity;
+    Relation relation = Relation::at_least;  // or at_most
     double value;
+    Dimension dimension = Dimension::ratio;
+    static constexpr auto fields() {
+        using E = EvidenceSign;
+        return std::tuple{
+            section("evidence", &E::evidence, "name of a [[fit.evidence]]"),
+            refers_to(NameOf::output, section("quantity", &E::quantity, "name of an output of the mechanism")),
+            with_default(section("relation", &E::relation, "how the quantity compares with the value")),
+            number("value", &E::value, Dimension::named, any_number(), "limit of the quantity"),
+        };
+    }
 };
 
 // A measurement that could be made next: how much it would tell is asked before it is paid for.
 struct FitCandidate {
     std::string label;
-    // Outputs or inputs of models: what is measured may have one name in one mechanism, another in the next. The first
-    // that a mechanism has counts; one that has none learns nothing.
+    // What is measured may have one name in one mechanism, another in the next. The first that a mechanism has counts;
+    // one that has none learns nothing.
     std::vector<std::string> quantities;
-    double standard_deviation;          // > 0; of the measurement
-    std::vector<Condition> conditions;  // under which an output would be measured
-    std::optional<double> cost;         // > 0, in any unit that the candidates share
+    double standard_deviation;  // > 0
+    std::vector<Condition> conditions;
+    std::optional<double> cost;
     std::string source;
+    Dimension dimension = Dimension::ratio;
+    static constexpr auto fields() {
+        using C = FitCandidate;
+        return std::tuple{
+            section("label", &C::label, "what could be measured, in a few words"),
+            refers_to(NameOf::measurable,
+                      section("quantity", &C::quantities,
+                              "name of an output or an input of the model, or a list of such names")),
+            number("standard_deviation", &C::standard_deviation, Dimension::named, more_than(0),
+                   "standard deviation of the measurement"),
+            section("with", &C::conditions, "inputs under which an output would be measured"),
+            number("cost", &C::cost, Dimension::ratio, more_than(0), "in any unit that the candidates share"),
+            with_default(section("source", &C::source, "where cost and accuracy come from")),
+        };
+    }
 };
 
 // That these mechanisms explain the failure: their probabilities together.
 struct ClaimOfMechanisms {
     std::vector<std::string> mechanisms;
+    static constexpr auto fields() {
+        return std::tuple{refers_to(NameOf::mechanism, section("probability_of", &ClaimOfMechanisms::mechanisms,
+                                                               "mechanisms whose probabilities count together"))};
+    }
 };
 
-// Of an output of one mechanism.
+// A claim about an output of one mechanism.
 struct ClaimOfQuantity {
     std::string mechanism;
     std::string quantity;
     std::vector<Condition> conditions;  // that make it differ from what was fitted
     std::optional<std::vector<Condition>>
         against;  // what is claimed is then by how much it exceeds its value under these
+    static constexpr auto fields() {
+        using C = ClaimOfQuantity;
+        return std::tuple{
+            refers_to(NameOf::mechanism,
+                      section("mechanism", &C::mechanism, "name of the mechanism that is asked, or probability_of")),
+            refers_to(NameOf::output, section("quantity", &C::quantity, "name of an output of the mechanism")),
+            section("with", &C::conditions, "inputs that differ from what was fitted"),
+            section("compared_with", &C::against, "inputs of the prediction that it is compared with"),
+        };
+    }
 };
 
 struct ConclusionTest {
-    std::string claim;  // in words
+    std::string claim;
     std::variant<ClaimOfMechanisms, ClaimOfQuantity> of;
-    Relation relation;    // at_least or at_most
-    double limit;         // of the probability, the quantity or the difference
-    Dimension dimension;  // of that
+    Relation relation = Relation::at_least;  // or at_most
+    double limit;                            // of the probability, the quantity or the difference
+    Dimension dimension = Dimension::ratio;  // of that
+    static constexpr auto fields() {
+        using T = ConclusionTest;
+        return std::tuple{
+            section("claim", &T::claim, "what is claimed, in words"),
+            inlined(&T::of, "what the claim is about"),
+            with_default(section("relation", &T::relation, "how what is claimed compares with the value")),
+            number("value", &T::limit, Dimension::named, any_number(), "limit of what is claimed"),
+        };
+    }
 };
 
 // What others concluded of the failure, to be held against what the back-analysis finds.
 struct Conclusion {
-    std::string label;  // "(i)"
+    std::string label;
     std::string statement;
     std::vector<ConclusionTest> tests;  // empty: no mechanism has a say
     std::string source;
     std::string note;
+    static constexpr auto fields() {
+        using C = Conclusion;
+        return std::tuple{
+            section("label", &C::label, "what it is called, e.g. (i)"),
+            section("statement", &C::statement, "what was concluded"),
+            with_default(section("source", &C::source, "who concluded it")),
+            with_default(section("note", &C::note, "what else there is to say")),
+            section("test", &C::tests, "a claim that a prediction can confirm or contradict"),
+        };
+    }
 };
 
-struct Mechanism {
+// What a case says of a mechanism beside its model.
+struct MechanismTask {
     std::string name;
     std::string title;
-    ModelInterface model;
-    std::vector<FreeParameter> parameters;
+    std::vector<FreeParameter> parameters = {};
     // What is observed of all mechanisms, by the same label, in terms of an output that this one has: "it failed" is a
     // factor of safety of one and a failed area of half the slope.
     std::vector<QuantityObservation> own_observations = {};
     std::vector<EvidenceSign> signs = {};  // of field evidence; every sign of a name has to hold
-    // Of a costly one: cheaper and less exact, with the same inputs and outputs. It says where runs would be wasted.
+    static constexpr auto fields() {
+        using M = MechanismTask;
+        return std::tuple{
+            section("name", &M::name, "a short name, e.g. critical_geometry"),
+            with_default(section("title", &M::title, "what figures call it")),
+            section("parameter", &M::parameters, "an input that is free"),
+            section("observation", &M::own_observations, "an observation in terms of this mechanism"),
+            section("shows", &M::signs, "what shows a piece of field evidence"),
+        };
+    }
+};
+
+struct Mechanism : MechanismTask {
+    ModelInterface model = {};
+    // For a costly model: cheaper and less exact, with the same inputs and outputs. It says where runs would be wasted.
     std::optional<ModelInterface> coarse = {};
 };
 
 // Points along an observed profile at which its distance from the predicted one is taken.
 inline constexpr std::size_t profile_samples = 50;
 
-// Of mechanisms whose model is costly: they are fitted through a surrogate made of runs (surrogate.hpp).
+// Mechanisms whose model is costly are fitted through a surrogate made of runs (surrogate.hpp).
 struct SurrogateSettings {
-    int runs = 120;                 // at most, >= 12
-    std::optional<int> first_runs;  // before the surrogate has a say in where to run, >= 12; absent: 10 per parameter
-    double tolerance = 0.1;         // of the relative error of the evidence: fewer runs if it is met, in (0, 1)
-    // No more runs once its evidence, with twice its error, is less than this share of the best that a mechanism of
-    // another kind has: cheap mechanisms prune costly ones. In [0, 1); 0: never.
+    int runs = 120;
+    std::optional<int> first_runs;
+    double tolerance = 0.1;
     double give_up_below = 1e-3;
+    static constexpr auto fields() {
+        using S = SurrogateSettings;
+        constexpr Interval runs_range = within(12, 2000);  // more make a surrogate that takes longer than the model
+        return std::tuple{
+            with_default(number("runs", &S::runs, Dimension::ratio, runs_range, "runs at most")),
+            number("first_runs", &S::first_runs, Dimension::ratio, runs_range,
+                   "runs before the surrogate says where to run; 10 for each parameter where it is absent"),
+            with_default(number("tolerance", &S::tolerance, Dimension::ratio, between(0, 1),
+                                "relative error of the evidence that is small enough to stop")),
+            // Cheap mechanisms prune costly ones.
+            with_default(number("give_up_below", &S::give_up_below, Dimension::ratio, right_open(0, 1),
+                                "no more runs once the evidence, with twice its error, is less than this share of the "
+                                "best of mechanisms of another kind; 0 for never")),
+        };
+    }
 };
 
 struct FitSettings {
     Algorithm algorithm = Algorithm::sbplx;
-    int starts = 16;                   // local runs: from the prior means, then from a Sobol sequence; >= 1. A global
-                                       // algorithm makes one run with the evaluations of all of them
-    int evaluations_per_start = 400;   // own cap, whatever the algorithm's, >= 10; a quarter is kept for the polish
-    double relative_tolerance = 1e-8;  // stop when parameters, scaled by their bounds, move less than this; > 0
-    int profile_points = 41;           // points of each profile likelihood, >= 5
-    int map_points = 61;               // points along each side of the misfit map, >= 5
-    std::uint64_t seed = 1;            // of the algorithms that use chance (crs2, mlsl, isres)
+    int starts = 16;
+    int evaluations_per_start = 400;
+    double relative_tolerance = 1e-8;
+    int profile_points = 41;
+    int map_points = 61;
+    std::uint64_t seed = 1;
     SurrogateSettings surrogate = {};
     int threads = 1;               // >= 1; the result does not depend on it
     const Ranks* ranks = nullptr;  // nor on these; null: this process alone
+    static constexpr auto fields() {
+        using S = FitSettings;
+        constexpr Interval points_range = within(5, 2001);
+        return std::tuple{
+            with_default(section("algorithm", &S::algorithm, "what minimises the misfit")),
+            with_default(
+                number("starts", &S::starts, Dimension::ratio, within(1, 100'000),
+                       "local runs, from the prior means, then from a Sobol sequence; a global algorithm makes "
+                       "one run with the evaluations of all")),
+            // A quarter is kept for the polish.
+            with_default(number("evaluations_per_start", &S::evaluations_per_start, Dimension::ratio,
+                                within(10, 100'000'000), "evaluations of each at most")),
+            with_default(number("relative_tolerance", &S::relative_tolerance, Dimension::ratio, between(0, 1),
+                                "stop when the parameters, scaled by their bounds, move less than this")),
+            with_default(number("profile_points", &S::profile_points, Dimension::ratio, points_range,
+                                "points of each profile likelihood")),
+            with_default(number("map_points", &S::map_points, Dimension::ratio, points_range,
+                                "points along each side of the misfit map")),
+            with_default(number("seed", &S::seed, Dimension::ratio, at_least(0), "for what uses chance")),
+            with_default(section("surrogate", &S::surrogate, "for models that take long")),
+        };
+    }
 };
 
-struct FitProblem {
+// What a case says of a back-analysis beside its mechanisms.
+struct FitTask {
+    FitSettings settings = {};
+    std::optional<PosteriorStudy> posterior = {};  // absent: neither posteriors nor evidences
+    std::vector<QuantityObservation> observations = {};
+    std::optional<ProfileObservation> profile = {};
+    std::vector<FieldEvidence> evidence = {};
+    std::vector<FitCandidate> candidates = {};
+    std::vector<Conclusion> conclusions = {};
+    static constexpr auto fields() {
+        using T = FitTask;
+        return std::tuple{
+            inlined(&T::settings, "how to search"),
+            section("posterior", &T::posterior, "samples the posterior and the evidence"),
+            section("observation", &T::observations, "a quantity that was observed"),
+            section("profile", &T::profile, "the ground after the failure"),
+            section("evidence", &T::evidence, "evidence without a number"),
+            section("candidate", &T::candidates, "a measurement that could be made next"),
+            section("conclusion", &T::conclusions, "what others concluded"),
+        };
+    }
+};
+
+struct FitProblem : FitTask {
     std::vector<Mechanism> mechanisms;
-    std::vector<QuantityObservation> observations;
-    std::optional<ProfileObservation> profile;
-    std::vector<FieldEvidence> evidence;
-    std::vector<FitCandidate> candidates;
-    std::vector<Conclusion> conclusions;
-    FitSettings settings;
-    std::optional<PosteriorStudy> posterior;  // absent: neither posteriors nor evidences
 };
 
 }  // namespace delabole

@@ -110,7 +110,7 @@ std::vector<Draw> thinned(const Chains& chains, std::size_t steps, std::size_t w
     return draws;
 }
 
-// Of the free parameters; true where all meet the diagnostics.
+// Describes the free parameters; true where all meet the diagnostics.
 bool describe_all(const Chains& chains, const PriorSpace& prior, std::size_t steps, Posterior& posterior) {
     posterior.parameters.clear();
     bool all = true;

@@ -29,7 +29,7 @@
 
 namespace delabole {
 
-// Of one parameter, what the chains have to meet: R-hat below 1.01 and effective sizes of bulk and tails above 400, as
+// What the chains have to meet for one parameter: R-hat below 1.01 and effective sizes of bulk and tails above 400, as
 // Vehtari et al. (2021) advise.
 inline constexpr double greatest_r_hat = 1.01;
 inline constexpr double least_effective_size = 400;
@@ -55,7 +55,7 @@ struct ParameterPosterior {
     ChainDiagnostics diagnostics{};
 };
 
-// Of one parameter, from the first steps of every chain only.
+// Quantiles of one parameter from the first steps of every chain.
 struct RunningQuantiles {
     int steps;  // of each chain
     double lower_95;

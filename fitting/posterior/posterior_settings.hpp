@@ -1,9 +1,15 @@
 // How posteriors and evidences are sampled.
 #pragma once
 
+#include "parameters/fields.hpp"
+
 #include <cstdint>
+#include <tuple>
 
 namespace delabole {
+
+// Fewer of each chain cannot be told to agree.
+inline constexpr int draws_per_chain = 8;
 
 struct PosteriorSettings {
     int chains = 8;                      // >= 2
@@ -18,12 +24,25 @@ struct EvidenceSettings {
     std::uint64_t seed = 1;
 };
 
-// Of a back-analysis; the seed is the fit's own.
+// For a back-analysis; the seed is the fit's own.
 struct PosteriorStudy {
     int chains = PosteriorSettings{}.chains;
     int draws = PosteriorSettings{}.draws;
     int evaluations_per_chain = PosteriorSettings{}.evaluations_per_chain;
     int evidence_points = EvidenceSettings{}.points;
+    static constexpr auto fields() {
+        using S = PosteriorStudy;
+        constexpr double most = 100'000'000;
+        return std::tuple{
+            with_default(number("chains", &S::chains, Dimension::ratio, within(2, 1000), "chains of the sampler")),
+            with_default(number("draws", &S::draws, Dimension::ratio, within(draws_per_chain * 2, most),
+                                "steps of all chains together in the first round")),
+            with_default(number("evaluations_per_chain", &S::evaluations_per_chain, Dimension::ratio, within(1, most),
+                                "no further round is begun that would exceed it")),
+            with_default(number("evidence_points", &S::evidence_points, Dimension::ratio, within(16, 1 << 24),
+                                "points of each replicate of the evidence")),
+        };
+    }
 };
 
 }  // namespace delabole

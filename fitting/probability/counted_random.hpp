@@ -57,7 +57,7 @@ class CountedRandom {
         return (static_cast<std::uint64_t>(words[first]) << 32U) | words[first + 1];
     }
 
-    // In the open interval (0, 1), 2^52 equally likely values.
+    // A number in the open interval (0, 1), one of 2^52 equally likely ones.
     constexpr double unit(std::uint64_t index, std::uint32_t dimension = 0) const {
         return (static_cast<double>(bits(index, dimension) >> 12U) + 0.5) * 0x1p-52;
     }

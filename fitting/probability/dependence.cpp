@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t hermite_terms = 120;
 using Coefficients = std::array<double, hermite_terms>;
 
-// Of (x(z) - mean) / standard deviation over Hermite polynomials normalised to unit variance; [0] is that of degree 1.
+// Coefficients of (x(z) - mean) / standard deviation over Hermite polynomials normalised to unit variance; [0] is that
+// of degree 1.
 Coefficients hermite_coefficients(const Marginal& marginal) {
     Coefficients coefficients{};
     for (int node = 0; node < normal_nodes; ++node) {
@@ -45,7 +46,7 @@ double linear_correlation(const Coefficients& first, const Coefficients& second,
     return sum;
 }
 
-// Of two parameters that are functions of one number, rising together or against each other.
+// Correlation of two parameters that are functions of one number, rising together or against each other.
 double extreme_correlation(const Marginal& first, const Marginal& second, double sign) {
     return normal_integral([&](double z) {
         return (first.value(z) - first.mean()) / first.standard_deviation() *

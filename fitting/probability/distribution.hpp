@@ -22,9 +22,10 @@ struct Normal {
     double mean;
     double standard_deviation;
     static constexpr std::string_view kind = "normal";
+    static constexpr std::string_view kind_key = "distribution";
     static constexpr auto fields() {
-        return std::tuple{number("mean", &Normal::mean, Dimension::ratio, any_number(), "mean"),
-                          number("standard_deviation", &Normal::standard_deviation, Dimension::ratio, more_than(0),
+        return std::tuple{number("mean", &Normal::mean, Dimension::named, any_number(), "mean"),
+                          number("standard_deviation", &Normal::standard_deviation, Dimension::named, more_than(0),
                                  "standard deviation")};
     }
 };
@@ -35,8 +36,8 @@ struct Lognormal {
     double standard_deviation;
     static constexpr std::string_view kind = "lognormal";
     static constexpr auto fields() {
-        return std::tuple{number("mean", &Lognormal::mean, Dimension::ratio, more_than(0), "mean"),
-                          number("standard_deviation", &Lognormal::standard_deviation, Dimension::ratio, more_than(0),
+        return std::tuple{number("mean", &Lognormal::mean, Dimension::named, any_number(), "mean"),
+                          number("standard_deviation", &Lognormal::standard_deviation, Dimension::named, more_than(0),
                                  "standard deviation of the parameter itself, not of its logarithm")};
     }
 };
@@ -47,7 +48,7 @@ struct Exponential {
     static constexpr std::string_view kind = "exponential";
     static constexpr auto fields() {
         return std::tuple{
-            number("mean", &Exponential::mean, Dimension::ratio, more_than(0), "mean before any truncation")};
+            number("mean", &Exponential::mean, Dimension::named, any_number(), "mean before any truncation")};
     }
 };
 
@@ -56,8 +57,8 @@ struct Uniform {
     double upper;
     static constexpr std::string_view kind = "uniform";
     static constexpr auto fields() {
-        return std::tuple{number("lower", &Uniform::lower, Dimension::ratio, any_number(), "least value"),
-                          number("upper", &Uniform::upper, Dimension::ratio, any_number(), "greatest value")};
+        return std::tuple{number("lower", &Uniform::lower, Dimension::named, any_number(), "least value"),
+                          number("upper", &Uniform::upper, Dimension::named, any_number(), "greatest value")};
     }
 };
 
@@ -67,9 +68,9 @@ struct Triangular {
     double upper;
     static constexpr std::string_view kind = "triangular";
     static constexpr auto fields() {
-        return std::tuple{number("lower", &Triangular::lower, Dimension::ratio, any_number(), "least value"),
-                          number("mode", &Triangular::mode, Dimension::ratio, any_number(), "most likely value"),
-                          number("upper", &Triangular::upper, Dimension::ratio, any_number(), "greatest value")};
+        return std::tuple{number("lower", &Triangular::lower, Dimension::named, any_number(), "least value"),
+                          number("mode", &Triangular::mode, Dimension::named, any_number(), "most likely value"),
+                          number("upper", &Triangular::upper, Dimension::named, any_number(), "greatest value")};
     }
 };
 
@@ -82,11 +83,11 @@ struct Beta {
     double upper;
     static constexpr std::string_view kind = "beta";
     static constexpr auto fields() {
-        return std::tuple{number("mean", &Beta::mean, Dimension::ratio, any_number(), "mean"),
-                          number("standard_deviation", &Beta::standard_deviation, Dimension::ratio, more_than(0),
+        return std::tuple{number("mean", &Beta::mean, Dimension::named, any_number(), "mean"),
+                          number("standard_deviation", &Beta::standard_deviation, Dimension::named, more_than(0),
                                  "standard deviation"),
-                          number("lower", &Beta::lower, Dimension::ratio, any_number(), "least value"),
-                          number("upper", &Beta::upper, Dimension::ratio, any_number(), "greatest value")};
+                          number("lower", &Beta::lower, Dimension::named, any_number(), "least value"),
+                          number("upper", &Beta::upper, Dimension::named, any_number(), "greatest value")};
     }
 };
 
@@ -102,7 +103,19 @@ struct Distribution {
     Law law;
     std::optional<double> lower = {};  // truncation
     std::optional<double> upper = {};
+    static constexpr auto fields() {
+        using D = Distribution;
+        return std::tuple{
+            inlined(&D::law, "kind of distribution"),
+            number("lower", &D::lower, Dimension::named, any_number(), "smaller values are cut off"),
+            number("upper", &D::upper, Dimension::named, any_number(), "greater values are cut off"),
+        };
+    }
 };
+
+// Probabilities of the two quantiles between which a study varies a parameter.
+inline constexpr Interval lower_quantile = between(0, 0.5);
+inline constexpr Interval upper_quantile = between(0.5, 1);
 
 // What is wrong with one value of a distribution.
 struct DistributionFault {
@@ -135,7 +148,7 @@ class Marginal {
     // Probability of smaller and of greater values, truncation included.
     Probability probability(double value) const;
 
-    // Of the truncated distribution. Accuracy: 1e-10 of the standard deviation, by the trapezium rule over the
+    // Moments of the truncated distribution. Accuracy: 1e-10 of the standard deviation, by the trapezium rule over the
     // standard normal number; 1e-5 for triangular distributions and for lognormal ones of deviation 10 times the mean.
     double mean() const { return mean_; }
     double standard_deviation() const { return standard_deviation_; }

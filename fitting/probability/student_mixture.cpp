@@ -118,7 +118,7 @@ StudentMixture::StudentMixture(const MatrixXd& points, const VectorXd& weights, 
     }
     const auto d = static_cast<double>(dimension_);
     const double nu = degrees_of_freedom;
-    // Of the density of Student's distribution whose covariance, not whose scale, is given.
+    // The logarithm of the constant of Student's distribution whose covariance, not whose scale, is given.
     log_constant_ = std::lgamma((nu + d) / 2) - std::lgamma(nu / 2) - d / 2 * std::log((nu - 2) * std::numbers::pi);
     fit(points, weights, most_components, seed);
 }

@@ -22,17 +22,18 @@ void gather(const Ranks& ranks, std::size_t piece, std::vector<Evaluation>& eval
             }
         }
     };
-    ByteWriter writer;
+    ArchiveWriter writer;
     visit_pieces_of(static_cast<std::size_t>(ranks.number()), [&](const Evaluation& evaluation) {
-        writer.real(evaluation.value);
-        writer.text(evaluation.failure);
+        writer.put(evaluation.value);
+        writer.put(evaluation.failure);
     });
     const std::vector<std::string> all = ranks.exchange(writer.bytes());
     for (std::size_t rank = 0; rank < all.size(); ++rank) {
-        ByteReader reader(all[rank]);
+        ArchiveReader reader(all[rank]);
         visit_pieces_of(rank, [&](Evaluation& evaluation) {
-            evaluation.value = reader.real();
-            const std::string failure = reader.text();
+            reader.get(evaluation.value);
+            std::string failure;
+            reader.get(failure);
             evaluation.failure = failure.empty() ? std::string_view() : ranks.word(failure);
         });
         demand_whole(reader);

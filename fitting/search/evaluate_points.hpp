@@ -26,8 +26,8 @@ struct Evaluator {
     Workers workers() const { return {threads, ranks}; }
     bool stopped() const { return stop_requested(stop); }
 
-    // Of points 0 ... count - 1, in their order; where the work was stopped, of those up to the first that is missing.
-    // Every rank calls this, from the thread that made Ranks.
+    // Answers at points 0 ... count - 1, in their order; where the work was stopped, at those up to the first that is
+    // missing. Every rank calls this, from the thread that made Ranks.
     std::vector<Evaluation> evaluate(std::size_t dimension, std::size_t count, const PointOf& point) const;
 };
 

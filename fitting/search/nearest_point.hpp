@@ -36,7 +36,7 @@ struct NearestPoint {
 // For share_tasks.
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, NearestPoint>
-auto members(Type& found) {
+auto members_of(Type& found) {
     return std::tie(found.converged, found.point, found.direction, found.distance, found.off_surface,
                     found.misalignment, found.evaluations);
 }

@@ -2,10 +2,9 @@
 #pragma once
 
 #include "fitting/search/minimise.hpp"
-#include "fitting/work/bytes.hpp"
 #include "fitting/work/parallel.hpp"
 #include "fitting/work/ranks.hpp"
-#include "geometry/polyline.hpp"
+#include "numerics/archive.hpp"
 
 #include <concepts>
 #include <cstddef>
@@ -20,22 +19,21 @@
 
 namespace delabole {
 
-// What travels between ranks: numbers, enums, texts, vectors and pairs of such, and structs whose members() says of
-// what they consist.
+// What travels between ranks is what an archive takes: structs need members_of().
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, EvaluationCount>
-auto members(Type& count) {
+auto members_of(Type& count) {
     return std::tie(count.total, count.optimiser_rejections, count.failed_by_cause);
 }
 
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, MinimiseResult>
-auto members(Type& result) {
+auto members_of(Type& result) {
     return std::tie(result.status, result.point, result.value, result.evaluations);
 }
 
 // Throws std::runtime_error where what another rank sent is not what this one expects.
-inline void demand_whole(const ByteReader& reader) {
+inline void demand_whole(const ArchiveReader& reader) {
     if (!reader.whole()) {
         throw std::runtime_error("the ranks do not agree on what they work at: do all run the same program?");
     }
@@ -43,70 +41,9 @@ inline void demand_whole(const ByteReader& reader) {
 
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, Interval>
-auto members(Type& interval) {
+auto members_of(Type& interval) {
     return std::tie(interval.lower, interval.upper, interval.lower_open, interval.upper_open);
 }
-
-template <class Type>
-requires std::same_as<std::remove_const_t<Type>, Point>
-auto members(Type& point) {
-    return std::tie(point.x(), point.y());
-}
-
-namespace detail {
-
-template <class Type>
-inline constexpr bool is_std_vector = false;
-template <class Type>
-inline constexpr bool is_std_vector<std::vector<Type>> = true;
-template <class Type>
-inline constexpr bool is_std_pair = false;
-template <class First, class Second>
-inline constexpr bool is_std_pair<std::pair<First, Second>> = true;
-
-template <class Type>
-void pack(ByteWriter& bytes, const Type& value) {
-    if constexpr (std::is_floating_point_v<Type>) {
-        bytes.real(value);
-    } else if constexpr (std::is_integral_v<Type> || std::is_enum_v<Type>) {
-        bytes.number(static_cast<std::uint64_t>(value));
-    } else if constexpr (std::same_as<Type, std::string>) {
-        bytes.text(value);
-    } else if constexpr (is_std_vector<Type>) {
-        bytes.number(value.size());
-        for (const auto& element : value) {
-            pack(bytes, element);
-        }
-    } else if constexpr (is_std_pair<Type>) {
-        pack(bytes, value.first);
-        pack(bytes, value.second);
-    } else {
-        std::apply([&](const auto&... member) { (pack(bytes, member), ...); }, members(value));
-    }
-}
-
-template <class Type>
-void unpack(ByteReader& bytes, Type& value) {
-    if constexpr (std::is_floating_point_v<Type>) {
-        value = bytes.real();
-    } else if constexpr (std::is_integral_v<Type> || std::is_enum_v<Type>) {
-        value = static_cast<Type>(bytes.number());
-    } else if constexpr (std::same_as<Type, std::string>) {
-        value = bytes.text();
-    } else if constexpr (is_std_vector<Type>) {
-        value.resize(bytes.number());
-        for (auto& element : value) {
-            unpack(bytes, element);
-        }
-    } else if constexpr (is_std_pair<Type>) {
-        unpack(bytes, value.first);
-        unpack(bytes, value.second);
-    } else {
-        std::apply([&](auto&... member) { (unpack(bytes, member), ...); }, members(value));
-    }
-}
-
-}  // namespace detail
 
 // The threads of this rank and the ranks beside it; no result depends on either number.
 struct Workers {
@@ -133,15 +70,15 @@ std::vector<Result> share_tasks(std::size_t count, const Workers& workers,
     if (workers.alone()) {
         return results;
     }
-    ByteWriter writer;
+    ArchiveWriter writer;
     for (std::size_t number = own; number < count; number += ranks) {
-        detail::pack(writer, results[number]);
+        writer.put(results[number]);
     }
     const std::vector<std::string> all = workers.ranks->exchange(writer.bytes());
     for (std::size_t rank = 0; rank < ranks; ++rank) {
-        ByteReader reader(all[rank]);
+        ArchiveReader reader(all[rank]);
         for (std::size_t number = rank; number < count; number += ranks) {
-            detail::unpack(reader, results[number]);
+            reader.get(results[number]);
         }
         demand_whole(reader);
     }

@@ -117,8 +117,8 @@ class Samples {
     double offset() const { return offset_; }
     bool independent() const { return independent_; }
 
-    // Of the first `count` of the samples that belong together: of all for independent ones, of each replicate for a
-    // sequence, whole replicates for Latin hypercubes.
+    // Estimates from the first `count` of the samples that belong together: of all for independent ones, of each
+    // replicate for a sequence, whole replicates for Latin hypercubes.
     std::pair<Sums, std::vector<Sums>> sums(std::size_t count) const {
         Sums all;
         std::vector<Sums> replicates;

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -27,10 +28,21 @@ constexpr std::array<std::string_view, 2> enum_names(FailureSide) {
 struct FailureCriterion {
     double limit;
     FailureSide side = FailureSide::below;
-    // Words of the model that decide without a value of the quantity, as "fails_at_any_strength" and
-    // "holds_at_any_strength"; all other words mean a sample without an answer.
+    // They decide without a value of the quantity, as "fails_at_any_strength" and "holds_at_any_strength"; all other
+    // words mean a sample without an answer.
     std::vector<std::string> failing_words = {};
     std::vector<std::string> standing_words = {};
+
+    static constexpr auto fields() {
+        using C = FailureCriterion;
+        return std::tuple{
+            number("limit", &C::limit, Dimension::named, any_number(),
+                   "value of the quantity at which the slope fails"),
+            with_default(section("side", &C::side, "where the slope has failed")),
+            section("failing_words", &C::failing_words, "words of the model that mean failure"),
+            section("standing_words", &C::standing_words, "words of the model that mean that the slope stands"),
+        };
+    }
 
     bool failed(double value) const { return side == FailureSide::below ? value < limit : value > limit; }
     bool failed(const Evaluation& evaluation) const;
@@ -40,14 +52,25 @@ struct FailureCriterion {
     bool decided(const Evaluation& evaluation) const;
 };
 
+// Samples that a result keeps in memory with ease.
+inline constexpr long most_samples = 10'000'000;
+
 struct PropagationSettings {
     SamplingMethod method = SamplingMethod::latin_hypercube;
-    long samples = 16'384;  // raised to the next number that the replicates share evenly, by powers of 2 for a sequence
-    int replicates = 16;    // independent samples whose spread gives the error, >= 2; Monte Carlo needs none
+    long samples = 16'384;
+    int replicates = 16;  // Monte Carlo needs none
+    static constexpr auto fields() {
+        using S = PropagationSettings;
+        return std::tuple{
+            with_default(section("method", &S::method, "how samples are drawn")),
+            with_default(number("samples", &S::samples, Dimension::ratio, within(2, most_samples),
+                                "raised to the next number that the replicates share evenly, by powers of 2 for a "
+                                "sequence")),
+            with_default(number("replicates", &S::replicates, Dimension::ratio, within(2, 1000),
+                                "independent samples whose spread gives the error")),
+        };
+    }
 };
-
-// As many as a result keeps in memory with ease.
-inline constexpr long most_samples = 10'000'000;
 
 // Points of each replicate, and how many there are.
 struct PlanSize {
@@ -69,7 +92,7 @@ constexpr std::array<std::string_view, 2> enum_names(ErrorMethod) {
 }
 
 struct FailureProbability {
-    // Of the samples that are decided; none where they are fewer than half, and so no sample of the whole.
+    // Share of the decided samples; unset where they are fewer than half, and so no sample of the whole.
     std::optional<Estimate> probability;
     ErrorMethod method = ErrorMethod::wilson;
     long failed = 0;
@@ -108,7 +131,7 @@ inline constexpr std::array<double, 9> shown_shares{0.01, 0.025, 0.05, 0.25, 0.5
 struct PropagationResult {
     PropagationStatus status = PropagationStatus::no_answer;
     long samples = 0;  // evaluated
-    // Of the samples with a value; meaningful where there is one.
+    // Describe the samples with a value; meaningful where there is one.
     long with_value = 0;
     Estimate mean;
     double standard_deviation = 0;

@@ -20,14 +20,26 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace delabole {
 
 struct ReliabilitySettings {
-    int starts = 8;           // the medians, then random points two standard deviations away; >= 1
-    double step = 1e-3;       // of differences, in standard deviations; larger for models with a coarse answer
-    double tolerance = 1e-3;  // of beta
+    int starts = 8;
+    double step = 1e-3;
+    double tolerance = 1e-3;
+    static constexpr auto fields() {
+        using S = ReliabilitySettings;
+        return std::tuple{
+            with_default(number("starts", &S::starts, Dimension::ratio, within(1, 10'000),
+                                "the medians, then random points two standard deviations away")),
+            with_default(number("step", &S::step, Dimension::ratio, within(1e-6, 1),
+                                "step of differences in standard deviations; larger for models with a coarse answer")),
+            with_default(number("tolerance", &S::tolerance, Dimension::ratio, within(1e-8, 0.5),
+                                "error of the reliability index")),
+        };
+    }
 };
 
 enum class ReliabilityStatus {

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -18,6 +19,15 @@ namespace delabole {
 struct TornadoSettings {
     double lower_probability = 0.05;
     double upper_probability = 0.95;
+    static constexpr auto fields() {
+        using S = TornadoSettings;
+        return std::tuple{
+            with_default(number("lower_probability", &S::lower_probability, Dimension::ratio, lower_quantile,
+                                "probability of the lower end")),
+            with_default(number("upper_probability", &S::upper_probability, Dimension::ratio, upper_quantile,
+                                "probability of the upper end")),
+        };
+    }
 };
 
 struct TornadoEnd {
@@ -49,10 +59,23 @@ std::optional<TornadoResult> tornado(const Evaluator& evaluator, const InputSpac
 // Source: M. D. Morris, Technometrics 33 (1991) 161-174; mean of the absolute effects: F. Campolongo, J. Cariboni &
 // A. Saltelli, Environmental Modelling & Software 22 (2007) 1509-1518.
 struct MorrisSettings {
-    int trajectories = 30;  // >= 2
-    int levels = 4;         // even, >= 2
+    int trajectories = 30;
+    int levels = 4;  // even
     double lower_probability = 0.05;
     double upper_probability = 0.95;
+    static constexpr auto fields() {
+        using S = MorrisSettings;
+        return std::tuple{
+            with_default(number("trajectories", &S::trajectories, Dimension::ratio, within(2, 1e6),
+                                "walks in which each parameter changes once")),
+            with_default(number("levels", &S::levels, Dimension::ratio, within(2, 1000),
+                                "values of each parameter; even, since a step is half the levels")),
+            with_default(number("lower_probability", &S::lower_probability, Dimension::ratio, lower_quantile,
+                                "probability of the lower end")),
+            with_default(number("upper_probability", &S::upper_probability, Dimension::ratio, upper_quantile,
+                                "probability of the upper end")),
+        };
+    }
 };
 
 struct MorrisEffect {

@@ -10,9 +10,11 @@
 #include "fitting/sensitivity/sweep.hpp"
 #include "parameters/model_interface.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -20,22 +22,39 @@ namespace delabole {
 class Ranks;
 
 struct UncertainParameter {
-    std::string name;  // an input of the model
+    std::string name;
     Distribution distribution;
     std::string source;
-    std::vector<std::string> also = {};  // further inputs that take the same value, as two points of a water table
+    std::vector<std::string> also = {};  // as two points of a water table
+    Dimension dimension = Dimension::ratio;
+    static constexpr auto fields() {
+        using P = UncertainParameter;
+        return std::tuple{
+            refers_to(NameOf::input, section("name", &P::name, "the input that is uncertain, e.g. strength.cohesion")),
+            inlined(&P::distribution, "how it is distributed"),
+            refers_to(NameOf::input, section("also", &P::also, "further inputs that take the same value")),
+            with_default(section("source", &P::source, "where the distribution comes from")),
+        };
+    }
 };
 
 struct ParameterCorrelation {
-    std::string first;
-    std::string second;
+    std::array<std::string, 2> pair;
     CorrelationMeasure measure = CorrelationMeasure::linear;
     double coefficient;
+    static constexpr auto fields() {
+        using C = ParameterCorrelation;
+        return std::tuple{
+            section("between", &C::pair, "the names of two uncertain parameters, [\"a\", \"b\"]"),
+            number("coefficient", &C::coefficient, Dimension::ratio, between(-1, 1), "correlation coefficient"),
+            with_default(section("measure", &C::measure, "of the values, or of their ranks")),
+        };
+    }
 };
 
 // What is absent is not done.
 struct SensitivityStudy {
-    std::string quantity;  // an output of the model
+    std::string quantity;
     std::vector<UncertainParameter> parameters;
     std::vector<ParameterCorrelation> correlations;
     std::optional<FailureCriterion> failure;
@@ -46,6 +65,24 @@ struct SensitivityStudy {
     std::optional<PropagationSettings> propagation;
     std::optional<ReliabilitySettings> reliability;
     std::uint64_t seed = 1;
+    Dimension dimension = Dimension::ratio;  // of the quantity
+    static constexpr auto fields() {
+        using S = SensitivityStudy;
+        return std::tuple{
+            refers_to(NameOf::output,
+                      section("quantity", &S::quantity, "the output that is studied, e.g. factor_of_safety")),
+            with_default(number("seed", &S::seed, Dimension::ratio, at_least(0), "of the random numbers")),
+            section("parameter", &S::parameters, "an input that is uncertain"),
+            section("correlation", &S::correlations, "parameters that depend on each other"),
+            section("failure", &S::failure, "when the quantity means failure"),
+            section("tornado", &S::tornado, "one parameter at a time, between two quantiles"),
+            section("sweep", &S::sweep, "in steps between the same quantiles: what is not monotone"),
+            section("morris", &S::morris, "elementary effects: which parameters matter"),
+            section("sobol_indices", &S::sobol_indices, "shares of the variance"),
+            section("propagation", &S::propagation, "distribution of the quantity and probability of failure"),
+            section("reliability", &S::reliability, "the most likely point of failure"),
+        };
+    }
 };
 
 struct SensitivityProblem {

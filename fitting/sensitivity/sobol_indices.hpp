@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -27,8 +28,17 @@ namespace delabole {
 inline constexpr std::size_t most_index_parameters = 20;
 
 struct SobolIndicesSettings {
-    int samples = 4096;    // N, a power of 2 >= 16; the quantity is evaluated N (parameters + 2) times
-    int bootstrap = 1000;  // repetitions, >= 100
+    int samples = 4096;  // a power of 2
+    int bootstrap = 1000;
+    static constexpr auto fields() {
+        using S = SobolIndicesSettings;
+        return std::tuple{
+            with_default(number("samples", &S::samples, Dimension::ratio, within(16, 1 << 22),
+                                "N, a power of 2; the quantity is evaluated N (parameters + 2) times")),
+            with_default(number("bootstrap", &S::bootstrap, Dimension::ratio, within(100, 1e5),
+                                "repetitions that give the intervals")),
+        };
+    }
 };
 
 enum class SobolIndicesStatus {

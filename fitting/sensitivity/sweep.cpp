@@ -126,7 +126,7 @@ std::optional<SweepResult> from_medians(const Evaluator& evaluator, const InputS
     return result;
 }
 
-// Of one parameter's classes: `order` has the samples with an answer, by that parameter.
+// The sweep over one parameter's classes: `order` has the samples with an answer, by that parameter.
 ParameterSweep of_classes(const std::vector<std::size_t>& order, std::span<const double> parameter,
                           const std::vector<Evaluation>& answers, std::size_t classes) {
     std::vector<SweepPoint> points;

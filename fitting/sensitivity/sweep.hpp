@@ -28,6 +28,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -37,15 +38,40 @@ struct SweptQuantity {
     std::string name;
     double scatter = 0;
     Dimension dimension = Dimension::ratio;  // of the scatter, for who writes it down
+    static constexpr auto fields() {
+        using S = SweptQuantity;
+        return std::tuple{
+            refers_to(NameOf::output, section("name", &S::name, "an output that is swept too, e.g. weight")),
+            with_default(number("scatter", &S::scatter, Dimension::named, at_least(0),
+                                "standard deviation at unchanged parameters; 0 where it is exact")),
+        };
+    }
 };
 
 struct SweepSettings {
-    int points = 9;  // odd, from 3 to 19: with the others at their medians, half of them on either side of the median
-    double lower_probability = 0.05;  // of the points, with the others at their medians
+    int points = 9;  // odd, half of them on either side of the median
+    double lower_probability = 0.05;
     double upper_probability = 0.95;
-    int samples = 0;     // of a Latin hypercube, at least 8 for each point; 0: the others stay at their medians
-    double scatter = 0;  // standard deviation of the quantity at unchanged parameters, used without samples; 0: exact
+    int samples = 0;  // 0, or at least 8 for each point
+    double scatter = 0;
     std::vector<SweptQuantity> further = {};
+    static constexpr auto fields() {
+        using S = SweepSettings;
+        return std::tuple{
+            with_default(number("points", &S::points, Dimension::ratio, within(3, 19),
+                                "values of each parameter, with the others at their medians; odd")),
+            with_default(number("lower_probability", &S::lower_probability, Dimension::ratio, lower_quantile,
+                                "probability of the lower end")),
+            with_default(number("upper_probability", &S::upper_probability, Dimension::ratio, upper_quantile,
+                                "probability of the upper end")),
+            with_default(number("samples", &S::samples, Dimension::ratio, within(0, 10'000'000),
+                                "points of a Latin hypercube; 0: the others stay at their medians")),
+            with_default(number("scatter", &S::scatter, Dimension::named, at_least(0),
+                                "standard deviation of the quantity at unchanged parameters, used without samples; 0 "
+                                "where it is exact")),
+            section("quantity", &S::further, "a further output that is swept"),
+        };
+    }
 };
 
 struct SweepPoint {
@@ -74,8 +100,8 @@ struct ParameterSweep {
     SweepChange reversal;  // the greatest change of the other sign; zero where there is none
 };
 
-// Of points in order; those without an answer are left out, and three have to stay. A change of less than 1e-9 of the
-// greatest value is rounding.
+// The course over points in order; those without an answer are left out, and three have to stay. A change of less than
+// 1e-9 of the greatest value is rounding.
 ParameterSweep judge_sweep(std::vector<SweepPoint> points, double scatter);
 
 struct SweepResult {

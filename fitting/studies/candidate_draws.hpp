@@ -14,7 +14,7 @@ namespace delabole {
 inline constexpr std::size_t most_draws = 2000;
 inline constexpr std::size_t most_costly_draws = 256;
 
-// Of each mechanism with a posterior, in the order of the result; probabilities from the evidence, field evidence
+// Draws of each mechanism with a posterior, in the order of the result; probabilities from the evidence, field evidence
 // included, all mechanisms equally likely beforehand. An input that is not free is known already.
 std::vector<MechanismDraws> draws_for_candidates(const FitProblem& problem, const FitResult& result,
                                                  ProgressMeter& progress);

@@ -19,7 +19,7 @@ struct LogEvidence {
     double standard_error;
 };
 
-// Of every mechanism that was sampled, in the order of the result; probability 0 for the others.
+// Weight of every mechanism that was sampled, in the order of the result; probability 0 for the others.
 std::vector<MechanismWeight> weigh(const FitResult& result);
 
 // In the order given. Without any evidence all have probability 0.

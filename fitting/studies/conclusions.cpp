@@ -24,7 +24,7 @@ bool holds(double value, const ConclusionTest& test) {
     return test.relation == Relation::at_least ? value >= test.limit : value <= test.limit;
 }
 
-// Of those that were fitted; nothing where none was sampled.
+// Judges by the mechanisms that were fitted; not tested where none was sampled.
 TestFinding judge(const ConclusionTest& test, const ClaimOfMechanisms& claim, const FitResult& result) {
     const std::vector<MechanismWeight> weights = weigh(result);
     TestFinding finding;
@@ -34,7 +34,7 @@ TestFinding judge(const ConclusionTest& test, const ClaimOfMechanisms& claim, co
         if (fit.posterior && std::ranges::find(claim.mechanisms, fit.name) != claim.mechanisms.end()) {
             any = true;
             finding.value += weights[index].probability;
-            // As if all erred the same way, which overstates it.
+            // The errors are added as if all had one sign, which overstates the sum.
             finding.standard_error += weights[index].standard_error;
         }
     }

@@ -52,7 +52,7 @@ struct ConclusionFinding {
 std::vector<ConclusionFinding> judge_conclusions(const FitProblem& problem, const FitResult& result,
                                                  const FitProgressCallback& progress = {}, StopFlag stop = nullptr);
 
-// Of a conclusion whose tests came out so.
+// The verdict on a conclusion whose tests came out so.
 ConclusionVerdict verdict_of(const std::vector<TestFinding>& tests);
 
 }  // namespace delabole

@@ -58,7 +58,7 @@ struct Spread {
     double width = 0;
 };
 
-// Of one parameter with the given weights: entry 0 of all draws, entry c + 1 of all but those of chain c.
+// Spreads of one parameter with the given weights: entry 0 of all draws, entry c + 1 of all but those of chain c.
 class Spreads {
   public:
     Spreads(const Answered& draws, std::size_t parameter, std::span<const double> weights)
@@ -240,7 +240,7 @@ MechanismInformation inform(const MechanismDraws& mechanism, const Answered& dra
     return information;
 }
 
-// Of one mechanism that predicts the quantity.
+// Predictions of one mechanism that has the quantity.
 struct Predictor {
     std::size_t mechanism;
     double probability;  // among those that predict it

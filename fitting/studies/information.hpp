@@ -8,7 +8,7 @@
 // of the standard deviation and of the width of the 95 % interval of each parameter. The draw that made the outcome is
 // left out: with it, a sharp measurement would always find its own truth again.
 //
-// Of the mechanisms, whose probabilities are p_m, an outcome of one makes them p_m f_m(z) / sum, f_m being the mean of
+// An outcome z turns the probabilities p_m of the mechanisms into p_m f_m(z) / sum, f_m being the mean of
 // the normal density of z over the draws of m. The expected information is the mean fall of the entropy
 // -sum p ln p, among the mechanisms that predict the quantity; the others say nothing about the outcome.
 //
@@ -35,7 +35,7 @@ struct MechanismDraws {
     std::vector<std::string> parameters;      // free ones
     std::vector<int> chain;                   // of each draw
     std::vector<std::vector<double>> values;  // of each parameter, of each draw, SI
-    // Of each candidate: its quantity at each draw, NaN where the model has no answer; empty where the mechanism does
+    // For each candidate, its quantity at each draw, NaN where the model has no answer; empty where the mechanism does
     // not predict the quantity.
     std::vector<std::vector<double>> predicted;
 };
@@ -74,8 +74,8 @@ struct MechanismInformation {
 struct CandidateInformation {
     std::string label;
     std::vector<MechanismInformation> mechanisms;
-    // Of each parameter, weighted by the probabilities of the mechanisms in which it is free; one that says nothing
-    // about the quantity gains nothing.
+    // Gain of each parameter, weighted by the probabilities of the mechanisms in which it is free; one that says
+    // nothing about the quantity gains nothing.
     std::vector<ParameterInformation> over_mechanisms;
     // About which mechanism it was, nats; absent where fewer than two predict the quantity.
     std::optional<ExpectedReduction> about_mechanism;
@@ -87,7 +87,7 @@ struct InformationSettings {
     int threads = 1;  // the result does not depend on it
 };
 
-// In the order of the candidates. Chains are numbered from 0, at least two of them with as many draws each.
+// Results in the order of the candidates. Chains are numbered from 0, at least two of them with as many draws each.
 // Throws std::invalid_argument for draws that do not fit together.
 std::vector<CandidateInformation> value_of_information(const std::vector<FitCandidate>& candidates,
                                                        const std::vector<MechanismDraws>& mechanisms,

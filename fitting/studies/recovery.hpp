@@ -41,7 +41,7 @@ struct Recovered {
     PosteriorStatus status = PosteriorStatus::no_valid_point;
     bool has_truth = false;  // a truth was found at which the model has answers and the inequalities hold
     std::vector<double> truth;
-    // Of each free parameter:
+    // For each free parameter:
     std::vector<double> mean;
     std::vector<double> standard_deviation;
     std::vector<int> rank;       // of the truth among ranked_draws, 0 to ranked_draws
@@ -51,7 +51,7 @@ struct Recovered {
 
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, Recovered>
-auto members(Type& one) {
+auto members_of(Type& one) {
     return std::tie(one.status, one.has_truth, one.truth, one.mean, one.standard_deviation, one.rank, one.inside_68,
                     one.inside_95);
 }

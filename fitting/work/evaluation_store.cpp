@@ -1,6 +1,6 @@
 #include "fitting/work/evaluation_store.hpp"
 
-#include "fitting/work/bytes.hpp"
+#include "numerics/archive.hpp"
 #include "numerics/fnv_1a.hpp"
 
 #include <sqlite3.h>
@@ -36,17 +36,17 @@ std::string key_of(std::span<const Assignment> assignments) {
     for (const Assignment& assignment : assignments) {
         values[assignment.input] = assignment.value;
     }
-    ByteWriter writer;
+    ArchiveWriter writer;
     for (const auto& [input, value] : values) {
-        writer.number(input);
-        writer.real(value);
+        writer.put(input);
+        writer.put(value);
     }
     return writer.bytes();
 }
 
 std::string bytes_of(const std::vector<double>& values) {
-    ByteWriter writer;
-    writer.reals(values);
+    ArchiveWriter writer;
+    writer.put(values);
     return writer.bytes();
 }
 
@@ -66,13 +66,13 @@ struct Entry {
     double seconds = 0;
 
     std::int64_t checksum(std::int64_t shelf, std::string_view key) const {
-        ByteWriter writer;
-        writer.number(static_cast<std::uint64_t>(shelf));
-        writer.text(key);
-        writer.text(failure);
-        writer.text(outputs);
-        writer.text(profile);
-        writer.real(seconds);
+        ArchiveWriter writer;
+        writer.put(shelf);
+        for (const std::string_view text :
+             {key, std::string_view(failure), std::string_view(outputs), std::string_view(profile)}) {
+            writer.put(text);
+        }
+        writer.put(seconds);
         return static_cast<std::int64_t>(fnv_1a(writer.bytes()));
     }
 };
@@ -304,10 +304,11 @@ Prediction EvaluationStore::Database::prediction_of(const Entry& entry, std::siz
     if (!entry.failure.empty()) {
         prediction.failure = *words_.insert(entry.failure).first;
     }
-    ByteReader numbers(entry.outputs);
-    prediction.outputs = numbers.reals();
-    ByteReader line(entry.profile);
-    const std::vector<double> coordinates = line.reals();
+    ArchiveReader numbers(entry.outputs);
+    numbers.get(prediction.outputs);
+    ArchiveReader line(entry.profile);
+    std::vector<double> coordinates;
+    line.get(coordinates);
     const bool fits = numbers.whole() && line.whole() && coordinates.size() % 2 == 0 &&
                       (prediction.outputs.empty() || prediction.outputs.size() == outputs);
     if (!fits) {

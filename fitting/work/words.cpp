@@ -24,6 +24,20 @@ std::string value_in_words(double value, Dimension dimension) {
     return unit.symbol.empty() ? number : number + " " + std::string(unit.symbol);
 }
 
+std::string range_in_words(const Interval& range) {
+    const bool has_lower = std::isfinite(range.lower);
+    const bool has_upper = std::isfinite(range.upper);
+    const std::string lower = number_in_words(range.lower);
+    const std::string upper = number_in_words(range.upper);
+    if (has_lower && has_upper && range.lower_open == range.upper_open) {
+        return range.lower_open ? "between " + lower + " and " + upper + " (ends excluded)"
+                                : "from " + lower + " to " + upper;
+    }
+    const std::string from = has_lower ? (range.lower_open ? "more than " : "at least ") + lower : "";
+    const std::string to = has_upper ? (range.upper_open ? "less than " : "at most ") + upper : "";
+    return from + (has_lower && has_upper ? " and " : "") + to;
+}
+
 std::string list_in_words(const std::vector<std::string>& items) {
     std::string text;
     for (std::size_t index = 0; index < items.size(); ++index) {

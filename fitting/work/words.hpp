@@ -14,6 +14,9 @@ std::string number_in_words(double value);
 // An SI value in its display unit with the unit's symbol, "12.5 deg", "0.043".
 std::string value_in_words(double value, Dimension dimension);
 
+// "from 1 to 9", "between 0 and 1 (ends excluded)", "at least 0"; empty where all numbers are allowed.
+std::string range_in_words(const Interval& range);
+
 // "a", "a and b", "a, b and c".
 std::string list_in_words(const std::vector<std::string>& items);
 

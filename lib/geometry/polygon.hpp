@@ -117,7 +117,7 @@ SplitPolygon<T> split(const Polygon<T>& polygon, const HalfPlane<T>& line) {
     return parts;
 }
 
-// By the number of edges to the right of the point. On an edge either answer may come.
+// Decided by the number of edges to the right of the point. On an edge either answer may come.
 inline bool inside(const Polygon<>& polygon, const PlanePoint<>& point) {
     bool result = false;
     for (std::size_t index = 0; index < polygon.size(); ++index) {

@@ -98,7 +98,7 @@ class SectionMesh {
     std::vector<MeshFace> faces_ = {};
 };
 
-// Of the corner at b between a and c, anticlockwise: negative where a polygon is not convex.
+// Sine of the anticlockwise turn at b on the way from a to c: negative where a polygon is not convex.
 double sine_of_turn(const PlanePoint<>& a, const PlanePoint<>& b, const PlanePoint<>& c);
 
 // Between the ends of a segment, nearer to the one whose number is less; neither end is preferred.

@@ -42,7 +42,7 @@ double angle_in_plan(double first_azimuth, double second_azimuth) {
     return std::abs(azimuth_difference(first_azimuth, second_azimuth));
 }
 
-// Of a line that leaves through the face and is cut off behind the crest. Notation: header.
+// The sliding contact of a line that leaves through the face and is cut off behind the crest. Notation: header.
 SlidingContact contact_of(const SlopeOrientation& slope, const LineOrientation& line, const Orientation& first,
                           const Orientation& second) {
     const Direction along = direction_of(line);

@@ -95,8 +95,8 @@ struct OrientationStatistics {
     double angular_standard_deviation;  // acos(R / N)
 };
 
-// Of planes whose poles, turned to the side of their principal axis, have the resultant R. Poles spread over more than
-// a hemisphere have no meaningful mean. At least one plane; a single one has an infinite concentration.
+// Statistics of planes whose poles, turned to the side of their principal axis, have the resultant R. Poles spread over
+// more than a hemisphere have no meaningful mean. At least one plane; a single one has an infinite concentration.
 OrientationStatistics orientation_statistics(const std::vector<Orientation>& planes);
 
 }  // namespace delabole

@@ -46,10 +46,12 @@ Direction direction_of(const LineOrientation& line);
 // The end of the axis that points downwards; a horizontal axis is left as it is.
 Direction downward(const Direction& axis);
 
-// Of the plane with this normal, either way round and of any length but 0. A horizontal plane has dip direction 0.
+// Orientation of the plane with this normal, either way round and of any length but 0. A horizontal plane has dip
+// direction 0.
 Orientation plane_with_normal(const Direction& normal);
 
-// Of the axis in this direction, either way round and of any length but 0. A vertical line has trend 0.
+// Trend and plunge of the axis in this direction, either way round and of any length but 0. A vertical line has trend
+// 0.
 LineOrientation line_along(const Direction& axis);
 
 // Clockwise angle from one azimuth to another, -180 to 180 deg.

@@ -18,7 +18,7 @@ namespace delabole {
 // A line meets a plane at the angle d the more seldom the smaller d is: a plane met counts for 1 / sin d. Planes nearly
 // parallel to the line would count for all the others: d is taken as `least_angle` where it is smaller.
 double terzaghi_weight(const Orientation& plane, const LineOrientation& line, double least_angle);
-// Customary (Priest 1993: 10 to 20 deg).
+// Customary: larger weights would rest on too few planes.
 inline constexpr double customary_least_angle = degrees(15);
 
 // Of poles turned to the side of their principal axis, weights w scaled to the sum N. R is the length of their

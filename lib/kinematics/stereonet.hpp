@@ -28,7 +28,8 @@ constexpr std::array<std::string_view, 2> enum_names(NetProjection) {
     return {"equal_area", "equal_angle"};
 }
 
-// As it points; the upward vertical has no image on the equal-angle net and a whole circle on the equal-area net.
+// The image of a direction as it points; the upward vertical has no image on the equal-angle net and a whole circle on
+// the equal-area net.
 Point projected(const Direction& direction, NetProjection projection);
 
 // The inverse; equal-area points lie within sqrt(2) of the centre.

@@ -31,7 +31,7 @@ class SparseSystem {
     SparseSystem& operator=(SparseSystem&& other) noexcept;
 
     const SparsePattern& pattern() const { return pattern_; }
-    // In the order of the pattern.
+    // Values in the order of the pattern.
     std::span<double> values() { return value_; }
 
     // Right-hand side in, solution out. False, with the vector undefined, where the matrix is singular to working

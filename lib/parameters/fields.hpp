@@ -13,7 +13,12 @@
 //   std::variant, inlined  exactly one alternative's keys stand in the surrounding section (no `kind`, no own section)
 //   std::vector<struct>    an array of tables
 //   enum                   one word out of enum_names(Enum)
-//   std::string            any text
+//   std::string            any text; std::vector of it, a list of texts, which may be absent
+//
+// A result may also describe a function of its members that takes nothing: the value is what it returns.
+//
+// with_default(field) is a field that keeps its in-class default where it is absent. refers_to(what, field) is a text
+// that names something: an input or output then gives dimension and range to the numbers of Dimension::named behind it.
 #pragma once
 
 #include <array>
@@ -49,6 +54,7 @@ enum class Dimension {
     speed,              // m/s
     acceleration,       // m/s2
     angular_speed,      // rad/s
+    named,              // of the input or output that the struct names
 };
 
 // The unit in which people read a dimension, and the factor to the SI base unit used inside.
@@ -94,6 +100,7 @@ constexpr DisplayUnit display_unit(Dimension dimension) {
     case Dimension::angular_speed:
         return {"deg/s", "_deg_per_s", radians_per_degree};
     case Dimension::ratio:
+    case Dimension::named:
         break;
     }
     return {"", "", 1.0};
@@ -146,11 +153,22 @@ constexpr Interval right_open(double lower, double upper) {
     return {.lower = lower, .upper = upper, .upper_open = true};
 }
 
+// What a text names.
+enum class NameOf {
+    nothing,
+    input,
+    output,
+    measurable,  // an input or an output
+    mechanism,   // whose inputs and outputs are then meant
+};
+
 struct FieldInfo {
     std::string_view key;  // empty for an inlined variant
     std::string_view meaning;
     Dimension dimension = Dimension::ratio;
-    Interval range = {};
+    Interval range = {};  // unbounded for Dimension::named: that of what is named
+    bool has_default = false;
+    NameOf name_of = NameOf::nothing;
 };
 
 template <class Owner, class Member>
@@ -174,6 +192,18 @@ constexpr Field<Owner, Member> section(std::string_view key, Member Owner::*memb
 template <class Owner, class Member>
 constexpr Field<Owner, Member> inlined(Member Owner::*member, std::string_view meaning) {
     return {{{}, meaning}, member};
+}
+
+template <class Owner, class Member>
+constexpr Field<Owner, Member> with_default(Field<Owner, Member> field) {
+    field.info.has_default = true;
+    return field;
+}
+
+template <class Owner, class Member>
+constexpr Field<Owner, Member> refers_to(NameOf what, Field<Owner, Member> field) {
+    field.info.name_of = what;
+    return field;
 }
 
 // The word by which a case and a result know a value of an enum.
@@ -214,16 +244,33 @@ inline constexpr bool is_vector = false;
 template <class Type>
 inline constexpr bool is_vector<std::vector<Type>> = true;
 
+// double, integers and whatever else is added and compared, as derivatives and numbers of 50 digits are.
 template <class Type>
 concept NumberType =
-    !Described<Type> && !is_optional<std::remove_const_t<Type>> && !is_variant<std::remove_const_t<Type>> &&
-    !is_vector<std::remove_const_t<Type>> && !std::is_enum_v<std::remove_const_t<Type>> &&
-    !std::same_as<std::remove_const_t<Type>, std::string>;
+    !std::is_enum_v<std::remove_const_t<Type>> && !std::same_as<std::remove_const_t<Type>, std::string> &&
+    !is_optional<std::remove_const_t<Type>> && requires(const Type& value) {
+    value + value;
+    { value < value } -> std::convertible_to<bool>;
+};
+
+namespace detail {
+
+template <class Object, class Owner, class Member, class Visitor>
+constexpr void visit_field(Object& object, const Field<Owner, Member>& field, Visitor& visit) {
+    if constexpr (std::is_function_v<Member>) {
+        const auto value = (object.*field.member)();
+        visit(field.info, value);
+    } else {
+        visit(field.info, object.*field.member);
+    }
+}
+
+}  // namespace detail
 
 // Calls visit(field info, member) for each field of a described struct, in the order of the table.
 template <Described Object, class Visitor>
 constexpr void visit_fields(Object& object, Visitor&& visit) {
-    std::apply([&](const auto&... field) { (visit(field.info, object.*field.member), ...); },
+    std::apply([&](const auto&... field) { (detail::visit_field(object, field, visit), ...); },
                std::remove_const_t<Object>::fields());
 }
 

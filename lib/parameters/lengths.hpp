@@ -10,11 +10,11 @@ namespace delabole {
 
 inline constexpr double longest_length = 1e6;  // m
 
-// Of something that has an extent.
+// Allowed lengths of what has an extent.
 constexpr Interval extent_range() {
     return left_open(0, longest_length);
 }
-// Of something that may be nothing.
+// Allowed lengths of what may be nothing.
 constexpr Interval distance_range() {
     return within(0, longest_length);
 }

@@ -23,7 +23,7 @@ struct Quantity {
     double value = 0;     // base value of an input; 0 for an output
 };
 
-// By name: where it stands, and what it is; nothing where there is none.
+// Place and value of the quantity of that name; nothing where there is none.
 inline std::optional<std::size_t> place_of(const std::vector<Quantity>& quantities, std::string_view name) {
     const auto found = std::ranges::find(quantities, name, &Quantity::name);
     return found == quantities.end() ? std::nullopt
@@ -43,6 +43,13 @@ inline constexpr std::string_view deviation_of_profile = "ensemble_deviation.pro
 struct Assignment {
     std::size_t input;  // index into ModelInterface::inputs
     double value;       // SI
+};
+
+// The same by the input's name.
+struct Condition {
+    std::string input;
+    double value;                            // SI
+    Dimension dimension = Dimension::ratio;  // of the value, for who writes it down
 };
 
 struct Prediction {

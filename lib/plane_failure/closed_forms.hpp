@@ -9,7 +9,7 @@
 
 namespace delabole::closed_form {
 
-// As printed: 1/2 gamma H^2 {[1 - (z/H)^2] cot p - cot f}. Here cot p times (1 - zeta^2 - k) with k = cot f tan p,
+// Printed as 1/2 gamma H^2 {[1 - (z/H)^2] cot p - cot f}. Here cot p times (1 - zeta^2 - k) with k = cot f tan p,
 // where 1 - k = sin(f - p) / (sin f cos p); of the two orders of subtraction the one without cancellation is taken.
 // Valid for 0 <= z <= (1 - k) H: crack between the plane's outcrop and the crest. Relative error below 1e-14.
 template <class T>
@@ -23,7 +23,7 @@ T weight_crack_behind_crest(const T& unit_weight, const T& height, const T& z, c
     return unit_weight * height * height / 2 * (cos(plane_dip) / sin(plane_dip)) * factor;
 }
 
-// As printed: 1/2 gamma H^2 (1 - z/H)^2 cot p (cot p tan f - 1). Here cot p tan f - 1 = sin(f - p) / (sin p cos f).
+// Printed as 1/2 gamma H^2 (1 - z/H)^2 cot p (cot p tan f - 1). Here cot p tan f - 1 = sin(f - p) / (sin p cos f).
 // Valid for (1 - k) H <= z < H: crack in the face. The printed form without a bracket ("[(1 - z/H)^2 cot p (...)]") is
 // the same. Relative error below 1e-14 for faces up to 89.99 deg.
 template <class T>

@@ -164,8 +164,8 @@ struct PondAtMass {
     T unit_weight;
 
     T pressure_at(const T& level) const { return height >= level ? T(unit_weight * (height - level)) : T(0); }
-    // Of pond water in a crack, above its bottom. One that opens in the face lets in what stands above its top, from
-    // one behind the crest water would run off.
+    // Depth of pond water in a crack, above its bottom. One that opens in the face lets in what stands above its top,
+    // from one behind the crest water would run off.
     T depth_in_crack(const Wedge<T>& wedge) const {
         const T above_bottom = height - wedge.base_top_height();
         if (!(above_bottom > 0)) {

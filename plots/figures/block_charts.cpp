@@ -91,7 +91,7 @@ std::optional<Point> widest_place(const Polyline& outline, const Polyline& marks
     return best;
 }
 
-// In words, for readers of a black and white copy.
+// States in words, for readers of a black and white copy.
 void name_regions(const ModeChart& chart, Figure& figure) {
     constexpr double letter_width = 0.55 * 19;  // px
     constexpr double line_height = 1.2 * 19;    // px

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double plot_width = 620;            // px
 constexpr double greatest_plot_height = 680;  // px
-// Of the greatest force, px.
+// Length of the arrow of the greatest force, px.
 constexpr double longest_arrow = 85;
 constexpr double shortest_arrow = 40;
 // Of any force: less would hide behind its head.
@@ -237,7 +237,7 @@ class BlockPicture {
         return true;
     }
 
-    // Of an arrow, or of a link of a chain: through the contact, as long as a block is wide.
+    // The shaft of an arrow, or of a link of a chain: through the contact, as long as a block is wide.
     Arrows::Shaft shaft_of(const DrawnForce& force) const {
         if (chains_) {
             const Point half = 0.5 * block_size_ * force.force.normalized();
@@ -279,7 +279,7 @@ class BlockPicture {
                             [&](const Arrows::Shaft& velocity) { return crosses(place, velocity.from, velocity.to); });
     }
 
-    // In a corner where nothing is drawn, otherwise above everything.
+    // The key stands in a corner where nothing is drawn, otherwise above everything.
     void place_force_key() {
         if (!(greatest_force_ > 0)) {
             return;

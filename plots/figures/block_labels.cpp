@@ -40,7 +40,7 @@ class BlockLabels {
         for (Numeral& numeral : shown) {
             numeral.at = every ? place_of(numeral) : numeral.at;
         }
-        // Of numbers that have not all room, those few that cover no velocity would mean nothing.
+        // Where not all numbers have room, those few that cover no velocity would mean nothing.
         std::erase_if(shown, [&](const Numeral& numeral) {
             return covers_velocity(place_of_text(numeral)) ||
                    (!every && !across_.velocities.empty() && numeral.block->mode != DrawnMode::fixed);
@@ -63,7 +63,7 @@ class BlockLabels {
                 .size = numeral.size / text_height};
     }
 
-    // Of a fixed block that is long and thin, as a base is.
+    // Whether a fixed block is long and thin, as a base is.
     bool bar(const DrawnBlock& block) const {
         if (block.mode != DrawnMode::fixed || block.label.empty()) {
             return false;
@@ -258,7 +258,8 @@ class BlockLabels {
         return best;
     }
 
-    // Of fixed blocks: the largest ones, as many as do not run into each other. What runs into these goes first.
+    // Keeps the numbers of the largest fixed blocks, as many as do not run into each other. What runs into these goes
+    // first.
     void keep_fixed(std::vector<Numeral>& numerals) const {
         std::vector<Numeral*> fixed;
         for (Numeral& numeral : numerals) {

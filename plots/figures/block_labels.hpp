@@ -12,7 +12,7 @@ namespace delabole {
 constexpr double text_height = 19;     // px, of a figure's text
 constexpr double letter_width = 0.66;  // of the height of the text
 
-// In the units of the blocks' outlines.
+// Positions in the units of the blocks' outlines.
 Point centroid_of(const DrawnBlock& block);
 
 // What labels keep clear of besides outlines, and the frame that those beside a block stay in.

@@ -112,7 +112,7 @@ double prior_density(const FreeParameter& parameter, double value) {
     return std::exp(-z * z / 2);
 }
 
-// Of the prior, per SI unit.
+// Integral of the prior, per SI unit.
 double prior_integral(const FreeParameter& parameter) {
     if (!parameter.prior) {
         return parameter.upper - parameter.lower;

@@ -62,7 +62,7 @@ std::string fixed_point(double value, int decimals) {
     return text == "-0" ? "0" : text;
 }
 
-// As the script reads it.
+// The motion in the form in which the script reads it.
 void append_number(std::string& text, int value) {
     constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     unsigned rest = (static_cast<unsigned>(std::abs(value)) << 1U) | (value < 0 ? 1U : 0U);
@@ -172,7 +172,7 @@ class Drawing {
             tilts += comma + fixed_point(finite_or_zero(frame.tilt) / degree, 4);
             for (std::size_t index = 0; index < moving.size(); ++index) {
                 const State state = state_of(frame, moving[index]);
-                // Of a block that is not there, nothing has to be known.
+                // Nothing has to be known of a block that is not there.
                 const std::array<int, 3> pose = state.level == absent ? before[index] : state.pose;
                 for (std::size_t part = 0; part < 3; ++part) {
                     append_number(poses, pose[part] - before[index][part]);

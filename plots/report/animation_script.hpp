@@ -22,7 +22,7 @@ inline constexpr std::string_view animation_style =
 inline constexpr std::string_view animation_script = R"js('use strict';
 (() => {
 const alphabet = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/';
-const calm = window.matchMedia('(prefers-reduced-motion: reduce)');
+const reducedMotion = window.matchMedia('(prefers-reduced-motion: reduce)');
 const four = number => String(Number(number.toPrecision(4)));
 
 // Base-64 digits, low ones first, five bits in each; the sixth says that more follow, the lowest bit of all is the sign.
@@ -93,7 +93,7 @@ function bringToLife(box) {
     let frame = shown;
     while (frame + 1 < frames && data.times[frame + 1] <= clock) ++frame;
     // Single pictures instead of motion for those who asked for less of it.
-    if (frame !== shown && (!calm.matches || now - changed >= 500)) {
+    if (frame !== shown && (!reducedMotion.matches || now - changed >= 500)) {
       changed = now;
       show(frame);
     }

@@ -13,15 +13,22 @@ def measured(what, case, inputs, output):
         evaluation = case.evaluate(inputs, output)
         best = min(best, time.process_time() - start)
     count = evaluation[output].size
-    print(f"{what}: {count} in {best:.3f} s, {1e6 * best / count:.3f} us each, {sum(evaluation.failures.values())} without an answer")
+    failed = sum(evaluation.failures.values())
+    print(f"{what}: {count} in {best:.3f} s, {1e6 * best / count:.3f} us each, {failed} without an answer")
 
 
 generator = np.random.default_rng(1)
 plane = delabole.read("cases/plane_failure/wyllie_mah_7_1.toml")
-million = {"strength.friction_angle": generator.uniform(0.3, 0.7, 1_000_000), "strength.cohesion": generator.uniform(0, 50e3, 1_000_000)}
+million = {
+    "strength.friction_angle": generator.uniform(0.3, 0.7, 1_000_000),
+    "strength.cohesion": generator.uniform(0, 50e3, 1_000_000),
+}
 measured("factors of safety of plane failure", plane, million, "factor_of_safety")
 measured("weights of plane failure, with all that a run computes", plane, million, "weight")
-grid = {"strength.friction_angle": np.linspace(0.3, 0.7, 1000)[:, None], "rock.unit_weight": np.linspace(22e3, 28e3, 1000)}
+grid = {
+    "strength.friction_angle": np.linspace(0.3, 0.7, 1000)[:, None],
+    "water.water_depth": np.linspace(0, 3, 1000),
+}
 measured("a grid of plane failure", plane, grid, "factor_of_safety")
 columns = delabole.read("cases/stepped_base/goodman_bray_1976.toml")
 inclined = {"columns.joint_dip": np.radians(np.linspace(55, 65, 20_000))}

@@ -35,21 +35,21 @@ std::string text_with(std::string_view from, std::string_view to) {
 TEST(CandidatesReader, InputsAndOutputsOfAnyMechanism) {
     const CaseFile file = parse_case(text_with("", ""), "slope.toml");
     ASSERT_EQ(file.fit->candidates.size(), 2U);
-    const FitCandidate& piezometer = file.fit->candidates[0].candidate;
+    const FitCandidate& piezometer = file.fit->candidates[0];
     EXPECT_EQ(piezometer.quantities, std::vector<std::string>{"water.water_depth"});
     EXPECT_EQ(piezometer.standard_deviation, 2);
     EXPECT_EQ(piezometer.conditions.at(0).value, degrees(30));
     EXPECT_EQ(piezometer.cost, 3);
     EXPECT_EQ(file.fit->candidates[1].dimension, Dimension::angle);
-    EXPECT_EQ(file.fit->candidates[1].candidate.standard_deviation, degrees(1));
+    EXPECT_EQ(file.fit->candidates[1].standard_deviation, degrees(1));
 }
 
 TEST(CandidatesReader, TheResolvedCaseHoldsThem) {
     const CaseFile file = parse_case(text_with("", ""), "slope.toml");
     const CaseFile again = parse_case(resolved_toml(file), "resolved.toml");
     EXPECT_EQ(resolved_toml(again), resolved_toml(file));
-    EXPECT_EQ(again.fit->candidates.at(0).candidate.source, "a quotation");
-    EXPECT_EQ(again.fit->candidates.at(0).candidate.cost, 3);
+    EXPECT_EQ(again.fit->candidates.at(0).source, "a quotation");
+    EXPECT_EQ(again.fit->candidates.at(0).cost, 3);
 }
 
 TEST(CandidatesReader, Complaints) {
@@ -57,9 +57,9 @@ TEST(CandidatesReader, Complaints) {
         expect_complaint(text_with(from, to), words);
     };
     said("\"water.water_depth\"\nstandard_deviation = \"2 m\"", "\"water.water_deth\"\nstandard_deviation = \"2 m\"",
-         "fit.candidate[1].quantity = \"water.water_deth\": water.water_deth is neither an output nor an input of any "
+         "fit.candidate[1].quantity = \"water.water_deth\": is neither an output nor an input of any "
          "mechanism (did you mean water.water_depth?)");
-    said("[\"tilt\"]", "[\"tilt\", \"water.water_depth\"]", "water.water_depth and tilt are not of one dimension");
+    said("[\"tilt\"]", "[\"tilt\", \"water.water_depth\"]", "water.water_depth has another dimension than tilt");
     said("[\"tilt\"]", "[]", "fit.candidate[2].quantity = [ ... ]: is empty");
     said("\"2 m\"", "\"0 m\"", "fit.candidate[1].standard_deviation = \"0 m\": must be more than 0");
     said("\"2 m\"", "\"2 deg\"", "fit.candidate[1].standard_deviation = \"2 deg\": ");

@@ -94,10 +94,11 @@ TEST(ConclusionsReader, Complaints) {
     said("\"-5 deg\"", "\"-5 m\"", "fit.conclusion[1].test[2].value = \"-5 m\": ");
     said("\"at_most\"", "\"equal\"", "fit.conclusion[1].test[2].relation = \"equal\": ");
     said("probability_of = [\"tilting\"]", "probability_of = [\"tilting\"]\nquantity = \"tilt\"",
-         "fit.conclusion[1].test[1].quantity = \"tilt\": goes with mechanism, not with probability_of");
+         "fit.conclusion[1].test[1]: takes only one of probability_of or mechanism with quantity");
     said("probability_of = [\"tilting\"]", "probability_of = [\"tilting\"]\nmechanism = \"tilting\"",
-         "fit.conclusion[1].test[1].mechanism = \"tilting\": a claim has either mechanism or probability_of");
-    said("probability_of = [\"tilting\"]\n", "", "fit.conclusion[1].test[1].mechanism");
+         "fit.conclusion[1].test[1]: takes only one of probability_of or mechanism with quantity");
+    said("probability_of = [\"tilting\"]\n", "",
+         "fit.conclusion[1].test[1]: needs one of probability_of or mechanism with quantity");
     said("claim = \"tilting it was\"\n", "", "fit.conclusion[1].test[1].claim: is required");
     said("label = \"(ii)\"", "label = \"(i)\"", "fit.conclusion[2].label = \"(i)\": names two conclusions");
 }

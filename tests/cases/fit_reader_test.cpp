@@ -26,7 +26,7 @@ TEST(FitReader, OneMechanism) {
     ASSERT_EQ(file.fit->mechanisms.front().parameters.size(), 1U);
     EXPECT_EQ(file.fit->mechanisms.front().parameters.front().upper, degrees(45));
     ASSERT_EQ(file.fit->observations.size(), 1U);
-    EXPECT_EQ(file.fit->observations.front().observation.relation, Relation::equal);
+    EXPECT_EQ(file.fit->observations.front().relation, Relation::equal);
 }
 
 TEST(FitReader, AMechanismMayBeOfAnotherModel) {
@@ -53,12 +53,12 @@ std::string in_own_terms() {
 TEST(FitReader, AMechanismSpeaksInItsOwnTerms) {
     const CaseFile file = parse_case(in_own_terms(), "slope.toml");
     const FitMechanism& mechanism = file.fit->mechanisms[1];
-    ASSERT_EQ(mechanism.observations.size(), 1U);
-    EXPECT_EQ(mechanism.observations.front().observation.relation, Relation::at_least);
-    EXPECT_EQ(mechanism.observations.front().observation.value, degrees(10));
+    ASSERT_EQ(mechanism.own_observations.size(), 1U);
+    EXPECT_EQ(mechanism.own_observations.front().relation, Relation::at_least);
+    EXPECT_EQ(mechanism.own_observations.front().value, degrees(10));
     ASSERT_EQ(mechanism.signs.size(), 1U);
-    EXPECT_EQ(mechanism.signs.front().sign.value, degrees(5));
-    EXPECT_TRUE(file.fit->mechanisms[0].observations.empty());
+    EXPECT_EQ(mechanism.signs.front().value, degrees(5));
+    EXPECT_TRUE(file.fit->mechanisms[0].own_observations.empty());
     EXPECT_EQ(file.fit->settings.surrogate.runs, 50);
     EXPECT_EQ(file.fit->settings.surrogate.first_runs, 20);
     EXPECT_EQ(file.fit->settings.surrogate.tolerance, 0.05);
@@ -157,7 +157,7 @@ TEST(FitReader, AMechanismMayBeLikeAnother) {
     EXPECT_EQ(std::get<TiltedColumn<>>(second.model).filled_ratio, 0.75);
     EXPECT_EQ(std::get<TiltedColumn<>>(second.model).joint_dip, std::get<TiltedColumn<>>(first.model).joint_dip);
     EXPECT_EQ(second.parameters.size(), first.parameters.size());
-    EXPECT_EQ(second.observations.size(), first.observations.size());
+    EXPECT_EQ(second.own_observations.size(), first.own_observations.size());
     EXPECT_EQ(second.signs.size(), first.signs.size());
     EXPECT_NE(complaint(changed(own + std::string(rival), "like = \"tilting\"", "like = \"tilding\""))
                   .find("fit.mechanism[3].like = \"tilding\": is not the name of an earlier mechanism"),
@@ -220,7 +220,7 @@ TEST(FitReader, Posterior) {
     EXPECT_EQ(fit_complaint("[[fit.parameter]]", "[fit.posterior]\nchains = 1\n[[fit.parameter]]"),
               "slope.toml:34:10: fit.posterior.chains = 1: must be a whole number from 2 to 1000");
     EXPECT_EQ(fit_complaint("[[fit.parameter]]", "[fit.posterior]\nchains = 4\ndraws = 31\n[[fit.parameter]]"),
-              "slope.toml:35:9: fit.posterior.draws = 31: must be a whole number from 32 to 100000000");
+              "slope.toml:35:9: fit.posterior.draws = 31: must be at least 8 for each chain: 32");
     EXPECT_EQ(fit_complaint("algorithm = \"bobyqa\"", "posterior = true"),
               "slope.toml:31:13: fit.posterior = true: must be a section: [fit.posterior] and its keys");
 }

@@ -476,7 +476,7 @@ TEST(RelaxationCase, SaysThatDampingSlowsWhatFails) {
 
 TEST(RelaxationCase, AWatchEndsTheRun) {
     const CaseModel model = parse_case(row_text, "case").model;
-    const Analysis stopped = analyse_model(model, {.watch = [](double, const std::string&) { return false; }});
+    const Analysis stopped = analyse_model(model, {.watch = [](double, const std::string&, bool) { return false; }});
     EXPECT_EQ(stopped.status, "interrupted");
     EXPECT_FALSE(stopped.unfinished.empty());
 }

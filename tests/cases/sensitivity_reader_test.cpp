@@ -65,7 +65,7 @@ step = 0.01
 TEST(SensitivityReader, ReadsValuesInTheirUnits) {
     const CaseFile file = parse_case(study_text, "slope.toml");
     ASSERT_TRUE(file.sensitivity);
-    const SensitivityStudy& study = file.sensitivity->study;
+    const SensitivityStudy& study = *file.sensitivity;
     EXPECT_EQ(study.quantity, "factor_of_safety");
     EXPECT_EQ(study.seed, 7U);
     EXPECT_EQ(study.failure->limit, 1);
@@ -106,7 +106,7 @@ TEST(SensitivityReader, InputsThatMoveTogetherHaveOneDimension) {
         return changed(study_text, "source = \"laboratory\"", "also = " + others);
     };
     const CaseFile file = parse_case(with("[\"slope.face_dip\"]"), "slope.toml");
-    EXPECT_EQ(file.sensitivity->study.parameters[1].also, std::vector<std::string>{"slope.face_dip"});
+    EXPECT_EQ(file.sensitivity->parameters[1].also, std::vector<std::string>{"slope.face_dip"});
     EXPECT_NE(resolved_toml(file).find("also = [\"slope.face_dip\"]"), std::string::npos);
     EXPECT_NE(complaint(with("[\"slope.height\"]")).find("has another dimension"), std::string::npos);
     EXPECT_NE(complaint(with("[\"slope.fase_dip\"]")).find("did you mean slope.face_dip?"), std::string::npos);
@@ -118,8 +118,8 @@ TEST(SensitivityReader, AngleOfALimitHasTheUnitOfItsQuantity) {
     const CaseFile file =
         parse_case(changed(changed(text, "limit = 1", "limit = \"30 deg\""), "scatter = 0.02", "scatter = \"1 deg\""),
                    "slope.toml");
-    EXPECT_EQ(file.sensitivity->study.failure->limit, degrees(30));
-    EXPECT_EQ(file.sensitivity->study.sweep->scatter, degrees(1));
+    EXPECT_EQ(file.sensitivity->failure->limit, degrees(30));
+    EXPECT_EQ(file.sensitivity->sweep->scatter, degrees(1));
 }
 
 TEST(SensitivityReader, MistakesAreNamedAtTheirPlace) {

@@ -1,4 +1,5 @@
 #include "cases/program/case/case_writer.hpp"
+#include "cases/program/reader/described_reader.hpp"
 
 #include "example_case.hpp"
 
@@ -216,6 +217,36 @@ TEST(Template, NamesEveryKind) {
           "base_elevation", "toe_elevation", "water_elevation", "more than 0 and at most 1000000 m",
           "at least 0 kPa"}) {
         EXPECT_NE(text.find(word), std::string::npos) << word;
+    }
+}
+
+template <class Type>
+void collect_keys(std::set<std::string>& keys) {
+    if constexpr (is_optional<Type> || is_vector<Type>) {
+        collect_keys<typename Type::value_type>(keys);
+    } else if constexpr (is_variant<Type>) {
+        detail::for_each_alternative<Type>([&]<std::size_t, class One>() { collect_keys<One>(keys); });
+    } else if constexpr (Described<Type>) {
+        const Type object{};
+        visit_fields(object, [&]<class Member>(const FieldInfo& info, const Member&) {
+            keys.emplace(info.key);
+            collect_keys<Member>(keys);
+        });
+    }
+}
+
+// Each optional section of a study stands in the template, with all its keys.
+TEST(Template, NamesEveryKeyOfAFitAndASensitivityStudy) {
+    const std::string text = commented_template("plane_failure");
+    std::set<std::string> keys;
+    collect_keys<FitTask>(keys);
+    collect_keys<MechanismTask>(keys);
+    collect_keys<SensitivityStudy>(keys);
+    ASSERT_TRUE(keys.contains("give_up_below") && keys.contains("compared_with") && keys.contains("bootstrap"));
+    for (const std::string& key : keys) {
+        const bool named = key.empty() || text.find(key + " = ") != std::string::npos ||
+                           text.find("." + key + "]") != std::string::npos;
+        EXPECT_TRUE(named) << key;
     }
 }
 

@@ -144,7 +144,7 @@ TEST(CheckProblem, NamesEveryFault) {
         "observation a observed: value = nan must be finite",
         "observation b observed: standard_deviation = -1 must be finite and > 0",
         "profile: needs at least two distinct points",
-        "settings: starts = 0 must be >= 1",
+        "settings: starts = 0 must be from 1 to 100000",
     };
     EXPECT_EQ(faults, expected);
 }

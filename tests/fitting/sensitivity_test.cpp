@@ -134,7 +134,7 @@ TEST(Sensitivity, FaultsStandAtTheirKeys) {
     const auto tie = [](const char* first, const char* second, double coefficient) {
         return [=](Study& study) {
             study.sobol_indices.reset();
-            study.correlations = {{first, second, CorrelationMeasure::linear, coefficient}};
+            study.correlations = {{{first, second}, CorrelationMeasure::linear, coefficient}};
         };
     };
     EXPECT_EQ(key_of(tie("x1", "x7", 0.5)), "correlation[1].between");
@@ -142,7 +142,7 @@ TEST(Sensitivity, FaultsStandAtTheirKeys) {
     EXPECT_EQ(key_of(tie("x1", "x2", 1)), "correlation[1].coefficient");
     EXPECT_EQ(key_of(tie("x1", "x3", 0.99)), "correlation[1].coefficient");  // a uniform and a normal reach 0.977
     EXPECT_EQ(key_of([](Study& study) {
-                  study.correlations = {{"x1", "x2", CorrelationMeasure::linear, 0.5}};
+                  study.correlations = {{{"x1", "x2"}, CorrelationMeasure::linear, 0.5}};
               }),
               "sobol_indices");
 }

@@ -93,7 +93,7 @@ void require(bool kept, std::string_view promise, const std::string& about) {
 void run(const delabole::CaseFile& file, const Allowance& allowed) {
     delabole::AnalysisWork work;
     int looks = 0;  // the first of each run is before its first step
-    work.watch = [&](double, const std::string&) { return ++looks <= allowed.runs; };
+    work.watch = [&](double, const std::string&, bool) { return ++looks <= allowed.runs; };
     const delabole::Analysis analysis = analyse_model(file.model, work);
     if (!analysis.failure.empty()) {
         ++counts.impossible;

@@ -74,6 +74,73 @@ else
     expect_status 3
 fi
 
+title "grid: an output over one input, on the screen and as CSV; over two, a map"
+delabole grid good.toml --vary "water.water_depth=0 m:4 m:5" --vary "strength.cohesion=0 kPa, 25 kPa" --out grid
+expect_status 0
+expect_output '10 points in grid.csv'
+expect_figures grid 1
+expect_only_numbers grid
+expect "all points" test "$(wc -l <grid/grid.csv)" == 11
+expect "inputs and outputs with their units" contains grid/grid.csv 'water.water_depth_m,strength.cohesion_kPa,factor_of_safety'
+delabole grid good.toml --vary "water.water_depth=0 m:4 m:3" --output weight --output outcome --json
+expect_status 0
+expect "JSON" is_json "$scratch/out"
+expect_output '"weight_kN_per_m": '
+delabole grid good.toml --vary "water.water_depth=0 m:4 m:12" --vary "strength.cohesion=0 kPa:25 kPa:11" --out map
+expect_status 0
+expect_figures map 1
+for wrong in "water.water_depth" "water.water_depth=1 m" "water.water_depth=1 m:2 m:3:4"; do
+    delabole grid good.toml --vary "$wrong"
+    expect_status 2
+done
+delabole grid good.toml --vary "water.water_dept=0 m:4 m"
+expect_status 3
+expect_error 'did you mean water.water_depth'
+delabole grid good.toml --vary "water.water_depth=0 m:4 m:3" --output factor
+expect_status 3
+expect_error 'is not an output of this case'
+
+title "compare: what differs in inputs and outputs"
+sed 's/^cohesion = .*/cohesion = "30 kPa"/' good.toml >other.toml
+expect "the case was changed" refuse cmp -s good.toml other.toml
+delabole compare good.toml other.toml
+expect_status 0
+expect_output 'strength.cohesion'
+expect_output 'factor_of_safety'
+expect "nothing that is the same" refuse grep -q crack_depth "$scratch/out"
+delabole compare good.toml good.toml --json
+expect_status 0
+expect "no input differs" grep -q '"inputs": \[\]' "$scratch/out"
+
+title "run draws the sweeps of a case"
+cat good.toml - >swept.toml <<'CASE'
+
+[[sweep]]
+name = "water"
+output = "factor_of_safety"
+
+[[sweep.vary]]
+input = "water.water_depth"
+from = "0 m"
+to = "4 m"
+
+[[sweep.statement]]
+label = "more water"
+curve = "factor_of_safety"
+is = "falls"
+CASE
+delabole run swept.toml
+expect_status 0
+expect "drawn" test -s results/swept/figures/water.svg
+expect "its points" test "$(wc -l <results/swept/water.csv)" == 102
+expect "compared" grep -q '"verdict": "ok"' results/swept/result.json
+delabole verify swept.toml
+expect_status 0
+expect_output 'more water'
+sed 's/is = "falls"/is = "rises"/' swept.toml >wrong.toml
+delabole verify wrong.toml
+expect_status 1
+
 title "fit"
 delabole fit good_fit.toml
 expect_status 0

@@ -1,10 +1,8 @@
 """Blocks in motion: steps, arrays without copies, checkpoints."""
 
 import gc
-import os
-import signal
-import threading
 
+import conftest
 import delabole
 import numpy as np
 import pytest
@@ -131,11 +129,9 @@ def test_a_run_ends_at_a_time_or_where_there_is_an_outcome():
 
 def test_ctrl_c_leaves_a_simulation_that_goes_on():
     simulation = delabole.Simulation(bricks(duration="1e6 s", collapse_displacement=1e9, most_steps=1_000_000_000))
-    timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
-    timer.start()
+    interruption = conftest.Interruption()
     with pytest.raises(KeyboardInterrupt):
-        simulation.run()
-    timer.join()
+        simulation.run(progress=interruption.soon)
     steps = simulation.steps
     assert steps > 0 and simulation.step(10) == 10 and simulation.steps == steps + 10
 

@@ -1,12 +1,11 @@
 """Back-analyses and sensitivity studies: the program's numbers, arrays, progress and Ctrl-C."""
 
 import json
-import os
-import signal
 import subprocess
 import threading
 import time
 
+import conftest
 import delabole
 import numpy as np
 import pytest
@@ -70,13 +69,15 @@ def test_parameters_profiles_and_loci_are_in_si(fit):
     assert mechanism.best["strength.cohesion"] / 1e3 == printed["strength.cohesion_kPa"]["best"]
     for profile in mechanism.profiles:
         assert profile.values.shape == profile.misfits.shape
-        assert profile.values[np.argmin(profile.misfits)] == pytest.approx(mechanism.best[profile.parameter], rel=1e-3) \
-            or not profile.with_priors
+        if profile.with_priors:  # else the least misfit is that of a whole valley
+            lowest = profile.values[np.argmin(profile.misfits)]
+            assert lowest == pytest.approx(mechanism.best[profile.parameter], rel=1e-3)
     # At every point of the locus the model itself answers 1.
     (locus,) = mechanism.failure_loci
     factors = SLOPE.evaluate({locus.x: locus.points[:, 0], locus.y: locus.points[:, 1]}).factor_of_safety
     np.testing.assert_allclose(factors, 1, atol=1e-6)  # roots are bracketed to 1e-8 of the ranges
-    assert mechanism.misfit_map.misfit.shape == (len(mechanism.misfit_map.y_values), len(mechanism.misfit_map.x_values))
+    misfits = mechanism.misfit_map
+    assert misfits.misfit.shape == (len(misfits.y_values), len(misfits.x_values))
     with pytest.raises(KeyError):
         fit["toppling"]
 
@@ -97,8 +98,8 @@ def test_draws_are_columns_and_chains(fit):
 
 def test_a_fit_does_not_depend_on_threads_but_on_its_seed(case, fit):
     assert case.fit(threads=2).to_dict() == fit.to_dict()
-    other = case.fit(seed=2)
-    assert not np.array_equal(other.mechanisms[0].posterior.draws["misfit"], fit.mechanisms[0].posterior.draws["misfit"])
+    draws, others = (one.mechanisms[0].posterior.draws["misfit"] for one in (fit, case.fit(seed=2)))
+    assert not np.array_equal(draws, others)
 
 
 def test_mechanisms_are_chosen_by_name(cases):
@@ -147,12 +148,9 @@ def test_what_a_callback_raises_ends_the_work():
 def test_ctrl_c_ends_the_work_and_python_goes_on():
     # As many evaluations as take half a minute.
     case = fitted(starts=100_000)
-    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
-    timer.start()
-    start = time.monotonic()
+    interruption = conftest.Interruption()
     with pytest.raises(KeyboardInterrupt):
-        case.fit()
-    timer.join()
+        case.fit(progress=interruption.soon)
     assert SLOPE.run().status == "ok"
 
 
@@ -174,4 +172,4 @@ def test_other_threads_run_meanwhile():
     over.set()
     other.join()
     # With the lock held it would be 0 or 1.
-    assert during > 5
+    assert during > 2

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Usage: rooms.sh ROOT
 # Holds the sources below ROOT to the plan of the house: each third-party library stays in its room, rooms and their
-# sub-rooms include only downwards, lib/ neither reads nor prints, no folder holds more sources, and no source more
-# lines, than a reader takes in.
+# sub-rooms include only downwards, lib/ neither reads nor prints, every source stands with its header, no folder holds
+# more sources, and no source more lines, than a reader takes in.
 # Prints every include that breaks a rule as file:line:text; exit code 1 if there is one.
 set -euo pipefail
 cd "$1"
@@ -126,6 +126,22 @@ for room in "${!sub_rooms[@]}"; do
         fi
     done < <(grep -rnE '^[[:space:]]*#[[:space:]]*include' --include='*.[ch]pp' "$room")
 done
+# A source stands with the header that declares what it defines, and includes it: one of its name, first of all, where
+# there is one; otherwise several sources share one of their folder or of the folder above, and each model's share the
+# lists of what the program needs of a model. main() is declared nowhere.
+model_lists='cases/program/(case/model_cases|results/model_reports)'
+while read -r file; do
+    path=${file#lib/}
+    header=${path%.cpp}.hpp
+    folder=${path%/*}
+    if [[ -f ${file%.cpp}.hpp ]]; then
+        [[ $(grep -m 1 '^#include "' "$file") == "#include \"$header\"" ]] ||
+            report "$file" "does not include \"$header\" first"
+    elif [[ ${file##*/} != main.cpp ]]; then
+        grep -qE "^#include \"((${folder}|${folder%/*})/[^/]*|$model_lists\.hpp)\"" "$file" ||
+            report "$file" "includes no header that declares what it defines: one of its name, its folder or the one above"
+    fi
+done < <(find "${rooms[@]}" -name '*.cpp' -not -path 'tests/*' 2>/dev/null)
 while read -r count folder; do
     if [[ $folder != tests/* ]] && ((count > most_sources)); then
         report "$folder" "holds $count sources, more than $most_sources"

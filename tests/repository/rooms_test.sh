@@ -70,9 +70,15 @@ cp "$house/fitting/search/search.hpp" "$house/fitting/"
 expect_house_broken "a source beside the sub-rooms"
 build_house
 for number in {1..26}; do
-    printf '#include <cmath>\n' >"$house/lib/water/water_$number.cpp"
+    printf '#include "water/water.hpp"\n' >"$house/lib/water/water_$number.cpp"
 done
 expect_house_broken "more sources than a reader takes in"
+build_house
+printf '#include "fitting/work/fit.hpp"\n' >"$house/fitting/search/other.cpp"
+expect_house_broken "a source without a header that declares what it defines"
+build_house
+printf '#include <cmath>\n#include "fitting/work/fit.hpp"\n#include "fitting/search/search.hpp"\n' >"$house/fitting/search/search.cpp"
+expect_house_broken "a source that does not include its own header first"
 build_house
 yes '// a line' | head -n 501 >>"$house/lib/water/water.hpp" || true
 expect_house_broken "a source of too many lines"

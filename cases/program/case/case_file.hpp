@@ -47,47 +47,14 @@ struct Expectation {
     bool is_word() const;
 };
 
-struct CaseObservation {
-    QuantityObservation observation;  // SI
-    Dimension dimension;              // of its value and standard deviation
-};
-
-struct CaseSign {
-    EvidenceSign sign;  // SI
-    Dimension dimension;
-};
-
-struct FitMechanism {
-    std::string name;
-    std::string title;
-    CaseModel model;  // the case's, with the sections that the mechanism replaces; or one of its own kind, given whole
-    std::vector<FreeParameter> parameters;
-    std::vector<CaseObservation> observations = {};  // by the labels of those of all
-    std::vector<CaseSign> signs = {};
+struct FitMechanism : MechanismTask {
+    CaseModel model = {};  // the case's, with the sections that the mechanism replaces; or one of its own kind
     std::optional<CaseModel> coarse = {};  // the mechanism's own, with the sections that its coarse model replaces
 };
 
-struct CaseCandidate {
-    FitCandidate candidate;  // SI
-    Dimension dimension;     // of its standard deviation
-};
-
-// [fit], in the terms of fitting/posterior/fit_problem.hpp, SI throughout.
-struct CaseFit {
+// [fit], SI throughout.
+struct CaseFit : FitTask {
     std::vector<FitMechanism> mechanisms;  // at least one; a case without [[fit.mechanism]] has one named as its model
-    std::vector<CaseObservation> observations;  // may be empty where there is a profile
-    std::optional<ProfileObservation> profile;
-    std::vector<FieldEvidence> evidence;
-    std::vector<CaseCandidate> candidates;
-    std::vector<Conclusion> conclusions;
-    FitSettings settings;
-    std::optional<PosteriorStudy> posterior;
-};
-
-// [sensitivity], SI throughout.
-struct CaseSensitivity {
-    SensitivityStudy study;
-    Dimension dimension = Dimension::ratio;  // of the quantity
 };
 
 struct CaseFile {
@@ -99,8 +66,8 @@ struct CaseFile {
     std::vector<Expectation> expectations;
     std::vector<CaseSweep> sweeps;
     std::optional<CaseFit> fit;
-    std::optional<CaseSensitivity> sensitivity;
-    std::map<std::string, KeyPlace> places;  // every key that was read
+    std::optional<SensitivityStudy> sensitivity;  // [sensitivity]
+    std::map<std::string, KeyPlace> places;       // every key that was read
 };
 
 // Reads a case file, or standard input where its name is "-", with `settings` (--set) put in place of what the file

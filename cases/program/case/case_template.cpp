@@ -1,6 +1,7 @@
 // The commented template of a model: an example that is a valid case, and everything else as comments.
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/case/model_cases.hpp"
+#include "cases/program/case/starting_cases.hpp"
 #include "cases/program/reader/described_reader.hpp"
 #include "cases/program/reader/described_writer.hpp"
 
@@ -103,7 +104,7 @@ constexpr std::array<ExampleNumber, 80> examples{{
     {"upper_end_height", 30.0},
 }};
 
-// Of the name of an input, which template_of replaces where the model has none of that name.
+// Stands for the name of an input; template_of replaces it where the model has none of that name.
 constexpr std::string_view example_input = "strength.friction_angle";
 
 double example_number(const FieldInfo& info) {
@@ -123,11 +124,17 @@ double example_number(const FieldInfo& info) {
 template <class Member>
 void fill_with_examples(const FieldInfo& info, Member& member) {
     if constexpr (NumberType<Member>) {
-        member = example_number(info);
+        member = static_cast<Member>(example_number(info));
     } else if constexpr (is_variant<Member>) {
         std::visit([&](auto& alternative) { fill_with_examples(info, alternative); }, member);
     } else if constexpr (std::same_as<Member, std::string>) {
-        member = info.key == "parameter" ? example_input : info.key;
+        member = info.key == "parameter" || info.name_of == NameOf::input ? example_input : info.key;
+    } else if constexpr (std::same_as<Member, Polyline>) {
+        member = {Point(0, 0), Point(10, 8), Point(10, 12)};
+    } else if constexpr (std::same_as<Member, PairOfTexts>) {
+        member = {"strength.cohesion", std::string(example_input)};
+    } else if constexpr (std::same_as<Member, std::vector<Condition>>) {
+        member = {{std::string(example_input), degrees(35), Dimension::angle}};
     } else if constexpr (Described<Member>) {
         visit_fields(member,
                      [](const FieldInfo& inner, auto& inner_member) { fill_with_examples(inner, inner_member); });
@@ -167,83 +174,99 @@ std::string header_of(const std::string& path) {
     return std::string(1, '[').append(path).append(1, ']');
 }
 
+// `named`: the dimension of what the section around names.
 template <Described Object>
-std::string annotated_values(const Object& object);
+std::string annotated_values(const Object& object, Dimension named = Dimension::ratio);
 template <Described Object>
-std::string annotated_sections(const Object& object, const std::string& path);
-
-template <class Enum>
-std::string enum_choices() {
-    return choices(detail::enum_words<Enum>());
-}
+std::string annotated_sections(const Object& object, const std::string& path, Dimension named = Dimension::ratio);
 
 template <class Member>
-std::string annotated_value(const FieldInfo& info, const Member& member) {
+std::string explanation_of(const FieldInfo& info) {
+    std::string allowed;
+    if constexpr (NumberType<Member>) {
+        allowed = readable_range(info.range, info.dimension);
+    } else if constexpr (std::is_enum_v<Member>) {
+        allowed = choices(detail::enum_words<Member>());
+    }
+    return std::string(info.meaning) + (allowed.empty() ? "" : "; " + allowed);
+}
+
+// Values that a case leaves out stand there with an example, as comments.
+template <class Member>
+std::string annotated_value(const FieldInfo& info, const Member& member, Dimension named) {
     if constexpr (is_optional<Member>) {
         using Inner = typename Member::value_type;
         if (member) {
-            return annotated_value(info, *member);
+            return annotated_value(info, *member, named);
         }
-        if constexpr (NumberType<Inner>) {
-            return commented(annotated_value(info, example_number(info)));
-        } else if constexpr (std::is_enum_v<Inner>) {
-            return commented(annotated_value(info, Inner{}));
-        } else if constexpr (std::same_as<Inner, std::string>) {
-            return commented(annotated_value(info, std::string(info.key)));
+        if constexpr (detail::is_value<Inner>) {
+            Inner inner{};
+            fill_with_examples(info, inner);
+            return commented(annotated_value(info, inner, named));
         }
-    } else if constexpr (NumberType<Member>) {
-        const std::string range = readable_range(info.range, info.dimension);
-        return explained(std::string(info.key) + " = " + written_quantity(member, info.dimension),
-                         std::string(info.meaning) + (range.empty() ? "" : "; " + range));
-    } else if constexpr (std::is_enum_v<Member>) {
-        return explained(std::string(info.key) + " = " + in_quotes(word_of(member)),
-                         std::string(info.meaning) + "; " + enum_choices<Member>());
-    } else if constexpr (std::same_as<Member, std::string>) {
-        return explained(std::string(info.key) + " = " + in_quotes(member), std::string(info.meaning));
-    } else if constexpr (is_list_of_texts<Member>) {
-        const std::string line = std::string(info.key) + " = ";
-        return member.empty() ? commented(explained(line + "[\"name\"]", std::string(info.meaning)))
-                              : explained(line + list_in_quotes(member), std::string(info.meaning));
+    } else if constexpr (detail::is_value<Member>) {
+        std::string line;
+        detail::write_value(line, info, member, named);
+        if (!line.empty()) {
+            line.pop_back();
+            return explained(line, explanation_of<Member>(info));
+        }
+        if constexpr (is_list_of_texts<Member>) {
+            return commented(explained(std::string(info.key) + " = [\"name\"]", explanation_of<Member>(info)));
+        } else {
+            Member example{};
+            fill_with_examples(info, example);
+            return commented(annotated_value(info, example, named));
+        }
     } else if constexpr (is_variant<Member>) {
         if (!info.key.empty()) {
             return {};
         }
-        std::string text = std::visit([](const auto& alternative) { return annotated_values(alternative); }, member);
+        const auto values = [&]<class Alternative>(const Alternative& alternative) {
+            std::string text;
+            if constexpr (requires { Alternative::kind; }) {
+                write_line(text, kind_key<Member>(), in_quotes(Alternative::kind));
+            }
+            return text + annotated_values(alternative, named);
+        };
+        std::string text = std::visit(values, member);
         detail::for_each_alternative<Member>([&]<std::size_t index, class Alternative>() {
             if (index != member.index()) {
-                text += commented("or:\n" + annotated_values(example<Alternative>()));
+                text += commented("or:\n" + values(example<Alternative>()));
             }
         });
         return text;
     } else if constexpr (Described<Member>) {
-        return info.key.empty() ? annotated_values(member) : "";
+        return info.key.empty() ? annotated_values(member, named) : "";
     }
     return {};
 }
 
 template <class Alternative>
 std::string annotated_kind(std::string_view key, const Alternative& alternative, const FieldInfo& info,
-                           const std::string& path) {
-    std::string text = std::string(key) + " = " + in_quotes(Alternative::kind) + "\n" + annotated_values(alternative);
-    return text + annotated_sections(alternative, joined_path(path, info.key));
+                           const std::string& path, Dimension named) {
+    return std::string(key) + " = " + in_quotes(Alternative::kind) + "\n" + annotated_values(alternative, named) +
+           annotated_sections(alternative, joined_path(path, info.key), named);
 }
 
 template <class Member>
-std::string annotated_section(const FieldInfo& info, const Member& member, const std::string& path) {
+std::string annotated_section(const FieldInfo& info, const Member& member, const std::string& path, Dimension named) {
     const std::string inner = joined_path(path, info.key);
     if constexpr (is_optional<Member>) {
         using Inner = typename Member::value_type;
         if (member) {
-            return annotated_section(info, *member, path);
+            return annotated_section(info, *member, path, named);
         }
-        if constexpr (!NumberType<Inner> && !std::is_enum_v<Inner> && !std::same_as<Inner, std::string>) {
-            return after_blank_line(commented(annotated_section(info, example<Inner>(), path).substr(1)));
+        if constexpr (!detail::is_value<Inner>) {
+            return after_blank_line(commented(annotated_section(info, example<Inner>(), path, named).substr(1)));
         }
-    } else if constexpr (is_vector<Member> && !is_list_of_texts<Member>) {
+    } else if constexpr (detail::is_value<Member>) {
+        return {};
+    } else if constexpr (is_vector<Member>) {
         using Element = typename Member::value_type;
         const auto one = [&](const Element& element) {
             return explained(header_of(header_of(inner)), std::string(info.meaning) + "; one section each") +
-                   annotated_values(element) + annotated_sections(element, inner);
+                   annotated_values(element, named) + annotated_sections(element, inner, named);
         };
         std::string text;
         for (const Element& element : member) {
@@ -251,39 +274,70 @@ std::string annotated_section(const FieldInfo& info, const Member& member, const
         }
         return member.empty() ? after_blank_line(commented(one(example<Element>()))) : text;
     } else if constexpr (detail::is_keyed_variant<Member>) {
+        if (info.key.empty()) {
+            return {};
+        }
         std::string text = after_blank_line(explained(header_of(inner), std::string(info.meaning)));
         constexpr std::string_view key = kind_key<Member>();
-        text +=
-            std::visit([&](const auto& alternative) { return annotated_kind(key, alternative, info, path); }, member);
+        text += std::visit([&](const auto& alternative) { return annotated_kind(key, alternative, info, path, named); },
+                           member);
         detail::for_each_alternative<Member>([&]<std::size_t index, class Alternative>() {
             if (index != member.index()) {
-                text += commented("or:\n" + annotated_kind(key, example<Alternative>(), info, path));
+                text += commented("or:\n" + annotated_kind(key, example<Alternative>(), info, path, named));
             }
         });
         return text;
     } else if constexpr (Described<Member>) {
         if (info.key.empty()) {
-            return annotated_sections(member, path);
+            return annotated_sections(member, path, named);
         }
-        return after_blank_line(explained(header_of(inner), std::string(info.meaning))) + annotated_values(member) +
-               annotated_sections(member, inner);
+        return after_blank_line(explained(header_of(inner), std::string(info.meaning))) +
+               annotated_values(member, named) + annotated_sections(member, inner, named);
     }
     return {};
 }
 
+// Calls visit(field info, member, dimension named), the info with the dimension that its values have here.
+template <Described Object, class Visit>
+void visit_annotated(const Object& object, Dimension named, Visit&& visit) {
+    const Dimension own = detail::dimension_named(object, named);
+    visit_fields(object, [&](const FieldInfo& info, const auto& member) {
+        FieldInfo here = info;
+        here.dimension = info.dimension == Dimension::named ? own : info.dimension;
+        visit(here, member, own);
+    });
+}
+
 template <Described Object>
-std::string annotated_values(const Object& object) {
+std::string annotated_values(const Object& object, Dimension named) {
     std::string text;
-    visit_fields(object, [&](const FieldInfo& info, const auto& member) { text += annotated_value(info, member); });
+    visit_annotated(object, named, [&](const FieldInfo& info, const auto& member, Dimension own) {
+        text += annotated_value(info, member, own);
+    });
     return text;
 }
 
 template <Described Object>
-std::string annotated_sections(const Object& object, const std::string& path) {
+std::string annotated_sections(const Object& object, const std::string& path, Dimension named) {
     std::string text;
-    visit_fields(object,
-                 [&](const FieldInfo& info, const auto& member) { text += annotated_section(info, member, path); });
+    visit_annotated(object, named, [&](const FieldInfo& info, const auto& member, Dimension own) {
+        text += annotated_section(info, member, path, own);
+    });
     return text;
+}
+
+// A back-analysis and a sensitivity study of a starting case, with all that they may ask for.
+std::string annotated_studies() {
+    const CaseFit fit = *parse_case(starting_case("fit"), "fit").fit;
+    std::string text = after_blank_line(explained("[fit]", "delabole fit"));
+    text += annotated_values(fit) + annotated_sections(fit, "fit");
+    for (const FitMechanism& mechanism : fit.mechanisms) {
+        text += after_blank_line(explained("[[fit.mechanism]]", "what may have happened; one section each"));
+        text += annotated_values(mechanism) + annotated_sections(mechanism, "fit.mechanism");
+    }
+    const SensitivityStudy study = *parse_case(starting_case("sensitivity"), "sensitivity").sensitivity;
+    text += after_blank_line(explained("[sensitivity]", "delabole sensitivity"));
+    return text + annotated_values(study) + annotated_sections(study, "sensitivity");
 }
 
 std::string with_input_of(const CaseModel& model, std::string text) {
@@ -313,7 +367,8 @@ std::string template_of(const ModelExample<Model>& example) {
         "# description = \"what the case is about\"\n"
         "model = " +
         in_quotes(Model::kind) + "\n" + annotated_values(example.model) + annotated_sections(example.model, "") + "\n" +
-        commented(example.further_parts.substr(1));
+        commented(example.further_parts.substr(1)) +
+        (std::same_as<Model, PlaneFailureStudy<>> ? commented(annotated_studies()) : "");
     return with_input_of(example.model, text);
 }
 

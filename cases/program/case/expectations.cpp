@@ -4,26 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <span>
 
 namespace delabole {
 namespace {
-
-// Tables that unquoted dotted keys have made are taken apart again: slope.height = "..." is "slope.height" = "...".
-template <class Visit>
-void for_each_flat_entry(const Node& table, const std::string& prefix, Visit& visit) {
-    for (const auto& [key, node] : table.entries) {
-        std::string path = prefix;
-        path += prefix.empty() ? "" : ".";
-        path += key;
-        if (node.kind == Node::Kind::table) {
-            for_each_flat_entry(node, path, visit);
-        } else {
-            visit(path, node);
-        }
-    }
-}
 
 const Node* take_table(Section& section, std::string_view key) {
     const Node* node = section.take(key);
@@ -77,7 +61,8 @@ Expectation read_expectation(Section& section, const ModelNames& names) {
         }
     }
     read_tolerances(section, expectation);
-    expectation.conditions = read_conditions(section, std::span(&names, 1));
+    section.refer_to({std::span(&names, 1), "an output of the model"});
+    expectation.conditions = read_conditions(section, "with");
     expectation.source = read_optional_text(section, "source");
     expectation.note = read_optional_text(section, "note");
     if (section.contains("unreachable")) {
@@ -104,50 +89,7 @@ Expectation read_expectation(Section& section, const ModelNames& names) {
 }  // namespace
 
 ModelNames names_of(const CaseModel& model, const OutputsOf& outputs_of, bool inputs_known) {
-    return {.inputs = named_inputs(model), .outputs = outputs_of(model), .inputs_known = inputs_known};
-}
-
-std::vector<std::string> names_in(const std::vector<Quantity>& quantities) {
-    std::vector<std::string> names;
-    names.reserve(quantities.size());
-    for (const Quantity& quantity : quantities) {
-        names.push_back(quantity.name);
-    }
-    return names;
-}
-
-std::vector<Condition> read_conditions(Section& section, std::span<const ModelNames> models, std::string_view key) {
-    std::vector<Condition> conditions;
-    const Node* table = take_table(section, key);
-    if (table == nullptr) {
-        return conditions;
-    }
-    auto read = [&](const std::string& name, const Node& node) {
-        const std::string path = section.path_of(key) + "." + name;
-        const Quantity* input = nullptr;
-        for (const ModelNames& model : models) {
-            input = input != nullptr ? input : find_quantity(model.inputs, name);
-        }
-        if (input == nullptr) {
-            if (std::ranges::all_of(models, &ModelNames::inputs_known)) {
-                std::vector<std::string> candidates;
-                for (const ModelNames& model : models) {
-                    std::ranges::copy(names_in(model.inputs), std::back_inserter(candidates));
-                }
-                section.reading().complain(node.key_place, path, {},
-                                           "is not an input of this case" + suggestion(name, candidates));
-            }
-            return;
-        }
-        if (std::ranges::find(conditions, name, &Condition::input) != conditions.end()) {
-            section.reading().complain(node.key_place, path, {}, "is given twice");
-            return;
-        }
-        const auto value = read_number(section.reading(), node, path, input->dimension, input->range);
-        conditions.push_back({.input = name, .value = value.value_or(0)});
-    };
-    for_each_flat_entry(*table, "", read);
-    return conditions;
+    return {{}, named_inputs(model), outputs_of(model), inputs_known};
 }
 
 std::vector<Expectation> read_expectations(Section& root, const ModelNames& names) {
@@ -162,7 +104,7 @@ std::map<std::string, std::string> read_sources(Section& root) {
     if (table == nullptr) {
         return sources;
     }
-    auto read = [&](const std::string& key, const Node& node) {
+    const auto read = [&](const std::string& key, const Node& node) {
         const std::string path = "sources." + key;
         root.reading().remember(path, node);
         const auto text = read_text(root.reading(), node, path);
@@ -170,7 +112,7 @@ std::map<std::string, std::string> read_sources(Section& root) {
             root.reading().complain(node.key_place, path, {}, "is given twice");
         }
     };
-    for_each_flat_entry(*table, "", read);
+    for_each_flat_entry(*table, read);
     return sources;
 }
 

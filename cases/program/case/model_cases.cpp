@@ -13,10 +13,6 @@ void Checker::complain(const std::string& key, std::string message) {
     reading_->complain_at(reading_->knows(prefix_ + key) ? prefix_ + key : key, std::move(message));
 }
 
-std::string indexed(const std::string& key, std::size_t index) {
-    return key + "[" + std::to_string(index + 1) + "]";
-}
-
 void check_whole(Checker& checker, const std::string& key, const std::optional<double>& number) {
     if (number && *number != std::floor(*number)) {
         checker.complain(key, "must be a whole number");

@@ -28,9 +28,6 @@ class Checker {
     std::string prefix_;
 };
 
-// "bolt[2]" for index 1
-std::string indexed(const std::string& key, std::size_t index);
-
 // Complains about a number that is there and not whole.
 void check_whole(Checker& checker, const std::string& key, const std::optional<double>& number);
 

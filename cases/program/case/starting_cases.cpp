@@ -1,7 +1,7 @@
 #include "cases/program/case/starting_cases.hpp"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <stdexcept>
 
 namespace delabole {
@@ -41,7 +41,7 @@ friction_angle = "37 deg"
 kind = "dry"
 )";
 
-constexpr std::array<StartingCase, 10> cases{{
+constexpr StartingCase cases[] = {
     {"plane_failure", plane_failure},
     {"stepped_base", R"(schema = 1
 model = "stepped_base"
@@ -253,7 +253,7 @@ joint = "joints"
 [critical]
 parameter = "strength_reduction"
 )"},
-}};
+};
 
 constexpr std::string_view fit = R"(
 [[fit.parameter]]
@@ -319,7 +319,7 @@ std::string starting_case(std::string_view name) {
         return std::string(plane_failure).append(name == "fit" ? fit : sensitivity);
     }
     const auto found = std::ranges::find(cases, name, &StartingCase::name);
-    if (found == cases.end()) {
+    if (found == std::end(cases)) {
         throw std::invalid_argument("no case to start from is named " + std::string(name));
     }
     return std::string(found->text);

@@ -28,7 +28,7 @@ struct SweptInput {
     double shown(double value) const { return value / si_per_unit; }
 };
 
-// A dashed or dotted curve has the colour of the solid one before it.
+// A dashed curve has the colour of the solid one before it, a dotted one is a reference in grey.
 enum class CurveDash { solid, dashed, dotted };
 
 constexpr std::array<std::string_view, 3> enum_names(CurveDash) {

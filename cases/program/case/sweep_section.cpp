@@ -4,15 +4,22 @@
 #include "cases/program/case/case_parts.hpp"
 #include "cases/program/reader/described_reader.hpp"
 #include "cases/program/reader/described_writer.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reader/spelling.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <set>
+#include <utility>
 
 namespace delabole {
 namespace {
 
-constexpr std::int64_t most_points = 10001;
+constexpr double most_points = 10001;
+constexpr std::size_t most_analyses = 1'000'000;  // of a sweep
+constexpr std::size_t most_of_a_kind = 100;       // sweeps of a case, curves of a sweep and so on
 
 std::optional<double> read_position(Section& section, const Node& node, std::string_view key, const Quantity& input) {
     return read_number(section.reading(), node, section.path_of(key), input.dimension, input.range);
@@ -37,7 +44,10 @@ void read_range(Section& section, const Quantity& input, SweptInput& swept) {
     const Node* from = section.require("from", "first value of the input (or values = [...])");
     const Node* to = section.require("to", "last value of the input");
     std::int64_t points = 101;
-    read_integer(section, "points", 2, most_points, points);
+    if (const Node* node = section.take("points")) {
+        points = read_whole_number(section.reading(), *node, section.path_of("points"), within(2, most_points))
+                     .value_or(points);
+    }
     const auto first = from == nullptr ? std::nullopt : read_position(section, *from, "from", input);
     const auto last = to == nullptr ? std::nullopt : read_position(section, *to, "to", input);
     if (!first || !last) {
@@ -52,22 +62,18 @@ void read_range(Section& section, const Quantity& input, SweptInput& swept) {
 }
 
 // Nothing, with a complaint, where the input is not known.
-std::optional<SweptInput> read_swept(Section& section, const ModelNames& names) {
+std::optional<SweptInput> read_swept(Section& section) {
     for (const std::string_view key : {"also", "values", "from", "to", "points", "axis", "unit"}) {
         section.allow(key);
     }
     SweptInput swept;
-    swept.input = require_text(section, "input", "the input that varies, e.g. strength.friction_angle");
-    const Quantity* input = find_quantity(names.inputs, swept.input);
+    swept.input = read_name(section, "input", NameOf::input, "the input that varies, e.g. strength.friction_angle");
+    const Quantity* input = section.named().value_or(nullptr);
     if (input == nullptr) {
-        if (!swept.input.empty() && names.inputs_known) {
-            section.complain("input", *section.peek("input"),
-                             "is not an input of this case" + suggestion(swept.input, names_in(names.inputs)));
-        }
         return std::nullopt;
     }
     swept.dimension = input->dimension;
-    swept.also = read_others(section, *input, names);
+    read_names(section, "also", NameOf::input, "further inputs that take the same value", swept.also);
     swept.axis = read_optional_text(section, "axis");
     swept.unit = read_optional_text(section, "unit");
     swept.si_per_unit = display_unit(input->dimension).si_per_unit;
@@ -98,7 +104,7 @@ Enum word_or(Section& section, std::string_view key, const Node* node, Enum othe
     return index ? static_cast<Enum>(*index) : otherwise;
 }
 
-SweepCurve read_curve(Section& section, const std::string& output, const ModelNames& names) {
+SweepCurve read_curve(Section& section, const std::string& output) {
     SweepCurve curve;
     curve.label = require_text(section, "label", "the curve in words");
     curve.output = read_optional_text(section, "output");
@@ -109,7 +115,7 @@ SweepCurve read_curve(Section& section, const std::string& output, const ModelNa
         section.require("output", "name of an output of the model (or output of the sweep, for all curves)");
     }
     curve.dash = word_or(section, "dash", section.take("dash"), CurveDash::solid);
-    curve.conditions = read_conditions(section, std::span(&names, 1));
+    curve.conditions = read_conditions(section, "with");
     return curve;
 }
 
@@ -144,19 +150,26 @@ PrintedPoints read_printed(Section& section) {
     return printed;
 }
 
-std::string read_curve_name(Section& section, std::string_view key, std::string_view what, const CaseSweep& sweep) {
-    std::string name = require_text(section, key, what);
+// What statements are made on: curves, or crossings over `each`.
+std::vector<std::string> labels_of(const std::vector<SweepCurve>& curves) {
     std::vector<std::string> labels;
-    for (const SweepCurve& curve : sweep.curves) {
-        labels.push_back(curve.label);
+    std::ranges::transform(curves, std::back_inserter(labels), &SweepCurve::label);
+    return labels;
+}
+
+std::vector<std::string> labels_of(const std::vector<CurveCrossing>& crossings) {
+    std::vector<std::string> labels;
+    std::ranges::transform(crossings, std::back_inserter(labels), &CurveCrossing::label);
+    return labels;
+}
+
+std::string read_label(Section& section, std::string_view key, std::string_view what,
+                       const std::vector<std::string>& labels) {
+    std::string label = require_text(section, key, what);
+    if (!label.empty() && std::ranges::find(labels, label) == labels.end()) {
+        section.complain(key, *section.peek(key), "is not the label of a curve" + suggestion(label, labels));
     }
-    for (const CurveCrossing& crossing : sweep.crossings) {
-        labels.push_back(crossing.label);  // over `each`
-    }
-    if (!name.empty() && std::ranges::find(labels, name) == labels.end()) {
-        section.complain(key, *section.peek(key), "is not the label of a curve" + suggestion(name, labels));
-    }
-    return name;
+    return label;
 }
 
 template <class Printed>
@@ -173,8 +186,9 @@ void read_remarks(Section& section, Printed& printed) {
 CurveCrossing read_crossing(Section& section, const CaseSweep& sweep) {
     CurveCrossing crossing;
     read_remarks(section, crossing);
-    crossing.curve = read_curve_name(section, "curve", "label of a curve", sweep);
-    crossing.other = read_curve_name(section, "other", "label of the curve that it meets", sweep);
+    const std::vector<std::string> labels = labels_of(sweep.curves);
+    crossing.curve = read_label(section, "curve", "label of a curve", labels);
+    crossing.other = read_label(section, "other", "label of the curve that it meets", labels);
     if (sweep.vary.empty()) {
         section.allow("printed");
         section.allow("tolerance");
@@ -197,64 +211,84 @@ CurveCrossing read_crossing(Section& section, const CaseSweep& sweep) {
 CurveStatement read_statement(Section& section, const CaseSweep& sweep) {
     CurveStatement statement;
     read_remarks(section, statement);
-    statement.curve = read_curve_name(section, "curve", "label of a curve", sweep);
+    std::vector<std::string> labels = labels_of(sweep.curves);
+    const std::vector<std::string> crossings = labels_of(sweep.crossings);
+    const Node* curve = section.peek("curve");
+    if (sweep.each && curve != nullptr && std::ranges::find(crossings, curve->text) != crossings.end()) {
+        labels = crossings;
+    }
+    statement.curve = read_label(section, "curve", "label of a curve", labels);
     statement.relation =
         word_or(section, "is", section.require("is", "falls, rises, below or above"), CurveRelation::falls);
     section.allow("other");
     if (statement.relation == CurveRelation::below || statement.relation == CurveRelation::above) {
-        statement.other = read_curve_name(section, "other", "label of the other curve", sweep);
+        statement.other = read_label(section, "other", "label of the other curve", labels);
     }
     return statement;
 }
 
-void check_sweep_name(Section& section, const std::string& name, const std::vector<CaseSweep>& others) {
-    const auto plain = [](char character) {
-        return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||
-               (character >= '0' && character <= '9') || character == '_' || character == '-';
-    };
-    if (!std::ranges::all_of(name, plain)) {
-        section.complain("name", *section.peek("name"), "must consist of letters, digits, - and _ (it names files)");
+// Whether there are too many of something to be read, let alone drawn.
+bool too_many(Section& section, std::string_view key) {
+    const Node* all = section.peek(key);
+    if (all == nullptr || all->elements.size() <= most_of_a_kind) {
+        return false;
     }
-    if (!name.empty() && std::ranges::find(others, name, &CaseSweep::name) != others.end()) {
-        section.complain("name", *section.peek("name"), "names two sweeps");
-    }
+    section.complain(key, *all, "are more than " + std::to_string(most_of_a_kind));
+    return true;
 }
 
-void read_sweep(Section& section, const ModelNames& names, std::vector<CaseSweep>& sweeps) {
+void read_sweep(Section& section, std::vector<CaseSweep>& sweeps) {
     CaseSweep sweep;
     sweep.place = section.place();
     sweep.name = require_text(section, "name", "name of its files");
-    check_sweep_name(section, sweep.name, sweeps);
+    check_file_name(section.reading(), section.path_of("name"), sweep.name);
+    if (!sweep.name.empty() && std::ranges::find(sweeps, sweep.name, &CaseSweep::name) != sweeps.end()) {
+        section.complain("name", *section.peek("name"), "names two sweeps");
+    }
     sweep.title = read_optional_text(section, "title");
     sweep.caption = read_optional_text(section, "caption");
     sweep.output_axis = read_optional_text(section, "output_axis");
     const std::string output = read_optional_text(section, "output");
-    bool varies = false;
+    bool readable = true;
+    for (const std::string_view key : {"vary", "each", "draw", "curve", "printed", "crossing", "statement"}) {
+        section.allow(key);
+        readable = !too_many(section, key) && readable;
+    }
+    if (!readable) {
+        return;
+    }
+    std::size_t varied = 0;
     for_each_table(section, "vary", [&](Section& element) {
-        varies = true;
-        if (const auto swept = read_swept(element, names)) {
+        const auto swept = read_swept(element);
+        if (swept && ++varied <= 2) {
             sweep.vary.push_back(*swept);
         }
     });
-    if (!varies || sweep.vary.size() > 2) {
+    if (const Node* vary = section.peek("vary"); vary == nullptr || vary->elements.empty() || varied > 2) {
         section.reading().complain(section.place(), section.path(), {},
                                    "needs one or two [[sweep.vary]], the inputs that vary");
     }
     if (const Node* each = section.take("each")) {
         if (const Node* table = as_table(section.reading(), *each, section.path_of("each"))) {
-            Section inner(section.reading(), *table, section.path_of("each"));
-            sweep.each = read_swept(inner, names);
+            Section inner(section, *table, section.path_of("each"));
+            sweep.each = read_swept(inner);
             inner.finish();
         }
     }
     sweep.draw = word_or(section, "draw", section.take("draw"), SweepDrawing::all);
-    for_each_table(section, "curve",
-                   [&](Section& element) { sweep.curves.push_back(read_curve(element, output, names)); });
+    for_each_table(section, "curve", [&](Section& element) { sweep.curves.push_back(read_curve(element, output)); });
     if (sweep.curves.empty()) {
         if (output.empty()) {
             section.require("output", "name of an output of the model, or [[sweep.curve]] with an output each");
         }
         sweep.curves.push_back({.label = output, .output = output, .conditions = {}});
+    }
+    std::set<std::string> labels;
+    for (const SweepCurve& curve : sweep.curves) {
+        if (!labels.insert(curve.label).second) {
+            section.reading().complain(section.place(), section.path(), in_quotes(curve.label),
+                                       "names two curves of the sweep");
+        }
     }
     for_each_table(section, "printed", [&](Section& element) { sweep.printed.push_back(read_printed(element)); });
     for_each_table(section, "crossing",
@@ -269,6 +303,17 @@ void read_sweep(Section& section, const ModelNames& names, std::vector<CaseSweep
     if (sweep.vary.size() > 1 && !(sweep.crossings.empty() && sweep.statements.empty())) {
         section.reading().complain(section.place(), section.path(), {},
                                    "has crossings or statements, which go with one [[sweep.vary]] alone");
+    }
+    if (sweep.draw == SweepDrawing::crossings && (!sweep.each || sweep.crossings.empty())) {
+        section.complain("draw", *section.peek("draw"), "needs [sweep.each] and [[sweep.crossing]]");
+    }
+    std::size_t analyses = sweep.each ? sweep.each->values.size() : 1;
+    for (const SweptInput& swept : sweep.vary) {
+        analyses *= swept.values.size();
+    }
+    if (analyses > most_analyses) {
+        section.reading().complain(section.place(), section.path(), std::to_string(analyses),
+                                   "points are more than " + std::to_string(most_analyses));
     }
     sweeps.push_back(std::move(sweep));
 }
@@ -334,11 +379,18 @@ std::vector<double> spaced_values(double from, double to, int points) {
 
 std::vector<CaseSweep> read_sweeps(Section& root, const ModelNames& names) {
     std::vector<CaseSweep> sweeps;
-    for_each_table(root, "sweep", [&](Section& section) { read_sweep(section, names, sweeps); });
+    if (too_many(root, "sweep")) {
+        root.allow("sweep");
+        return sweeps;
+    }
+    for_each_table(root, "sweep", [&](Section& section) {
+        section.refer_to({std::span(&names, 1), "an output of the model"});
+        read_sweep(section, sweeps);
+    });
     return sweeps;
 }
 
-void write_sweep(std::string& text, const CaseSweep& sweep, const CaseModel& model) {
+void write_sweep(std::string& text, const CaseSweep& sweep) {
     text += "\n[[sweep]]\n";
     write_line(text, "name", in_quotes(sweep.name));
     write_text(text, "title", sweep.title);
@@ -360,7 +412,9 @@ void write_sweep(std::string& text, const CaseSweep& sweep, const CaseModel& mod
         write_line(text, "label", in_quotes(curve.label));
         write_line(text, "output", in_quotes(curve.output));
         write_line(text, "dash", in_quotes(word_of(curve.dash)));
-        write_conditions(text, curve.conditions, {named_inputs(model)});
+        if (!curve.conditions.empty()) {
+            write_line(text, "with", written_conditions(curve.conditions));
+        }
     }
     for (const PrintedPoints& printed : sweep.printed) {
         write_printed(text, printed);

@@ -25,7 +25,7 @@ ExitCode live_command(const std::filesystem::path& path, const Options& options)
 ExitCode check_command(const Paths& cases, const Options& options);
 ExitCode show_command(const std::filesystem::path& path, const Options& options);
 ExitCode init_command(const std::string& name, const Options& options);
-// Of a model, by its name, or of the model of a case file.
+// Lists the inputs of a model, by its name, or of the model of a case file.
 ExitCode inputs_command(const std::string& what, const Options& options);
 ExitCode outputs_command(const std::string& what, const Options& options);
 ExitCode verify_command(const Paths& cases, const Options& options);

@@ -97,15 +97,8 @@ void add(const std::string& word, const std::vector<Compared>& pairs, std::vecto
 ExitCode compare_command(const Paths& cases, const Options& options) {
     const CaseFile first = read_case(cases.front(), settings_of(options));
     const CaseFile second = read_case(cases.back(), settings_of(options));
-    Analysis one;
-    Analysis other;
-    try {
-        one = analysis_of_case(first, options);
-        other = analysis_of_case(second, options);
-    } catch (const Interrupted&) {
-        std::cerr << "delabole: interrupted\n";
-        return ExitCode::not_converged;
-    }
+    const Analysis one = analysis_of_case(first, options);
+    const Analysis other = analysis_of_case(second, options);
     std::vector<std::vector<std::string>> rows = {{"what differs", stem_of(first), stem_of(second), "difference"}};
     Json json = {{"first", first.name}, {"second", second.name}};
     if (model_name(first.model) != model_name(second.model)) {

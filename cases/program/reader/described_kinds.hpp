@@ -1,6 +1,9 @@
 // Members of described structs (parameters/fields.hpp) that only reading and writing of cases tells apart.
 #pragma once
 
+#include "parameters/fields.hpp"
+
+#include <array>
 #include <concepts>
 #include <string>
 #include <string_view>
@@ -20,6 +23,20 @@ constexpr std::string_view kind_key() {
         return "kind";
     }
 }
+
+// A struct whose numbers of Dimension::named are of the dimension that it keeps.
+template <class Object>
+concept has_own_dimension = requires(Object object) {
+    { object.dimension } -> std::same_as<Dimension&>;
+};
+
+// A struct of a few values that a case writes as a table in one line.
+template <class Object>
+inline constexpr bool is_written_in_line = requires {
+    Object::written_in_line;
+};
+
+using PairOfTexts = std::array<std::string, 2>;
 
 // A member that is a list of texts, empty where the case has none.
 template <class Type>

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "cases/program/reader/described_kinds.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reader/section.hpp"
 #include "cases/program/reader/spelling.hpp"
 #include "parameters/fields.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -39,14 +41,23 @@ std::vector<std::string> field_keys() {
     return keys;
 }
 
-// The keys that stand for an alternative of an inlined variant in a message.
+template <class Member>
+constexpr bool may_be_absent(const FieldInfo& info) {
+    return info.has_default || is_optional<Member> || is_vector<Member>;
+}
+
+// The keys that stand for an alternative of an inlined variant in a message: those that are required.
 template <class Variant>
 std::vector<std::string> alternative_names() {
     std::vector<std::string> names;
     for_each_alternative<Variant>([&]<std::size_t, class Alternative>() {
         std::string name;
-        for_each_field_key<Alternative>(
-            [&](std::string_view key) { name += (name.empty() ? "" : " with ") + std::string(key); });
+        Alternative alternative{};
+        visit_fields(alternative, [&]<class Member>(const FieldInfo& info, const Member&) {
+            if (!may_be_absent<Member>(info) || is_list_of_texts<Member>) {
+                name += (name.empty() ? "" : " with ") + std::string(info.key);
+            }
+        });
         names.push_back(std::move(name));
     });
     return names;
@@ -143,38 +154,56 @@ std::string kinds_with_key(std::string_view key) {
     return choices(kinds);
 }
 
+// Which alternative the section's `kind` chose, with its keys; nothing, with a complaint, where it chose none.
 template <class Variant>
-void read_keyed_variant(Section& section, Variant& variant) {
+std::optional<std::size_t> read_kind(Section& section, Variant& variant) {
     const std::vector<std::string> kinds = kind_names<Variant>();
     constexpr std::string_view key = kind_key<Variant>();
     const Node* kind = section.require(key, choices(kinds));
     const auto chosen =
         kind == nullptr ? std::nullopt : read_choice(section.reading(), *kind, section.path_of(key), kinds);
-    if (!chosen) {
-        section.reading().lose_inputs();
-        return;
-    }
     for_each_alternative<Variant>([&]<std::size_t index, class Alternative>() {
-        if (*chosen == index) {
+        if (chosen == index) {
             read_fields(section, variant.template emplace<index>());
+        } else if (!chosen) {
+            for_each_field_key<Alternative>([&](std::string_view other) { section.allow(other); });
         }
     });
+    if (!chosen) {
+        section.reading().lose_inputs();
+    }
+    return chosen;
+}
+
+template <class Variant>
+void read_keyed_variant(Section& section, Variant& variant) {
+    const auto chosen = read_kind(section, variant);
+    if (!chosen) {
+        return;
+    }
     section.finish([&](std::string_view unknown) {
         const std::string others = kinds_with_key<Variant>(unknown);
-        const std::string of = " of " + std::string(key) + ' ';
-        return others.empty() ? "" : of + kinds[*chosen] + ", but" + of + others;
+        const std::string of = " of " + std::string(kind_key<Variant>()) + ' ';
+        return others.empty() ? "" : of + kind_names<Variant>()[*chosen] + ", but" + of + others;
     });
 }
 
 template <class Member>
-void read_node(Reading& reading, const Node& node, const std::string& path, const FieldInfo& info, Member& member) {
-    if constexpr (NumberType<Member>) {
+void read_node(Section& section, const Node& node, const std::string& path, const FieldInfo& info, Member& member) {
+    Reading& reading = section.reading();
+    if constexpr (std::integral<Member>) {
+        member = static_cast<Member>(read_whole_number(reading, node, path, info.range).value_or(0));
+    } else if constexpr (NumberType<Member>) {
         member = read_number(reading, node, path, info.dimension, info.range).value_or(0);
     } else if constexpr (std::same_as<Member, std::string>) {
         member = read_text(reading, node, path).value_or("");
     } else if constexpr (std::is_enum_v<Member>) {
         const auto index = read_choice(reading, node, path, enum_words<Member>());
         member = static_cast<Member>(index.value_or(0));
+    } else if constexpr (std::same_as<Member, Polyline>) {
+        member = read_polyline(reading, node, path);
+    } else if constexpr (std::same_as<Member, PairOfTexts>) {
+        member = read_pair(reading, node, path, info.meaning);
     } else if constexpr (is_vector<Member>) {
         const std::vector<Node>* tables = as_tables(reading, node, path);
         if (tables == nullptr) {
@@ -182,7 +211,7 @@ void read_node(Reading& reading, const Node& node, const std::string& path, cons
             return;
         }
         for (std::size_t index = 0; index < tables->size(); ++index) {
-            Section element(reading, (*tables)[index], path + "[" + std::to_string(index + 1) + "]");
+            Section element(section, (*tables)[index], indexed(path, index));
             read_fields(element, member.emplace_back());
             element.finish();
         }
@@ -192,7 +221,7 @@ void read_node(Reading& reading, const Node& node, const std::string& path, cons
             reading.lose_inputs();
             return;
         }
-        Section inner(reading, *table, path);
+        Section inner(section, *table, path);
         if constexpr (is_keyed_variant<Member>) {
             read_keyed_variant(inner, member);
         } else {
@@ -218,21 +247,61 @@ std::string requirement(const FieldInfo& info) {
     return text;
 }
 
+// With dimension and range of what the section names where the field is a value of that; nothing where the name is not
+// known.
+inline std::optional<FieldInfo> resolved(const Section& section, const FieldInfo& info) {
+    FieldInfo own = info;
+    if (info.dimension == Dimension::named) {
+        static const Quantity nothing_named{};  // a ratio
+        const Quantity* named = section.named().value_or(&nothing_named);
+        if (named == nullptr) {
+            return std::nullopt;
+        }
+        const bool unbounded = std::isinf(info.range.lower) && std::isinf(info.range.upper);
+        own.dimension = named->dimension;
+        own.range = unbounded ? named->range : info.range;
+    }
+    return own;
+}
+
 template <class Member>
-void read_member(Section& section, const FieldInfo& info, Member& member) {
-    if (info.key.empty()) {
-        if constexpr (is_variant<Member>) {
-            read_inlined_variant(section, info, member);
+void read_member(Section& section, const FieldInfo& field, Member& member) {
+    const std::optional<FieldInfo> info = resolved(section, field);
+    if (!info) {
+        section.allow(field.key);
+    } else if (info->key.empty()) {
+        if constexpr (is_keyed_variant<Member>) {
+            read_kind(section, member);
+        } else if constexpr (is_variant<Member>) {
+            read_inlined_variant(section, *info, member);
         } else if constexpr (Described<Member>) {
             read_fields(section, member);
         }
     } else if constexpr (is_list_of_texts<Member>) {
-        read_words(section, info.key, member);
-    } else if constexpr (is_optional<Member> || is_vector<Member>) {
-        if (const Node* node = section.take(info.key)) {
-            const auto read = [&](auto& value) {
-                read_node(section.reading(), *node, section.path_of(info.key), info, value);
-            };
+        if (info->name_of == NameOf::nothing) {
+            read_words(section, info->key, member);
+        } else {
+            read_names(section, info->key, info->name_of, info->meaning, member);
+        }
+    } else if constexpr (std::same_as<Member, std::vector<Condition>>) {
+        member = read_conditions(section, info->key);
+    } else if constexpr (std::same_as<Member, std::optional<std::vector<Condition>>>) {
+        if (section.contains(info->key)) {
+            member = read_conditions(section, info->key);
+        } else {
+            section.allow(info->key);
+        }
+    } else if constexpr (std::same_as<Member, std::string>) {
+        if (info->has_default) {
+            member = read_optional_text(section, info->key);
+        } else if (info->name_of == NameOf::nothing) {
+            member = require_text(section, info->key, info->meaning);
+        } else {
+            member = read_name(section, info->key, info->name_of, info->meaning);
+        }
+    } else if (may_be_absent<Member>(*info) && !std::same_as<Member, Polyline>) {
+        if (const Node* node = section.take(info->key)) {
+            const auto read = [&](auto& value) { read_node(section, *node, section.path_of(info->key), *info, value); };
             if constexpr (is_optional<Member>) {
                 read(member.emplace());
             } else {
@@ -240,9 +309,9 @@ void read_member(Section& section, const FieldInfo& info, Member& member) {
             }
         }
     } else {
-        const Node* node = section.require(info.key, requirement<Member>(info));
+        const Node* node = section.require(info->key, requirement<Member>(*info));
         if (node != nullptr) {
-            read_node(section.reading(), *node, section.path_of(info.key), info, member);
+            read_node(section, *node, section.path_of(info->key), *info, member);
         } else if constexpr (Described<Member> || is_variant<Member>) {
             section.reading().lose_inputs();
         }
@@ -256,6 +325,10 @@ void read_member(Section& section, const FieldInfo& info, Member& member) {
 template <Described Object>
 void read_fields(Section& section, Object& object) {
     visit_fields(object, [&](const FieldInfo& info, auto& member) { detail::read_member(section, info, member); });
+    if constexpr (has_own_dimension<Object>) {
+        const Quantity* named = section.named().value_or(nullptr);
+        object.dimension = named == nullptr ? Dimension::ratio : named->dimension;
+    }
 }
 
 // Reads only the fields that the section has, each replacing the object's former value wholly.

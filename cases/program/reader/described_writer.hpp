@@ -4,7 +4,8 @@
 #include "cases/program/reader/described_kinds.hpp"
 #include "cases/program/reader/document.hpp"
 #include "cases/program/reader/units.hpp"
-#include "parameters/fields.hpp"
+#include "geometry/polyline.hpp"
+#include "parameters/model_interface.hpp"
 
 #include <string>
 #include <type_traits>
@@ -12,10 +13,12 @@
 
 namespace delabole {
 
+// `named`: the dimension of what the section around names.
 template <Described Object>
-void write_values(std::string& text, const Object& object);
+void write_values(std::string& text, const Object& object, Dimension named = Dimension::ratio);
 template <Described Object>
-void write_sections(std::string& text, const Object& object, const std::string& path);
+void write_sections(std::string& text, const Object& object, const std::string& path,
+                    Dimension named = Dimension::ratio);
 
 inline std::string joined_path(const std::string& path, std::string_view key) {
     return path.empty() ? std::string(key) : path + "." + std::string(key);
@@ -23,6 +26,12 @@ inline std::string joined_path(const std::string& path, std::string_view key) {
 
 inline void write_line(std::string& text, std::string_view key, const std::string& value) {
     text += std::string(key) + " = " + value + "\n";
+}
+// Nothing where the value is empty.
+inline void write_text(std::string& text, std::string_view key, const std::string& value) {
+    if (!value.empty()) {
+        write_line(text, key, in_quotes(value));
+    }
 }
 
 inline std::string list_in_quotes(const std::vector<std::string>& words) {
@@ -33,53 +42,128 @@ inline std::string list_in_quotes(const std::vector<std::string>& words) {
     return std::string(1, '[').append(list).append(1, ']');
 }
 
+inline std::string written_conditions(const std::vector<Condition>& conditions) {
+    std::string table;
+    for (const Condition& condition : conditions) {
+        table += (table.empty() ? "" : ", ") + in_quotes(condition.input) + " = " +
+                 written_quantity(condition.value, condition.dimension);
+    }
+    return table.empty() ? "{}" : "{ " + table + " }";
+}
+
+inline std::string written_polyline(const Polyline& line) {
+    std::string list = "[\n";
+    for (const Point& point : line) {
+        list += "    [" + written_quantity(point.x(), Dimension::length) + ", " +
+                written_quantity(point.y(), Dimension::length) + "],\n";
+    }
+    return list + "]";
+}
+
+// Lines of values as one table.
+inline std::string in_one_line(std::string lines) {
+    lines.pop_back();
+    for (std::size_t at = lines.find('\n'); at != std::string::npos; at = lines.find('\n', at)) {
+        lines.replace(at, 1, ", ");
+    }
+    return "{ " + lines + " }";
+}
+
 namespace detail {
 
+template <class Object>
+Dimension dimension_named(const Object& object, Dimension around) {
+    if constexpr (has_own_dimension<const Object>) {
+        return object.dimension;
+    } else {
+        return around;
+    }
+}
+
 template <class Member>
-void write_value(std::string& text, const FieldInfo& info, const Member& member) {
+void write_value(std::string& text, const FieldInfo& info, const Member& member, Dimension named) {
     if constexpr (is_optional<Member>) {
-        if (member) {
-            write_value(text, info, *member);
+        if (!member) {
+            return;
         }
+        if constexpr (std::same_as<Member, std::optional<std::vector<Condition>>>) {
+            write_line(text, info.key, written_conditions(*member));
+        } else {
+            write_value(text, info, *member, named);
+        }
+    } else if constexpr (std::integral<Member>) {
+        write_line(text, info.key, std::to_string(member));
     } else if constexpr (NumberType<Member>) {
-        write_line(text, info.key, written_quantity(member, info.dimension));
+        write_line(text, info.key,
+                   written_quantity(member, info.dimension == Dimension::named ? named : info.dimension));
     } else if constexpr (std::is_enum_v<Member>) {
         write_line(text, info.key, in_quotes(word_of(member)));
     } else if constexpr (std::same_as<Member, std::string>) {
-        write_line(text, info.key, in_quotes(member));
+        if (!member.empty() || !info.has_default) {
+            write_line(text, info.key, in_quotes(member));
+        }
+    } else if constexpr (std::same_as<Member, PairOfTexts>) {
+        write_line(text, info.key, list_in_quotes({member.begin(), member.end()}));
+    } else if constexpr (std::same_as<Member, Polyline>) {
+        write_line(text, info.key, written_polyline(member));
+    } else if constexpr (std::same_as<Member, std::vector<Condition>>) {
+        if (!member.empty()) {
+            write_line(text, info.key, written_conditions(member));
+        }
     } else if constexpr (is_list_of_texts<Member>) {
         if (!member.empty()) {
             write_line(text, info.key, list_in_quotes(member));
         }
     } else if constexpr (is_variant<Member>) {
         if (info.key.empty()) {
-            std::visit([&](const auto& alternative) { write_values(text, alternative); }, member);
+            std::visit(
+                [&](const auto& alternative) {
+                    if constexpr (requires { alternative.kind; }) {
+                        write_line(text, kind_key<Member>(), in_quotes(alternative.kind));
+                    }
+                    write_values(text, alternative, named);
+                },
+                member);
         }
     } else if constexpr (Described<Member>) {
         if (info.key.empty()) {
-            write_values(text, member);
+            write_values(text, member, named);
+        } else if constexpr (is_written_in_line<Member>) {
+            std::string lines;
+            write_values(lines, member, named);
+            write_line(text, info.key, in_one_line(lines));
         }
     }
 }
 
+// Members that are written with their key, not as a section.
 template <class Member>
-void write_section(std::string& text, const FieldInfo& info, const Member& member, const std::string& path) {
+inline constexpr bool is_value =
+    NumberType<Member> || std::is_enum_v<Member> || std::same_as<Member, std::string> || is_list_of_texts<Member> ||
+    std::same_as<Member, PairOfTexts> || std::same_as<Member, Polyline> ||
+    std::same_as<Member, std::vector<Condition>> || is_written_in_line<Member>;
+
+template <class Member>
+void write_section(std::string& text, const FieldInfo& info, const Member& member, const std::string& path,
+                   Dimension named) {
     if constexpr (is_optional<Member>) {
         if (member) {
-            write_section(text, info, *member, path);
+            write_section(text, info, *member, path, named);
         }
-    } else if constexpr (is_vector<Member> && !is_list_of_texts<Member>) {
+    } else if constexpr (is_value<Member>) {
+        return;
+    } else if constexpr (is_vector<Member>) {
         const std::string inner = joined_path(path, info.key);
         for (const auto& element : member) {
             text += "\n[[" + inner + "]]\n";
-            write_values(text, element);
-            write_sections(text, element, inner);
+            write_values(text, element, named);
+            write_sections(text, element, inner, named);
         }
     } else if constexpr (is_variant<Member>) {
         std::visit(
             [&](const auto& alternative) {
                 if (info.key.empty()) {
-                    write_sections(text, alternative, path);
+                    write_sections(text, alternative, path, named);
                     return;
                 }
                 const std::string inner = joined_path(path, info.key);
@@ -87,31 +171,35 @@ void write_section(std::string& text, const FieldInfo& info, const Member& membe
                 if constexpr (requires { alternative.kind; }) {
                     write_line(text, kind_key<Member>(), in_quotes(alternative.kind));
                 }
-                write_values(text, alternative);
-                write_sections(text, alternative, inner);
+                write_values(text, alternative, named);
+                write_sections(text, alternative, inner, named);
             },
             member);
     } else if constexpr (Described<Member>) {
         const std::string inner = info.key.empty() ? path : joined_path(path, info.key);
         if (!info.key.empty()) {
             text += "\n[" + inner + "]\n";
-            write_values(text, member);
+            write_values(text, member, named);
         }
-        write_sections(text, member, inner);
+        write_sections(text, member, inner, named);
     }
 }
 
 }  // namespace detail
 
 template <Described Object>
-void write_values(std::string& text, const Object& object) {
-    visit_fields(object, [&](const FieldInfo& info, const auto& member) { detail::write_value(text, info, member); });
+void write_values(std::string& text, const Object& object, Dimension named) {
+    const Dimension own = detail::dimension_named(object, named);
+    visit_fields(object,
+                 [&](const FieldInfo& info, const auto& member) { detail::write_value(text, info, member, own); });
 }
 
 template <Described Object>
-void write_sections(std::string& text, const Object& object, const std::string& path) {
-    visit_fields(object,
-                 [&](const FieldInfo& info, const auto& member) { detail::write_section(text, info, member, path); });
+void write_sections(std::string& text, const Object& object, const std::string& path, Dimension named) {
+    const Dimension own = detail::dimension_named(object, named);
+    visit_fields(object, [&](const FieldInfo& info, const auto& member) {
+        detail::write_section(text, info, member, path, own);
+    });
 }
 
 // What replaces parts of `base` when `object` is read over it: only the fields that differ, values and sections apart.
@@ -134,10 +222,10 @@ void write_differences(std::string& values, std::string& sections, const Object&
                 std::string old_section;
                 std::string new_value;
                 std::string new_section;
-                detail::write_value(old_value, one.info, before);
-                detail::write_section(old_section, one.info, before, path);
-                detail::write_value(new_value, one.info, after);
-                detail::write_section(new_section, one.info, after, path);
+                detail::write_value(old_value, one.info, before, Dimension::ratio);
+                detail::write_section(old_section, one.info, before, path, Dimension::ratio);
+                detail::write_value(new_value, one.info, after, Dimension::ratio);
+                detail::write_section(new_section, one.info, after, path, Dimension::ratio);
                 if (old_value != new_value) {
                     values += new_value;
                     if (is_list_of_texts<Member> && new_value.empty()) {

@@ -21,7 +21,7 @@ struct OutlineFile {
 
 OutlineFile outline_of_dxf(std::string_view text);
 OutlineFile outline_of_csv(std::string_view text);
-// By the ending of the file's name.
+// The format follows the ending of the file's name.
 OutlineFile read_outline_file(const std::filesystem::path& path);
 
 }  // namespace delabole

@@ -3,6 +3,7 @@
 #include "cases/program/reader/spelling.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -27,6 +28,10 @@ std::string shown_key(std::string_view key) {
 }
 
 }  // namespace
+
+std::string indexed(const std::string& key, std::size_t index) {
+    return key + "[" + std::to_string(index + 1) + "]";
+}
 
 void Reading::complain(const Place& place, std::string key, std::string value, std::string message) {
     complain({.file = place.from_option ? "--set" : file_,
@@ -59,8 +64,13 @@ void Reading::complain_at(const std::string& key, std::string message) {
 }
 
 void Reading::remember(const std::string& key, const Node& node) {
-    const bool has_value = node.kind != Node::Kind::table && node.kind != Node::Kind::array;
+    const auto is_table = [](const Node& one) { return one.kind == Node::Kind::table; };
+    const bool has_value = !is_table(node) && std::ranges::none_of(node.elements, is_table);
     places_.insert_or_assign(key, KeyPlace{.place = node.place, .value = has_value ? shown(node) : std::string{}});
+}
+
+bool Reading::blames(const std::string& key) const {
+    return std::ranges::find(problems_, key, &Problem::key) != problems_.end();
 }
 
 void Reading::finish() {
@@ -82,6 +92,12 @@ Section::Section(Reading& reading, const Node& table, std::string path)
     if (!path_.empty()) {
         reading.remember(path_, table);
     }
+}
+
+Section::Section(const Section& around, const Node& table, std::string path)
+    : Section(*around.reading_, table, std::move(path)) {
+    names_ = around.names_;
+    named_ = around.named_;
 }
 
 std::string Section::path_of(std::string_view key) const {
@@ -195,7 +211,7 @@ void read_words(Section& section, std::string_view key, std::vector<std::string>
         return;
     }
     for (std::size_t index = 0; index < list->elements.size(); ++index) {
-        const std::string path = section.path_of(key) + "[" + std::to_string(index + 1) + "]";
+        const std::string path = indexed(section.path_of(key), index);
         words.push_back(read_text(section.reading(), list->elements[index], path).value_or(""));
     }
 }
@@ -213,17 +229,51 @@ std::optional<WrittenValue> read_written(Reading& reading, const Node& node, con
     }
 }
 
-void read_integer(Section& section, std::string_view key, std::int64_t lower, std::int64_t upper, std::int64_t& value) {
-    const Node* node = section.take(key);
-    if (node == nullptr) {
-        return;
+std::optional<std::int64_t> read_whole_number(Reading& reading, const Node& node, const std::string& path,
+                                              const Interval& range) {
+    constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+    const auto lower = static_cast<std::int64_t>(range.lower);
+    const std::int64_t upper = range.upper < static_cast<double>(most) ? static_cast<std::int64_t>(range.upper) : most;
+    if (node.kind == Node::Kind::integer && node.integer >= lower && node.integer <= upper) {
+        return node.integer;
     }
-    if (node->kind != Node::Kind::integer || node->integer < lower || node->integer > upper) {
-        section.complain(key, *node,
-                         "must be a whole number from " + std::to_string(lower) + " to " + std::to_string(upper));
-        return;
+    reading.complain(node.place, path, shown(node),
+                     "must be a whole number from " + std::to_string(lower) + " to " + std::to_string(upper));
+    return std::nullopt;
+}
+
+Polyline read_polyline(Reading& reading, const Node& node, const std::string& path) {
+    Polyline points;
+    if (node.kind != Node::Kind::array) {
+        reading.complain(node.place, path, shown(node), "must be a list of points [x, y]");
     }
-    value = node->integer;
+    for (std::size_t index = 0; index < node.elements.size(); ++index) {
+        const Node& element = node.elements[index];
+        const std::string place = indexed(path, index);
+        Point& point = points.emplace_back(Point::Zero());
+        if (element.kind != Node::Kind::array || element.elements.size() != 2) {
+            reading.complain(element.place, place, shown(element),
+                             "must be a point [x, y], e.g. [\"0 ft\", \"350 ft\"]");
+            continue;
+        }
+        for (const int axis : {0, 1}) {
+            const Node& coordinate = element.elements[static_cast<std::size_t>(axis)];
+            point[axis] = read_number(reading, coordinate, indexed(place, static_cast<std::size_t>(axis)),
+                                      Dimension::length, any_number())
+                              .value_or(0);
+        }
+    }
+    return points;
+}
+
+std::array<std::string, 2> read_pair(Reading& reading, const Node& node, const std::string& path,
+                                     std::string_view meaning) {
+    const auto is_text = [](const Node& element) { return element.kind == Node::Kind::text; };
+    if (node.elements.size() == 2 && std::ranges::all_of(node.elements, is_text)) {
+        return {node.elements[0].text, node.elements[1].text};
+    }
+    reading.complain(node.place, path, shown(node), "must be " + std::string(meaning));
+    return {};
 }
 
 const Node* as_table(Reading& reading, const Node& node, const std::string& path) {

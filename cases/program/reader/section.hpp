@@ -4,11 +4,15 @@
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/document.hpp"
 #include "cases/program/reader/units.hpp"
+#include "geometry/polyline.hpp"
 #include "parameters/fields.hpp"
+#include "parameters/model_interface.hpp"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +25,9 @@ struct KeyPlace {
     std::string value;
 };
 
+// "bolt[2]" for index 1
+std::string indexed(const std::string& key, std::size_t index);
+
 // Everything found while one case is read.
 class Reading {
   public:
@@ -32,6 +39,8 @@ class Reading {
     void complain_at(const std::string& key, std::string message);
 
     void remember(const std::string& key, const Node& node);
+    // Whether there is a complaint about it.
+    bool blames(const std::string& key) const;
     bool knows(const std::string& key) const { return places_.contains(key); }
     const std::map<std::string, KeyPlace>& places() const { return places_; }
 
@@ -53,10 +62,24 @@ class Reading {
     bool inputs_known_ = true;
 };
 
+// What names in a section may refer to.
+struct ModelNames {
+    std::string mechanism;
+    std::vector<Quantity> inputs;
+    std::vector<Quantity> outputs;
+    bool inputs_known = true;  // false: the model itself could not be read, so a name that is not found may be right
+};
+struct KnownNames {
+    std::span<const ModelNames> models;  // empty: no name can be judged
+    std::string_view output;             // what complaints call an output of these: "an output of the mechanism"
+};
+
 // One table of the tree. Every key asked for is a known key; finish() complains about the others.
 class Section {
   public:
     Section(Reading& reading, const Node& table, std::string path);
+    // Part of a section: names mean the same in it, and so do numbers of Dimension::named.
+    Section(const Section& around, const Node& table, std::string path);
 
     Reading& reading() const { return *reading_; }
     const std::string& path() const { return path_; }
@@ -73,6 +96,14 @@ class Section {
     const Node* peek(std::string_view key) const { return table_->find(key); }
 
     void complain(std::string_view key, const Node& value, std::string message) const;
+
+    const KnownNames& names() const { return names_; }
+    void refer_to(const KnownNames& names) { names_ = names; }
+    // The quantity that numbers of Dimension::named are values of from here on; null: a name that nobody knows, so that
+    // none can be judged.
+    void name_quantity(const Quantity* quantity) { named_ = quantity; }
+    const std::optional<const Quantity*>& named() const { return named_; }
+
     // `hint(key)` may explain a key that is unknown here; an empty hint leaves it to the spelling.
     template <class Hint>
     void finish(Hint&& hint) const {
@@ -96,6 +127,8 @@ class Section {
     const Node* table_;
     std::string path_;
     std::vector<std::string> allowed_;
+    KnownNames names_ = {};
+    std::optional<const Quantity*> named_ = {};  // absent: nothing was named
 };
 
 // The value in SI, inside the range; nothing, with a complaint, when it is not.
@@ -114,8 +147,14 @@ void read_words(Section& section, std::string_view key, std::vector<std::string>
 
 std::optional<WrittenValue> read_written(Reading& reading, const Node& node, const std::string& path);
 
-// `value` keeps its default when the key is absent.
-void read_integer(Section& section, std::string_view key, std::int64_t lower, std::int64_t upper, std::int64_t& value);
+// Nothing, with a complaint, for a number that is not whole or out of the range.
+std::optional<std::int64_t> read_whole_number(Reading& reading, const Node& node, const std::string& path,
+                                              const Interval& range);
+// Points [x, y] in metres.
+Polyline read_polyline(Reading& reading, const Node& node, const std::string& path);
+// Two texts; `meaning` says which in a complaint.
+std::array<std::string, 2> read_pair(Reading& reading, const Node& node, const std::string& path,
+                                     std::string_view meaning);
 
 // The table of a key, or nullptr with a complaint when its value is something else.
 const Node* as_table(Reading& reading, const Node& node, const std::string& path);
@@ -143,7 +182,7 @@ void for_each_table(Section& section, std::string_view key, Read&& read) {
         return;
     }
     for (std::size_t index = 0; index < tables->size(); ++index) {
-        Section element(section.reading(), (*tables)[index], path + "[" + std::to_string(index + 1) + "]");
+        Section element(section, (*tables)[index], indexed(path, index));
         read(element);
         element.finish();
     }

@@ -70,6 +70,7 @@ std::string si_symbol(Dimension dimension) {
     case Dimension::angular_speed:
         return "rad/s";
     case Dimension::ratio:
+    case Dimension::named:
         break;
     }
     return {};

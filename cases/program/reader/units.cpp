@@ -293,6 +293,7 @@ std::string_view dimension_phrase(Dimension dimension) {
     case Dimension::angular_speed:
         return "an angular speed";
     case Dimension::ratio:
+    case Dimension::named:
         break;
     }
     return "a ratio";
@@ -333,6 +334,7 @@ std::string_view example_of(Dimension dimension) {
     case Dimension::angular_speed:
         return "\"1 deg/s\"";
     case Dimension::ratio:
+    case Dimension::named:
         break;
     }
     return "0.5";

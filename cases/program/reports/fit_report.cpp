@@ -86,7 +86,7 @@ Table parameter_table(const MechanismFit& fit) {
     return table;
 }
 
-// A pull of rounding is no pull.
+// Residuals below 5e-4 are shown as 0.
 std::string pull_in_words(double pull) {
     return std::abs(pull) < 5e-4 ? "0" : number_in_words(pull);
 }
@@ -340,7 +340,7 @@ std::string screen_of(const MechanismFit& fit) {
     return text;
 }
 
-// Of the case's own section; 0 where it has none.
+// The toe's elevation in the case's own section; 0 where it has none.
 double toe_elevation_of(const CaseModel& model) {
     for (const Quantity& input : named_inputs(model)) {
         if (input.name == "slope.toe_elevation") {
@@ -421,7 +421,10 @@ FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const
     if (!sections.figures.empty()) {
         report.blocks.emplace_back(std::move(sections));
     }
+<<<<<<< HEAD
     append_evidence(result, folder, report);
+=======
+>>>>>>> hub/main
     report.blocks.emplace_back(ranking_table(result));
     report.blocks.emplace_back(Paragraph{
         "Score: the squared pulls of data and priors, and 4 for each datum or piece of field evidence that the "

@@ -12,7 +12,7 @@
 
 namespace delabole {
 
-// Of a CSV file.
+// One cell of a CSV file.
 using Cell = std::variant<double, std::string>;
 
 // What all parts need to know of the study.

@@ -53,11 +53,11 @@ void document_parameters(const StudySubject& subject, Report& report) {
             return std::find(subject.names.begin(), subject.names.end(), name) - subject.names.begin();
         };
         correlations.rows.push_back(
-            {correlation.first + " and " + correlation.second,
+            {correlation.pair[0] + " and " + correlation.pair[1],
              correlation.measure == CorrelationMeasure::linear ? "linear (Pearson)" : "rank (Spearman)",
              number_in_words(correlation.coefficient),
              number_in_words(
-                 subject.space.normal_correlations()(place(correlation.first), place(correlation.second)))});
+                 subject.space.normal_correlations()(place(correlation.pair[0]), place(correlation.pair[1])))});
     }
     report.blocks.emplace_back(std::move(correlations));
 }
@@ -112,7 +112,7 @@ std::vector<std::string> findings(const StudySubject& subject, const Sensitivity
 
 StudySubject::StudySubject(const CaseFile& file, const SensitivityProblem& problem)
     : study(problem.study),
-      quantity{study.quantity, file.sensitivity->dimension},
+      quantity{study.quantity, study.dimension},
       space(input_space(study)),
       criterion(criterion_of(problem)) {
     std::ranges::copy_if(problem.model.bounds, std::back_inserter(bounds), [&](const OutputBound& bound) {

@@ -1,4 +1,4 @@
-// By how much an input is changed for a bar of a tornado figure.
+// The step by which an input is changed for a bar of a tornado figure.
 #pragma once
 
 #include "fitting/posterior/fit_problem.hpp"

@@ -29,22 +29,51 @@ Axis axis_of(const SweptInput& input) {
     return axis;
 }
 
-// Of what the curves show, which is one quantity or several of one dimension.
-Axis axis_of_outputs(const SweepRun& run, const std::vector<SweptCurve>& curves) {
-    const Dimension dimension = curves.front().dimension;
-    Axis axis = axis_of(run.sweep.curves.front().output, dimension);
-    axis.title = run.sweep.output_axis.empty() ? axis.title : run.sweep.output_axis;
+using Places = std::vector<std::size_t>;  // of curves in their sweep
+
+// Of curves of one dimension.
+Axis axis_of_outputs(const SweepRun& run, const SweptFigure& data, const Places& curves) {
+    const std::string& first = run.sweep.curves[curves.front()].output;
+    Axis axis = axis_of(first, data.curves[curves.front()].dimension);
+    if (!run.sweep.output_axis.empty()) {
+        axis.title = run.sweep.output_axis;
+    } else if (std::ranges::any_of(curves,
+                                   [&](std::size_t curve) { return run.sweep.curves[curve].output != first; })) {
+        axis.title = "value";
+    }
     return axis;
+}
+
+// Curves that share a figure: those of one dimension. Words alone are left to the tables.
+std::vector<Places> curves_by_dimension(const SweptFigure& data) {
+    std::vector<Places> groups;
+    for (std::size_t curve = 0; curve < data.curves.size(); ++curve) {
+        const SweptCurve& one = data.curves[curve];
+        if (std::ranges::none_of(one.values, [](double value) { return std::isfinite(value); })) {
+            continue;
+        }
+        const auto group = std::ranges::find_if(
+            groups, [&](const Places& places) { return data.curves[places.front()].dimension == one.dimension; });
+        if (group == groups.end()) {
+            groups.push_back({curve});
+        } else {
+            group->push_back(curve);
+        }
+    }
+    return groups;
 }
 
 Dash dash_of(CurveDash dash) {
     return dash == CurveDash::solid ? Dash::solid : dash == CurveDash::dashed ? Dash::dashed : Dash::dotted;
 }
 
-// Colours in their order, a new one for each solid curve.
+// Colours in their order, a new one for each solid curve; dotted ones are references, in grey.
 class CurveColours {
   public:
     Colour of(CurveDash dash) {
+        if (dash == CurveDash::dotted) {
+            return Colour::grey;
+        }
         if (dash == CurveDash::solid && used_) {
             ++next_;
         }
@@ -92,25 +121,24 @@ std::string title_of(const CaseSweep& sweep, const std::optional<double>& each) 
 }
 
 // Curves over the first input, one for each value of a second.
-Figure curves_figure(const SweepRun& run, const SweptFigure& data) {
+Figure curves_figure(const SweepRun& run, const SweptFigure& data, const Places& curves) {
     const CaseSweep& sweep = run.sweep;
     const SweptInput& first = sweep.vary.front();
-    Figure figure{.title = title_of(sweep, data.each), .x = axis_of(first), .y = axis_of_outputs(run, data.curves)};
-    const bool one_curve = data.curves.size() == 1;
+    Figure figure{.title = title_of(sweep, data.each), .x = axis_of(first), .y = axis_of_outputs(run, data, curves)};
     CurveColours colours;
-    for (std::size_t index = 0; index < data.curves.size(); ++index) {
+    for (const std::size_t index : curves) {
         const SweptCurve& curve = data.curves[index];
         const CurveDash dash = sweep.curves[index].dash;
+        // The axis names a single output.
+        const std::string label = curves.size() == 1 && curve.label == sweep.curves[index].output ? "" : curve.label;
         if (sweep.vary.size() == 1) {
-            const bool plain = curve.label == sweep.curves[index].output;
-            figure.series.emplace_back(
-                line_of(first, curve, 0, plain && one_curve ? "" : curve.label, colours.of(dash), dash));
+            figure.series.emplace_back(line_of(first, curve, 0, label, colours.of(dash), dash));
             continue;
         }
         const SweptInput& second = sweep.vary[1];
         for (std::size_t value = 0; value < second.values.size(); ++value) {
             const std::string legend =
-                (one_curve ? "" : curve.label + ", ") + each_in_words(second, second.values[value]);
+                label + (label.empty() ? "" : ", ") + each_in_words(second, second.values[value]);
             figure.series.emplace_back(
                 line_of(first, curve, value * first.values.size(), legend, colours.of(dash), dash));
         }
@@ -119,7 +147,8 @@ Figure curves_figure(const SweepRun& run, const SweptFigure& data) {
     return figure;
 }
 
-Figure map_figure(const SweepRun& run, const SweptFigure& data, const SweptCurve& curve) {
+Figure map_figure(const SweepRun& run, const SweptFigure& data, std::size_t index) {
+    const SweptCurve& curve = data.curves[index];
     const SweptInput& first = run.sweep.vary[0];
     const SweptInput& second = run.sweep.vary[1];
     HeatMap map;
@@ -138,7 +167,7 @@ Figure map_figure(const SweepRun& run, const SweptFigure& data, const SweptCurve
         map.ceiling = std::isfinite(shown) ? std::max(map.ceiling, shown) : map.ceiling;
     }
     map.ceiling = map.ceiling > 0 ? map.ceiling : 1;
-    const Axis output = axis_of_outputs(run, {curve});
+    const Axis output = axis_of_outputs(run, data, {index});
     map.scale_title = output.title + (output.unit.empty() ? "" : " (" + output.unit + ")");
     map.no_answer_legend = "no answer";
     Figure figure{.title = title_of(run.sweep, data.each), .x = axis_of(first), .y = axis_of(second)};
@@ -238,20 +267,29 @@ void document_figure(const SweepRun& run, const SweptFigure& data, const ResultF
     if (sweep.vary.size() == 1 && sweep.vary.front().values.size() <= most_rows) {
         report.blocks.emplace_back(curves_table(title_of(sweep, data.each), sweep.vary.front(), data.curves));
     }
-    const std::string name = name_of_figure(run, data);
-    if (!is_map) {
-        report.blocks.emplace_back(folder.draw(curves_figure(run, data), name, sweep.caption));
-        return;
-    }
-    for (std::size_t index = 0; index < data.curves.size(); ++index) {
-        const std::string part = data.curves.size() > 1 ? "_" + std::to_string(index + 1) : "";
-        report.blocks.emplace_back(folder.draw(map_figure(run, data, data.curves[index]), name + part, sweep.caption));
+    int number = 0;
+    const auto draw = [&](const Figure& figure) {
+        const std::string part = ++number > 1 ? "_" + std::to_string(number) : "";
+        report.blocks.emplace_back(folder.draw(figure, name_of_figure(run, data) + part, sweep.caption));
+    };
+    for (const Places& group : curves_by_dimension(data)) {
+        if (!is_map) {
+            draw(curves_figure(run, data, group));
+            continue;
+        }
+        for (const std::size_t curve : group) {
+            draw(map_figure(run, data, curve));
+        }
     }
 }
 
 void document_crossings(const SweepRun& run, const ResultFolder& folder, Report& report) {
     const CaseSweep& sweep = run.sweep;
     const std::vector<SweptCurve> curves = crossing_curves(run);
+    SweepRun crossings;
+    crossings.sweep.vary = {*sweep.each};
+    crossings.figures.push_back({std::nullopt, curves, {}});
+    folder.write(sweep.name + "_crossings.csv", sweep_csv(crossings));
     const std::string title = "Where curves cross: " + human_name(sweep.vary.front().input);
     if (sweep.each->values.size() <= most_rows) {
         report.blocks.emplace_back(curves_table(title, *sweep.each, curves));

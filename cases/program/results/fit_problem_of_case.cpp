@@ -12,31 +12,13 @@ namespace delabole {
 
 FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::uint64_t> seed) {
     const CaseFit& fit = *file.fit;
-    FitProblem problem;
-    for (const CaseObservation& observation : fit.observations) {
-        problem.observations.push_back(observation.observation);
-    }
-    problem.profile = fit.profile;
-    problem.evidence = fit.evidence;
-    for (const CaseCandidate& candidate : fit.candidates) {
-        problem.candidates.push_back(candidate.candidate);
-    }
-    problem.conclusions = fit.conclusions;
-    problem.settings = fit.settings;
-    problem.posterior = fit.posterior;
+    FitProblem problem{fit, {}};
     problem.settings.threads = threads;
     problem.settings.seed = seed.value_or(fit.settings.seed);
     for (const FitMechanism& mechanism : fit.mechanisms) {
-        Mechanism& made = problem.mechanisms.emplace_back(
-            Mechanism{mechanism.name, mechanism.title, interface_of(mechanism.model), mechanism.parameters});
+        Mechanism& made = problem.mechanisms.emplace_back(Mechanism{mechanism, interface_of(mechanism.model)});
         if (mechanism.coarse) {
             made.coarse = interface_of(*mechanism.coarse);
-        }
-        for (const CaseObservation& observation : mechanism.observations) {
-            made.own_observations.push_back(observation.observation);
-        }
-        for (const CaseSign& sign : mechanism.signs) {
-            made.signs.push_back(sign.sign);
         }
     }
     std::vector<Problem> problems;

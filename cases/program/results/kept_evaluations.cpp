@@ -1,16 +1,21 @@
 #include "cases/program/results/kept_evaluations.hpp"
 
 #include "cases/program/case/case_writer.hpp"
-#include "fitting/work/bytes.hpp"
 #include "fitting/work/ranks.hpp"
+#include "numerics/archive.hpp"
 #include "plots/drawing/atomic_file.hpp"
 #include "plots/drawing/text.hpp"
 #include "version/version.hpp"
 
-#include <array>
 #include <iostream>
 
 namespace delabole {
+
+template <class Type>
+requires std::same_as<std::remove_const_t<Type>, StoreTraffic>
+auto members_of(Type& traffic) {
+    return std::tie(traffic.made, traffic.found, traffic.seconds_made, traffic.seconds_found);
+}
 
 KeptEvaluations::KeptEvaluations(const Options& options, const ResultFolder& folder)
     : path_(options.store.empty() ? folder.path() / "evaluations.sqlite" : options.store),
@@ -51,16 +56,16 @@ void KeptEvaluations::count_all() {
     const StoreTraffic own = store_->traffic();
     traffic_ = own;
     if (ranks_ != nullptr) {
-        ByteWriter writer;
-        writer.reals(std::array{static_cast<double>(own.made), static_cast<double>(own.found), own.seconds_made,
-                                own.seconds_found});
+        ArchiveWriter writer;
+        writer.put(own);
         traffic_ = {};
         for (const std::string& bytes : ranks_->exchange(writer.bytes())) {
-            const std::vector<double> numbers = ByteReader(bytes).reals();
-            traffic_.made += static_cast<long>(numbers.at(0));
-            traffic_.found += static_cast<long>(numbers.at(1));
-            traffic_.seconds_made += numbers.at(2);
-            traffic_.seconds_found += numbers.at(3);
+            StoreTraffic one;
+            ArchiveReader(bytes).get(one);
+            traffic_.made += one.made;
+            traffic_.found += one.found;
+            traffic_.seconds_made += one.seconds_made;
+            traffic_.seconds_found += one.seconds_found;
         }
     }
 }

@@ -90,7 +90,7 @@ class ResultFolder {
     void when_interrupted(OnInterrupt on_interrupt) { on_interrupt_ = on_interrupt; }
 
     const std::filesystem::path& path() const { return path_; }
-    // As the command was told; for long work.
+    // The number that the command was given, for long work.
     int threads() const { return threads_; }
     // How much of the work whose results these are is done, 0 to 1, and what is being done. Told to the command where
     // it listens; from one thread at a time.

@@ -17,7 +17,7 @@ std::string written_key(const CaseFile& file, std::string key) {
 }  // namespace
 
 SensitivityProblem sensitivity_problem_of(const CaseFile& file, int threads, std::optional<std::uint64_t> seed) {
-    SensitivityProblem problem{interface_of(file.model), file.sensitivity->study, threads};
+    SensitivityProblem problem{interface_of(file.model), *file.sensitivity, threads};
     problem.study.seed = seed.value_or(problem.study.seed);
     std::vector<Problem> problems;
     for (const StudyFault& fault : check_study(problem)) {

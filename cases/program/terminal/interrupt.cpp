@@ -20,8 +20,8 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::int64_t
 
 constexpr std::int64_t second = 1'000'000'000;  // ns
 
-// Of the processor and not of the clock: on a busy machine work comes less often to where it looks at the flag, and
-// while a picture is drawn or a disk waited for there is nothing to be ended.
+// Seconds of the processor and not of the clock: on a busy machine work comes less often to where it looks at the flag,
+// and while a picture is drawn or a disk waited for there is nothing to be ended.
 constexpr std::int64_t patience = 1'800'000'000;  // ns
 timer_t deadline;
 std::atomic<bool> has_deadline{false};

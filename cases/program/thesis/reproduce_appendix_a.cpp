@@ -1,6 +1,7 @@
 // The thesis's limiting equilibrium of columns on a stepped base: 4.4, Appendix A and what 5.3.4.2 says of it.
 #include "cases/program/models/stepped_base/columns.hpp"
 #include "cases/program/models/stepped_base/drawing.hpp"
+#include "cases/program/thesis/appendix_a.hpp"
 #include "cases/program/thesis/reproduction.hpp"
 #include "cases/program/thesis/thesis_tables.hpp"
 #include "fitting/work/words.hpp"
@@ -10,8 +11,6 @@
 
 namespace delabole {
 
-namespace {
-
 // The thesis gives bare numbers: in the case 1 is 1 m and 1 kN/m3.
 SteppedBase<> appendix_a(double friction_angle) {
     SteppedBase<> problem = std::get<SteppedBaseStudy<>>(built_in_case("stepped_base", "appendix_a").model).model;
@@ -20,13 +19,11 @@ SteppedBase<> appendix_a(double friction_angle) {
     return problem;
 }
 
-const BlockColumns<>& columns_of(const SteppedBase<>& problem) {
-    return std::get<BlockColumns<>>(problem.scene.columns);
+BlockColumns<> appendix_a_columns() {
+    return std::get<BlockColumns<>>(appendix_a(0).scene.columns);
 }
 
-double base_dip(const SteppedBase<>& problem) {
-    return degrees(90) - columns_of(problem).joint_dip;
-}
+namespace {
 
 constexpr int crest_column = 4;
 
@@ -40,11 +37,12 @@ struct ThesisProgram {
     bool converged = false;
 };
 
-ThesisProgram run_thesis_program(const SteppedBase<>& problem) {
+ThesisProgram run_thesis_program() {
     constexpr int most_iterations = 10000;
-    const double sine = std::sin(base_dip(problem));
-    const double cosine = std::cos(base_dip(problem));
-    const std::vector<ColumnBlock<>>& blocks = columns_of(problem).block;
+    const BlockColumns<> columns = appendix_a_columns();
+    const double sine = std::sin(degrees(90) - columns.joint_dip);
+    const double cosine = std::cos(degrees(90) - columns.joint_dip);
+    const std::vector<ColumnBlock<>>& blocks = columns.block;
     const auto height = [&](int column) { return blocks[static_cast<std::size_t>(column) - 1].height; };
     ThesisProgram program;
     program.last_column = crest_column;
@@ -131,7 +129,7 @@ Reproduction reproduce_limiting_friction(const ResultFolder& folder, Report& rep
     const SteppedBase<> problem = appendix_a(limit.value);
     const ColumnSlope<> slope = make_columns(problem.scene);
     const std::vector<ColumnResult> columns = column_results(slope, strength_of(problem));
-    const ThesisProgram program = run_thesis_program(problem);
+    const ThesisProgram program = run_thesis_program();
     const SteppedBaseResult result = analyse(problem);
     const std::string modes = modes_in_words(columns);
     const auto crack = static_cast<int>(result.uppermost_moving);
@@ -150,8 +148,8 @@ Reproduction reproduce_limiting_friction(const ResultFolder& folder, Report& rep
     reproduction.rows.push_back({"modes in limiting equilibrium", "1 slides, 2 to 5 topple, 6 to 8 stay", modes, "",
                                  statement(modes == "1 slides, 2 to 5 topple and 6 to 8 stay")});
     reproduction.rows.push_back({"tension crack above column", "5", std::to_string(crack), "", statement(crack == 5)});
-    const std::vector<ColumnBlock<>>& blocks = columns_of(problem).block;
-    const double toppling_height = 1 / std::tan(base_dip(problem));
+    const std::vector<ColumnBlock<>> blocks = appendix_a_columns().block;
+    const double toppling_height = std::tan(appendix_a_columns().joint_dip);
     reproduction.rows.push_back(
         {"heights beside the crack against dx cot(alpha)", "y* < dx cot(alpha) < y**",
          number_in_words(blocks[above].height) + " < " + number_in_words(toppling_height) + " < " +

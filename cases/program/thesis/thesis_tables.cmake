@@ -13,7 +13,7 @@ foreach(table
 endforeach()
 set(built_in_cases "")
 foreach(case
-    plane_failure/groundwater_by_tilting stepped_base/appendix_a
+    plane_failure/fig_2_8 plane_failure/groundwater_by_tilting stepped_base/appendix_a
     thesis/chapter_2/groundwater_column thesis/chapter_2/plate_2_i
     thesis/chapter_2/plate_2_i_continuity thesis/chapter_2/plate_2_i_without_cleavage thesis/chapter_2/plate_2_ii
     thesis/chapter_2/plate_2_ii_joints_c thesis/chapter_2/plate_2_iii thesis/chapter_2/plate_2_iv

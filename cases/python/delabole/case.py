@@ -20,8 +20,8 @@ Settings = Mapping[str, Quantity]
 class Case:
     """A case, as it was read: it does not change.
 
-    Made by read(), parse(), case() and Model.case(). Long work tells its progress by calling progress(share, what), share
-    from 0 to 1, lets other threads of Python run, and ends at Ctrl-C with KeyboardInterrupt.
+    Made by read(), parse(), case() and Model.case(). Long work tells its progress by calling progress(share, what),
+    share from 0 to 1, lets other threads of Python run, and ends at Ctrl-C with KeyboardInterrupt.
     """
 
     def __init__(self, made: _delabole.Case) -> None:
@@ -98,8 +98,8 @@ class Case:
                seed: int | None = None) -> dict[str, npt.NDArray[np.float64]]:
         """Samples of the uncertain parameters of the case's section sensitivity, by name and in SI, for evaluate().
 
-        Without arguments they are those of its propagation. method: monte_carlo, latin_hypercube or sobol_sequence. Their
-        number is raised to the next one that the replicates share evenly.
+        Without arguments they are those of its propagation. method: monte_carlo, latin_hypercube or sobol_sequence.
+        Their number is raised to the next one that the replicates share evenly.
         """
         return self._case.sample(samples, method, seed)
 
@@ -115,7 +115,8 @@ class Case:
         asked = [outputs] if isinstance(outputs, str) else list(outputs)
         count = int(np.prod(shape))
         answers, failures, causes = self._case.evaluate(columns, count, asked, progress, threads)
-        return Evaluation(dict(zip(asked, (answer.reshape(shape) for answer in answers))), failures.reshape(shape), causes)
+        shaped = {name: answer.reshape(shape) for name, answer in zip(asked, answers)}
+        return Evaluation(shaped, failures.reshape(shape), causes)
 
 
 class Model(Section):
@@ -153,7 +154,7 @@ def parse(text: str, name: str = "case", settings: Settings = {}) -> Case:
 
 
 def case(tree: Mapping[str, Any], name: str = "case") -> Case:
-    """The same of a dictionary with the keys of a case file, whose model may be an object: {"model": PlaneFailure(...)}.
+    """The same of a dictionary with the keys of a case file; its model may be an object: {"model": PlaneFailure(...)}.
 
     `schema = 1` need not be given.
     """

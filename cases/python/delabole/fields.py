@@ -77,7 +77,8 @@ class Word(Field[Got, Given]):
 
     def taken(self, section: Section, value: Any) -> str:
         if value not in self.words:
-            raise _delabole.CaseError(f"{type(section).__name__}: {self.key} = {value!r}: must be one of {', '.join(self.words)}")
+            where = f"{type(section).__name__}: {self.key} = {value!r}"
+            raise _delabole.CaseError(f"{where}: must be one of {', '.join(self.words)}")
         return str(value)
 
 
@@ -98,7 +99,7 @@ class Texts(Field[Got, Given]):
 
 
 class Part(Field[Got, Given]):
-    """A section, as an object or as a dictionary of its keys; of one of several classes where they are told by a kind."""
+    """A section, as an object or a dictionary of its keys; of one of several classes where a kind tells them apart."""
 
     def __init__(self, key: str, meaning: str, *classes: type[Section], optional: bool = False) -> None:
         super().__init__(key, meaning, optional=optional)
@@ -110,7 +111,8 @@ class Part(Field[Got, Given]):
         where = f"{type(section).__name__}.{self.key}"
         if isinstance(value, Mapping):
             return self._made(where, dict(value))
-        raise TypeError(f"{where} must be {' or '.join(one.__name__ for one in self.classes)}, or a dictionary of its keys")
+        names = " or ".join(one.__name__ for one in self.classes)
+        raise TypeError(f"{where} must be {names}, or a dictionary of its keys")
 
     def _made(self, where: str, keys: dict[str, Any]) -> Section:
         if len(self.classes) == 1:
@@ -164,7 +166,8 @@ class Section:
 
     def __setattr__(self, name: str, value: Any) -> None:
         if name != "_values" and not isinstance(getattr(type(self), name, None), Field):
-            raise AttributeError(f"{type(self).__name__} has no {name}; it has {', '.join(field.key for field in self._fields)}")
+            keys = ", ".join(field.key for field in self._fields)
+            raise AttributeError(f"{type(self).__name__} has no {name}; it has {keys}")
         object.__setattr__(self, name, value)
 
     def __eq__(self, other: object) -> bool:

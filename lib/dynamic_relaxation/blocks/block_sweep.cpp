@@ -16,7 +16,7 @@ struct BlockVelocity {
     Number spin;
 };
 
-// Of bodies and scales.
+// Bodies and scales of the blocks that are swept together.
 template <class Number>
 struct BlockMeasures {
     Number inverse_mass;

@@ -18,7 +18,7 @@ struct BlockScales {
     std::vector<double> unnoticed = {};       // m, way that its contacts may disregard
 };
 
-// Of each block, whether it has come by more than its contacts may disregard, measured from where that was last
+// Says of each block whether it has moved by more than its contacts may disregard, measured from where that was last
 // noticed: the slowest motion is noticed as soon as it matters.
 struct NoticedMotion {
     std::vector<char> moved = {};  // 1: its contacts are to be evaluated again, for it has come so far or has new ones
@@ -71,8 +71,8 @@ struct StepSums {
     double fastest = 0;     // m/s, no point of any block is faster
 };
 
-// Of blocks `begin` to `end`. Their motion does not depend on which blocks are swept together, the last digits of the
-// sums do.
+// Moves blocks `begin` to `end`. Their motion does not depend on which blocks are swept together, the last digits of
+// the sums do.
 StepSums move_blocks(const BlockSweep& sweep, std::size_t begin, std::size_t end);
 
 }  // namespace delabole

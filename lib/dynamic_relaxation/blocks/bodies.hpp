@@ -71,7 +71,7 @@ struct alignas(4 * sizeof(double)) BlockForceOf {
 
 using BlockForce = BlockForceOf<double>;
 
-// Of a turn by an angle; true, and right to the last digits, where its square is below 1e-4.
+// Sine and versine of a turn by an angle; true, and right to the last digits, where its square is below 1e-4.
 template <class Number>
 DELABOLE_INLINED MaskOf<Number> small_turn(const Number& angle, Number& sine, Number& versine) {
     const Number square = angle * angle;
@@ -126,7 +126,8 @@ inline PlanePoint<> moved_corner(const Bodies& bodies, const std::vector<Motion>
     return bodies.centroid[block] + PlanePoint<>(moved.x, moved.y) + moved.turned(bodies.corner[corner]);
 }
 
-// In the scene's materials: of two edges that lie on each other, the joint with less friction decides.
+// Index of the joint that decides, among the scene's materials: the one with less friction of two edges that lie on
+// each other.
 inline std::size_t weaker_joint(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,
                                 std::size_t other_edge) {
     const std::size_t one = bodies.material[edge];

@@ -9,7 +9,7 @@ namespace delabole {
 
 namespace {
 
-// Of an edge, which faces that are not quite parallel would leave by a trifle.
+// Part of an edge that a face covers, kept within the edge where the two are not quite parallel.
 EdgePart part_of(const Bodies& bodies, std::size_t edge, const PlanePoint<>& middle, double length) {
     const double centre = bodies.along[edge].dot(middle - bodies.corner[edge]);
     return {std::max(0.0, centre - length / 2), std::min(bodies.length[edge], centre + length / 2)};

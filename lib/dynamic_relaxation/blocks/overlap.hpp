@@ -19,7 +19,7 @@ struct BlockOverlap {
     double area = 0;   // m2, common to both; exact up to rounding
 };
 
-// Of all pairs of which one at least is free and none removed, the one with the greatest share; absent where no blocks
+// The pair with the greatest share among those of which one at least is free and none removed; absent where no blocks
 // overlap.
 std::optional<BlockOverlap> greatest_overlap(const Bodies& bodies, const std::vector<Motion>& motion,
                                              const std::vector<char>& removed);

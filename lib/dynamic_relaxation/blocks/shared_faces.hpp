@@ -21,11 +21,11 @@ struct SharedFace {
     double length;           // m
 };
 
-// Of two edges that look at each other and lie on one line within a thousandth of the shortest edge of their blocks,
-// and share more of it than that. Empty where they do not.
+// The face that two edges share where they look at each other, lie on one line within a thousandth of the shortest edge
+// of their blocks, and share more of it than that. Empty where they do not.
 std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, std::size_t other_edge);
 
-// Of all pairs of blocks that are not both fixed, in increasing order of the blocks.
+// The shared faces of all pairs of blocks that are not both fixed, in increasing order of the blocks.
 std::vector<SharedFace> find_shared_faces(const Bodies& bodies);
 
 // The block's face seen from the other, whose face carries the axes.
@@ -42,7 +42,7 @@ struct FacePosition {
 
     double along_x() const { return -normal_y; }
     double along_y() const { return normal_x; }
-    // Of the end that the block has turned away from the other.
+    // Opening at the end that the block has turned away from the other.
     double widest(double length) const { return opening + std::abs(turn) * length / 2; }
 };
 

@@ -13,7 +13,7 @@ std::uint64_t hash_of(const RelaxationScene& scene, const RelaxationSettings& se
     of_a_step.duration = 0;
     of_a_step.most_steps = 0;
     of_a_step.threads = 0;
-    CheckpointWriter writer;
+    ArchiveWriter writer;
     writer.put(scene);
     writer.put(of_a_step);
     return fnv_1a(writer.bytes());
@@ -70,7 +70,7 @@ bool fits(const RelaxationState& state, const RelaxationScene& scene) {
 
 std::string checkpoint_of(const RelaxationScene& scene, const RelaxationSettings& settings,
                           const RelaxationState& state) {
-    CheckpointWriter body;
+    ArchiveWriter body;
     body.put(state);
     return seal_checkpoint(hash_of(scene, settings), body.bytes());
 }
@@ -81,10 +81,10 @@ RestoredState restore_checkpoint(std::string_view bytes, const RelaxationScene& 
     if (opened.check != CheckpointCheck::ok) {
         return {opened.check};
     }
-    CheckpointReader body(opened.body);
+    ArchiveReader body(opened.body);
     RelaxationState state;
     body.get(state);
-    if (!body.good() || !body.at_end() || !fits(state, scene)) {
+    if (!body.whole() || !fits(state, scene)) {
         return {CheckpointCheck::damaged};
     }
     return {CheckpointCheck::ok, std::move(state)};

@@ -15,13 +15,13 @@ static_assert(checkpoint_header_size == mark.size() + 3 * sizeof(std::uint64_t))
 }  // namespace
 
 std::string seal_checkpoint(std::uint64_t hash, std::string_view body) {
-    CheckpointWriter header;
+    ArchiveWriter header;
     header.put(checkpoint_version);
     header.put(hash);
     header.put(static_cast<std::uint64_t>(body.size()));
     std::string sealed;
     sealed.append(mark).append(header.bytes()).append(body);
-    CheckpointWriter checksum;
+    ArchiveWriter checksum;
     checksum.put(fnv_1a(sealed));
     return sealed + checksum.bytes();
 }
@@ -30,12 +30,12 @@ CheckpointCheck check_beginning(std::string_view beginning, std::uint64_t size) 
     if (!beginning.starts_with(mark)) {
         return CheckpointCheck::not_a_checkpoint;
     }
-    CheckpointReader header(beginning.substr(mark.size()));
+    ArchiveReader header(beginning.substr(mark.size()));
     std::uint64_t version = 0;
     std::uint64_t hash = 0;
     std::uint64_t body_size = 0;
     header.get(version);
-    // Of other versions only this much is known.
+    // Only this much is known of other versions.
     if (header.good() && version != checkpoint_version) {
         return CheckpointCheck::other_version;
     }
@@ -53,12 +53,12 @@ OpenedCheckpoint open_checkpoint(std::string_view sealed, std::uint64_t hash) {
     }
     const std::size_t end = sealed.size() - checksum_size;
     std::uint64_t checksum = 0;
-    CheckpointReader(sealed.substr(end)).get(checksum);
+    ArchiveReader(sealed.substr(end)).get(checksum);
     if (checksum != fnv_1a(sealed.substr(0, end))) {
         return {CheckpointCheck::damaged};
     }
     std::uint64_t hash_then = 0;
-    CheckpointReader(sealed.substr(mark.size() + sizeof(checkpoint_version))).get(hash_then);
+    ArchiveReader(sealed.substr(mark.size() + sizeof(checkpoint_version))).get(hash_then);
     if (hash_then != hash) {
         return {CheckpointCheck::other_scene};
     }

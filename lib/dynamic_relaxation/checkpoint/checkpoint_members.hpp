@@ -34,7 +34,7 @@ DELABOLE_MEMBERS(ContactShapeOf<double>, arm_x, arm_y, other_arm_x, other_arm_y,
                  to_end)
 DELABOLE_MEMBERS(ContactNumbersOf<double>, shear, place, damping, normal_drag, shear_drag, slip, friction)
 DELABOLE_MEMBERS(ContactFlagsOf<bool>, touching, sliding, broken, beneath, yields, insists, tried)
-// Of structs that have others as bases: these.
+// The bases of a struct that is made of others.
 template <class Object, class... Bases>
 auto bases_of(Object& object) {
     return std::tie(static_cast<std::conditional_t<std::is_const_v<Object>, const Bases, Bases>&>(object)...);
@@ -108,10 +108,5 @@ DELABOLE_MEMBERS(FailureStage, block, moved, start, onset, time, steps, contacts
 DELABOLE_MEMBERS(StudyProgress, state, next_line, history, record, slope, stage, search)
 
 #undef DELABOLE_MEMBERS
-
-template <class T>
-concept HasMembers = requires(T& object) {
-    members_of(object);
-};
 
 }  // namespace delabole

@@ -11,7 +11,7 @@ namespace {
 
 std::uint64_t hash_of(const RelaxationStudy& study, KeepFrames frames) {
     const RelaxationScene scene = relaxation_scene(study);
-    CheckpointWriter writer;
+    ArchiveWriter writer;
     writer.put(scene);
     writer.put(relaxation_settings(study, scene));
     writer.put(study.critical ? std::optional(critical_plan(study)) : std::nullopt);
@@ -58,7 +58,7 @@ bool fits(const StudyProgress& progress, const RelaxationStudy& study) {
 }  // namespace
 
 std::string checkpoint_of(const RelaxationStudy& study, KeepFrames frames, const StudyProgress& progress) {
-    CheckpointWriter body;
+    ArchiveWriter body;
     body.put(progress);
     return seal_checkpoint(hash_of(study, frames), body.bytes());
 }
@@ -68,10 +68,10 @@ RestoredProgress restore_checkpoint(std::string_view bytes, const RelaxationStud
     if (opened.check != CheckpointCheck::ok) {
         return {opened.check};
     }
-    CheckpointReader body(opened.body);
+    ArchiveReader body(opened.body);
     StudyProgress progress;
     body.get(progress);
-    if (!body.good() || !body.at_end() || !fits(progress, study)) {
+    if (!body.whole() || !fits(progress, study)) {
         return {CheckpointCheck::damaged};
     }
     return {CheckpointCheck::ok, std::move(progress)};

@@ -89,7 +89,7 @@ SharedFace whole_face(const RelaxationScene& scene, const Bodies& bodies, const 
     return whole;
 }
 
-// As stiff as the two contacts, so that they take over where it opens as if they had been there before.
+// A bond is as stiff as the two contacts, so that they take over where it opens as if they had been there before.
 Bond make_joint_bond(const SharedFace& face, const JointMaterial& joint, const Bodies& bodies, double viscous_damping) {
     const double mass = 1 / (bodies.inverse_mass[face.block] + bodies.inverse_mass[face.other]);
     Bond bond{};

@@ -63,7 +63,7 @@ struct Bond : FaceStiffness {
     double cohesion;  // Pa
     double friction;  // tangent
     bool of_joint;    // the joint's own strength, no rock
-    // Of the bond, or of the contacts that take its place, whichever is more: a time step that was too long for them
+    // Stiffness of the bond, or of the contacts that take its place, whichever is more: a time step too long for them
     // would throw the blocks apart in the moment of breaking.
     FaceStiffness stiffest;
 };
@@ -125,14 +125,14 @@ class Bonds {
     // order of the bonds.
     std::vector<std::size_t> stretch(const std::vector<Motion>& motion, double step, double time,
                                      std::vector<BondMemory>& memory);
-    // Of the last call of stretch; not to be asked for without bonds.
+    // Forces of the last call of stretch; not to be asked for without bonds.
     const std::vector<BlockForce>& on_blocks() const { return force_on_block_; }
 
     double elastic_energy(std::size_t bond, const std::vector<Motion>& motion) const;
-    // Of the whole bonds.
+    // J/m, stored in the bonds that are whole.
     double elastic_energy(const std::vector<Motion>& motion, const std::vector<BondMemory>& memory) const;
-    // Of whole bonds that are overloaded at rest, those go first that hand over to contacts, all at once; where there
-    // are none, the most overloaded one breaks. Returns which; none where all bear.
+    // Breaks whole bonds that are overloaded at rest: first those that hand over to contacts, all at once; where there
+    // are none, the most overloaded one. Returns which; none where all bear.
     std::vector<std::size_t> break_at_rest(const std::vector<Motion>& motion, std::vector<BondMemory>& memory) const;
 
   private:

@@ -18,7 +18,7 @@ class ContactLaws {
         joint_.clear();
     }
 
-    // Of the laws that a list has.
+    // Takes over the laws that a list has.
     void resume(const ContactList& list) {
         clear();
         resume(list.ends, ends_);

@@ -39,7 +39,7 @@ DELABOLE_INLINED EdgeEndsOf<Lanes> gather_ends(const Rows<Lanes>& rows) {
     return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]};
 }
 
-// In most groups all have the same.
+// All contacts of most groups have the same.
 template <IsLanes Lanes>
 DELABOLE_INLINED JointLawOf<Lanes> gather_joint(const ContactSweep& sweep, const ContactBlocks* contact) {
     unsigned differ = 0;
@@ -63,7 +63,7 @@ DELABOLE_INLINED JointLawOf<Lanes> gather_joint(const ContactSweep& sweep, const
     return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]};
 }
 
-// As many contacts in a row as there are lanes, all of one group.
+// Sweeps as many contacts in a row as there are lanes, all of one group.
 template <IsLanes Lanes>
 struct Part {
     std::size_t first;
@@ -154,13 +154,13 @@ DELABOLE_INLINED void keep_memory(const ContactSweep& sweep, std::size_t index, 
     put_into<ContactFlagsOf>(sweep.flags[index / packed_size], index % packed_size, memory);
 }
 
-// As advance_contact leaves a contact that does not touch yet.
+// Leaves a contact that does not touch yet as advance_contact does.
 DELABOLE_INLINED void stay_open(const ContactSweep& sweep, std::size_t index, double gap) {
     sweep.force[index] = {};
     note_opening(sweep, index, gap);
 }
 
-// As advance_contact leaves a contact that opens.
+// Leaves a contact that opens as advance_contact does.
 void open_up(const ContactSweep& sweep, std::size_t index, double weight, double damping, bool beneath) {
     ContactMemoryOf<double> memory = memory_of(sweep, index);
     let_go(sweep.joint[sweep.contact[index].joint], weight, damping, beneath, memory);

@@ -8,7 +8,7 @@
 
 namespace delabole {
 
-// What contacts remember and where their corners are: a bit for each, of one contact by itself the lowest.
+// What contacts remember and where their corners are: one bit for each contact, the lowest for one by itself.
 struct ContactSituation {
     unsigned touching;     // until now
     unsigned beneath;      // below the line of the edge without having come over it
@@ -30,7 +30,7 @@ DELABOLE_INLINED unsigned bearing_of(unsigned over_edge, unsigned apart, unsigne
     return over_edge & (~apart | pulls) & ~weightless;
 }
 
-// Of one contact by itself.
+// Whether it holds of one contact by itself.
 DELABOLE_INLINED bool holds_of_one(unsigned bits) {
     return (bits & 1U) != 0;
 }

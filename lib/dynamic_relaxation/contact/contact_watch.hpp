@@ -38,7 +38,7 @@ struct WatchedPair {
 
 struct WatchState {
     std::vector<WatchedPair> pair = {};  // in increasing order
-    // Of each block, m:
+    // For each block, m:
     std::vector<double> travelled = {};         // no point of it has moved farther since the start
     std::vector<double> due = {};               // no pair of it is due up to this distance
     std::vector<double> neighbours_until = {};  // up to this distance, all that it can touch are pairs
@@ -62,14 +62,14 @@ class ContactWatch {
     static void start(std::size_t blocks, WatchState& state);
     // For a longer step, all pairs have to be asked, and blocks that it takes past what they can touch searched for.
     void prepare_for(double step, const std::vector<Motion>& motion, WatchState& state) const;
-    // What is not in the state.
+    // Finds again what is not in the state.
     void resume(const WatchState& state, const ContactList& list);
 
     // Brings the list up to date, and the stable steps. Returns whether any block was due.
     bool update(const MovingScene& scene, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
                 WatchState& state, ContactList& list);
 
-    // Of the last update:
+    // Results of the last update:
     struct Dropped {
         RelaxationContact contact;
         ContactMemory memory;
@@ -119,7 +119,7 @@ class ContactWatch {
     bool first_ = false;
     double stable_step_ = std::numeric_limits<double>::infinity();  // s, the least of all blocks
 
-    // Of an update:
+    // Used by one update:
     PairContacts now_ = {};    // of the pair looked at
     PairContacts found_ = {};  // of all whose contacts have changed
     std::vector<Replacement> replacement_ = {};

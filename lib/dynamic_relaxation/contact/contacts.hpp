@@ -29,8 +29,8 @@ struct ContactRange {
     std::size_t size() const { return end - begin; }
 };
 
-// Of an edge, as a corner of another block comes over its ends. Many contacts have it in common, so that a step has
-// less to read: a pack of bricks has a handful. Read as rows of eight numbers.
+// How an edge bears as a corner of another block comes over its ends. Many contacts have it in common, so that a step
+// has less to read: a pack of bricks has a handful. Read as rows of eight numbers.
 template <class Number>
 struct alignas(8 * sizeof(double)) EdgeEndsOf {
     Number start_weight;  // weight of the contact where the corner is at the edge's start
@@ -49,7 +49,7 @@ struct alignas(8 * sizeof(double)) EdgeEndsOf {
     bool operator==(const EdgeEndsOf&) const = default;
 };
 
-// What a contact bears, in common with more contacts still.
+// Strength and stiffness of a contact, which even more contacts have in common.
 template <class Number>
 struct alignas(8 * sizeof(double)) JointLawOf {
     Number normal_stiffness;
@@ -73,7 +73,7 @@ using EdgeEnds = EdgeEndsOf<double>;
 using JointLaw = JointLawOf<double>;
 using ContactLaw = ContactLawOf<double>;
 
-// In the initial geometry.
+// Where a contact is in the initial geometry.
 template <class Number>
 struct ContactShapeOf {
     Number arm_x{};  // of the corner, about its block's centroid
@@ -127,7 +127,7 @@ struct ContactFlagsOf {
     // Below the line of the edge without having come there over the edge, for instance past its end: no overlap of this
     // edge, and none to bear with, until the corner has been above.
     Flag beneath{};
-    // Of corners on corners (corner_choice.hpp):
+    // For corners on corners (corner_choice.hpp):
     Flag yields{};   // does not bear in a trial
     Flag insists{};  // bears in a trial though it is the deeper one
     Flag tried{};    // whether balance is found without it has been tried
@@ -211,7 +211,7 @@ class MemoryArray {
     LargeArray<double> shortened_ = {};
 };
 
-// In the order of their pairs.
+// Contacts in the order of their pairs.
 struct ContactList {
     ContactArray contact = {};
     std::vector<EdgeEnds> ends = {};

@@ -55,7 +55,7 @@ class Corners {
         return share < 1 ? -share * law.normal_stiffness * at.gap : 0;
     }
 
-    // Of the contacts of a pair of blocks, those of the same two corners.
+    // Lets the other edge bear in those contacts of a pair of blocks that have the same two corners.
     void exchange(std::size_t index, const ContactRange& of_pair) {
         const CornerPair corners = corners_of(blocks_.bodies, law_of(index), list_.contact[index]);
         const PlanePoint<> bearing = parting(list_.contact[index], position_of(index));

@@ -26,10 +26,10 @@ constexpr double closed = 1e-3;
 constexpr double came_over = 0.01;
 // Deeper corners belong to the block's other side, unless they bear already.
 constexpr double deepest = 0.25;
-// Of two edges that meet in a tip, a corner at the tip is on the one into whose block its faces dip less by so much
+// Where two edges meet in a tip, a corner at the tip is on the one into whose block its faces dip less by so much
 // (sine).
 constexpr double clearly_less = 0.15;
-// As far from the tip, in shortest edges, as overlaps may not yet tell.
+// Distance from the tip, in shortest edges, at which overlaps may not yet tell.
 constexpr double at_tip = 0.05;
 
 constexpr std::size_t unknown = static_cast<std::size_t>(-1);
@@ -178,9 +178,8 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
     const std::size_t near = start_is_near ? other.before(edge) : other.after(edge);
     const std::size_t far = start_is_near ? other.after(edge) : other.before(edge);
     const bool near_bears = can_bear(block, corner, other, near);
-    // Of a short edge the end farther off can be the one to which the corner is carried. Where that goes on as one
-    // face, the blocks overlap as much over it wherever the corner is: it says nothing of the end that the corner is
-    // at.
+    // The farther end of a short edge can be the one to which the corner is carried. Where that goes on as one face,
+    // the blocks overlap as much over it wherever the corner is: it says nothing of the end that the corner is at.
     const bool far_counts = -gaps(corner, far) < deepest * shortest_ &&
                             bodies_.along[edge_number].dot(bodies_.along[other.begin + far]) < one_face &&
                             (!near_bears || gaps(corner, far) > gaps(corner, near)) &&
@@ -248,7 +247,7 @@ void PairSearch::add_twin_as_rival(const Side& block, std::size_t corner, const 
 
 bool PairSearch::can_bear(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const {
     const PlanePoint<> normal = other.normal(edge);
-    // Of the corner's faces below the edge, sine.
+    // Sine of the angle by which the corner's faces dip below the edge.
     const double dips = std::max(-block.along[corner].dot(normal), block.along[block.before(corner)].dot(normal));
     if (dips <= lean || dips > lean_while_touching) {
         return dips <= lean;

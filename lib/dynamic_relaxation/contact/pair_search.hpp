@@ -33,8 +33,8 @@ struct PairPose {
     double second_angle = 0;
 };
 
-// In the initial geometry: greatest distance by which a line along an edge of either block parts them; negative: least
-// way out of an overlap.
+// Greatest distance by which a line along an edge of either block parts them in the initial geometry; negative: least
+// displacement that ends an overlap.
 double distance_between(const Bodies& bodies, std::size_t first, std::size_t second);
 
 class PairSearch {
@@ -61,7 +61,7 @@ class PairSearch {
         std::size_t after(std::size_t corner_number) const;
     };
 
-    // Of the corners of one above the edges of the other.
+    // Distances of the corners of one block above the edges of the other.
     struct Gaps {
         std::size_t corners = 0;
         std::vector<double> gap = {};  // edge by edge
@@ -93,7 +93,7 @@ class PairSearch {
     double viscous_damping_;
     std::vector<double> friction_ = {};  // tangents, of each material
     std::vector<double> residual_friction_ = {};
-    // Of the pair:
+    // The pair that is searched:
     std::array<Side, 2> side_ = {};
     std::array<Gaps, 2> gaps_ = {};
     double margin_ = 0;

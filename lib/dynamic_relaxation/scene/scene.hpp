@@ -1,4 +1,4 @@
-// What dynamic relaxation is given: rigid convex blocks, the joints between them, and what loads them.
+// The input of dynamic relaxation: rigid convex blocks, the joints between them, and what loads them.
 //
 // Section axes, per metre run: x into the slope, y up. A scene may be drawn in any frame, for instance with the x axis
 // along an inclined base: `gravity` then says where down is. SI units and radians.
@@ -54,7 +54,8 @@ struct FaceBond {
     std::size_t edge;
     std::size_t other;
     std::size_t other_edge;
-    // Of the rock across them. Absent: there is none, the joint's own strength acts over the whole face (bonds.hpp).
+    // Material of the rock that bridges them. Unset: no rock does; the joint's own strength acts over the whole face
+    // (bonds.hpp).
     std::optional<std::size_t> material;
 };
 

@@ -59,12 +59,12 @@ struct RelaxationSettings {
     double duration = 60;  // s of model time, at most
     std::size_t most_steps = 100'000'000;
 
-    // m; free neighbours whose faces have parted by more show the first tension crack. Absent: nobody looks.
+    // m; free neighbours whose faces have parted by more show the first tension crack. Unset: crack detection is off.
     std::optional<double> crack_opening{};
 
-    // Of the shortest edge of two blocks, for the overlap of a contact and of the blocks themselves; beyond, the run is
-    // stopped. At least 0.02: overlaps are looked at whenever two blocks have come by a hundredth of that edge, or fast
-    // ones by as far as takes them to the limit.
+    // Greatest overlap of a contact, and of the blocks themselves, as a fraction of the shortest edge of the two
+    // blocks; a run with more is stopped. At least 0.02: overlaps are checked whenever two blocks have moved by a
+    // hundredth of that edge, or fast ones by as far as takes them to the limit.
     double overlap_limit = 0.05;
     // Whether blocks that only corners on corners hold are in equilibrium (contact/corner_choice.hpp).
     bool corners_bear = false;

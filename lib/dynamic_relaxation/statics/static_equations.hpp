@@ -36,7 +36,7 @@ class StaticEquations {
     // N/m, of the loads of each block; infinite where it is held.
     std::vector<double> weights() const;
 
-    // Of the loads, that acts. 1 unless told otherwise.
+    // Sets the share of the loads that acts, 1 at first.
     void set_load_share(double share) { load_share_ = share; }
 
     // Without it, contacts do not resist, and nothing is computed for that.
@@ -68,8 +68,8 @@ class StaticEquations {
     using Vector6 = Eigen::Matrix<double, 6, 1>;
     using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-    // Of the three rows of a block in the three columns of another, among the values of the system: the first row of
-    // the first column, and entries from one column to the next.
+    // Where the three rows of a block in the three columns of another stand among the values of the system: the first
+    // row of the first column, and entries from one column to the next.
     struct Place {
         int begin;  // none where one of the blocks is held
         int stride;

@@ -128,12 +128,12 @@ class StaticSolver {
 
     StaticSolution approach_in_rounds(const std::vector<Motion>& start, std::vector<Motion>& motion,
                                       ContactList& list) {
-        // As stiff as the joints at first, so that no contact is left behind by a leap; then thinner as long as balance
-        // does not get much worse. Blocks may lose balance for a while before they jam. Leaps to where it is far worse,
-        // or over half of the way that is allowed, are not made: friction would keep what they leave behind, and could
-        // hold blocks that nothing holds.
-        constexpr double thinner = 1.6;
-        constexpr double thicker = 4;
+        // The resistance is as stiff as the joints at first, so that no contact is left behind by a leap; then smaller
+        // as long as balance does not get much worse. Blocks may lose balance for a while before they jam. Leaps to
+        // where it is far worse, or over half of the distance that is allowed, are not made: friction would keep what
+        // they leave behind, and could hold blocks that nothing holds.
+        constexpr double smaller = 1.6;
+        constexpr double larger = 4;
         constexpr double much_worse = 1.5;
         constexpr double far_worse = 4;
         constexpr double half_way = 0.5;
@@ -176,7 +176,7 @@ class StaticSolver {
                 motion = motion_before;
                 list.memory = memory_before;
                 ratio = evaluate(motion, list);
-                resistance *= thicker;
+                resistance *= larger;
                 continue;
             }
             improves = ratio < ratio_before / 2;
@@ -186,7 +186,7 @@ class StaticSolver {
                 best.memory = list.memory;
             }
             resistance =
-                std::max(ratio < much_worse * ratio_before ? resistance / thinner : resistance * thicker, 1e-13);
+                std::max(ratio < much_worse * ratio_before ? resistance / smaller : resistance * larger, 1e-13);
         }
         motion = best.most_balanced;
         list.memory = best.memory;
@@ -264,8 +264,8 @@ class StaticSolver {
 
     StaticSolution approach_in_motion(const std::vector<Motion>& start, std::vector<Motion>& motion,
                                       ContactList& list) {
-        constexpr double thinner = 2;
-        constexpr double thicker = 4;
+        constexpr double smaller = 2;
+        constexpr double larger = 4;
         constexpr double thinnest = 1e-13;
         constexpr double thickest = 1e3;
         constexpr int easily = 4;  // solutions
@@ -302,7 +302,7 @@ class StaticSolver {
                 improves = false;
                 motion = from;
                 equations_.evaluate(motion, memory, list);
-                pseudo_viscosity *= thicker;
+                pseudo_viscosity *= larger;
                 continue;
             }
             memory = list.memory;
@@ -314,7 +314,7 @@ class StaticSolver {
                 best.memory = memory;
             }
             if (step.balanced && step.solutions <= easily) {
-                const double by = step.solutions == 1 ? thinner * thinner : thinner;
+                const double by = step.solutions == 1 ? smaller * smaller : smaller;
                 pseudo_viscosity = std::max(pseudo_viscosity / by, thinnest);
             }
         }

@@ -35,7 +35,7 @@ const std::array<QuadraturePoint, 7>& triangle_rule() {
 
 // Mean over the block's area of the square of the distance from its centroid along a direction.
 double mean_square_along(const Bodies& bodies, std::size_t block, const Motion& motion, const PlanePoint<>& direction) {
-    // In section axes, to which the direction is turned back.
+    // The direction is turned back to section axes.
     const PlanePoint<> back((1 - motion.versine) * direction.x() + motion.sine * direction.y(),
                             (1 - motion.versine) * direction.y() - motion.sine * direction.x());
     double twice_area = 0;

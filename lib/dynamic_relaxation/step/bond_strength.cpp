@@ -134,7 +134,7 @@ class WeakeningSlope {
         return area;
     }
 
-    // Of the mean square, by mass, of the free blocks.
+    // Root mean square of the free blocks' velocity, weighted by mass.
     double speed(const RelaxationState& state) const {
         double mass = 0;
         double sum = 0;

@@ -104,7 +104,7 @@ struct MotionRecord {
     double interval = 0;  // s, between frames; 0 before the first
     double next = 0;      // s, when the next frame is due
 
-    // With as many frames as their parts leave room for: 8 to 120.
+    // Keeps as many frames as their parts leave room for: 8 to 120.
     void record(const Simulation& simulation, FrameParts parts = FrameParts::all);
     void add_last(const Simulation& simulation);
 };

@@ -83,6 +83,14 @@ struct BlockOutcome {
     // m, plastic, over the face of fixed blocks that looks up most, of the corner that slips farthest; negative:
     // forward, towards -x. Accuracy: a block that turns over a corner changes corners, and so this, within fifty steps.
     double base_slip = 0;
+    static constexpr auto fields() {
+        using B = BlockOutcome;
+        return std::tuple{
+            section("movement", &B::movement, "how it has moved"),
+            number("rotation", &B::rotation, Dimension::angle, any_number(), "anticlockwise, out of the slope"),
+            number("displacement", &B::displacement, Dimension::length, any_number(), "of the centroid"),
+            number("base_slip", &B::base_slip, Dimension::length, any_number(), "over its base, forward negative")};
+    }
 };
 
 // The contact with the greatest overlap.
@@ -119,7 +127,7 @@ struct RelaxationResult {
     std::vector<BlockOutcome> block = {};
 };
 
-// Of all free blocks, since the start; where all fixed blocks move as one, as seen from them.
+// Extremes over all free blocks since the start; where all fixed blocks move as one, as seen from them.
 struct MotionExtremes {
     double rotation = 0;      // rad
     double displacement = 0;  // of the centroid, in radii of the block

@@ -17,11 +17,11 @@ namespace delabole {
 
 namespace {
 
-// Of the scene.
+// Contact margin as a fraction of the scene's shortest edge.
 constexpr double margin_in_shortest_edges = 0.01;
 
-// Ways that change the force of the stiffest spring by a trifle of a block's weight.
-std::vector<double> unnoticed_ways(const RelaxationScene& scene, const Bodies& bodies) {
+// Displacements that change the force of the stiffest spring by 1e-12 of a block's weight.
+std::vector<double> unnoticed_displacements(const RelaxationScene& scene, const Bodies& bodies) {
     constexpr double trifle = 1e-12;
     double stiffest = 0;
     for (const JointMaterial& joint : scene.material) {
@@ -115,7 +115,7 @@ void Simulation::prepare() {
     for (const JointMaterial& joint : scene_.material) {
         stiffest = std::max(stiffest, joint.normal_stiffness);
     }
-    // Of a spring that swings with the force that counts as balance.
+    // The speed of a spring that swings with the force that still counts as balance.
     const double gravity = scene_.gravity.acceleration > 0 ? scene_.gravity.acceleration : 1;
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
         scales_.inverse_radius.push_back(1 / bodies_.radius[block]);
@@ -124,7 +124,7 @@ void Simulation::prepare() {
     for (const double mass : bodies_.inertial_mass) {
         scales_.rest_speed.push_back(rest_ratio() * gravity * std::sqrt(mass / stiffest));
     }
-    scales_.unnoticed = unnoticed_ways(scene_, bodies_);
+    scales_.unnoticed = unnoticed_displacements(scene_, bodies_);
     hold_blocks();
     if (settings_.crack_opening) {
         watched_ = find_shared_faces(bodies_);

@@ -14,14 +14,14 @@ namespace delabole {
 namespace {
 
 // What dissipated or slipped before belongs to the run before.
-ContactMemory with_new_books(ContactMemory memory) {
+ContactMemory with_no_energy_yet(ContactMemory memory) {
     memory.damping = memory.friction = memory.slip = 0;
     memory.normal_drag = memory.shear_drag = 0;
     memory.tried = false;
     return memory;
 }
 
-BondMemory with_new_books(BondMemory memory) {
+BondMemory with_no_energy_yet(BondMemory memory) {
     memory.damping = 0;
     memory.normal_drag = memory.shear_drag = memory.bending_drag = 0;
     return memory;
@@ -44,10 +44,10 @@ RelaxationState Simulation::begun_at(const RelaxationState& at_rest) {
     state.noticed.resize(blocks);
     state.contacts = at_rest.contacts;
     for (std::size_t index = 0; index < state.contacts.memory.size(); ++index) {
-        state.contacts.memory.set(index, with_new_books(state.contacts.memory[index]));
+        state.contacts.memory.set(index, with_no_energy_yet(state.contacts.memory[index]));
     }
     for (const BondMemory& bond : at_rest.bond) {
-        state.bond.push_back(with_new_books(bond));
+        state.bond.push_back(with_no_energy_yet(bond));
     }
     ContactWatch::start(blocks, state.watch);
     // Contacts that come about from now on are none of the initial geometry's.

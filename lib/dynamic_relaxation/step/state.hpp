@@ -7,9 +7,11 @@
 #include "dynamic_relaxation/contact/bonds.hpp"
 #include "dynamic_relaxation/contact/contact_watch.hpp"
 #include "dynamic_relaxation/contact/contacts.hpp"
+#include "parameters/fields.hpp"
 
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -17,17 +19,36 @@ namespace delabole {
 // J per metre run. Applied work = kinetic + elastic + friction + bonds + dashpots + local damping + kinetic damping +
 // residual.
 struct EnergyLedger {
-    double applied = 0;          // work of gravity, forces, water and shaking
-    double prescribed = 0;       // work of moved fixed blocks on the others
-    double kinetic = 0;          // at this time
-    double elastic = 0;          // at this time, above that of the start
-    double friction = 0;         // dissipated by slip, broken bonds and springs of removed blocks
-    double bonds = 0;            // set free by bonds that broke
-    double dashpots = 0;         // dissipated
-    double local_damping = 0;    // dissipated
-    double kinetic_damping = 0;  // taken out at peaks, and with removed blocks
+    double applied = 0;
+    double prescribed = 0;
+    double kinetic = 0;
+    double elastic = 0;
+    double friction = 0;  // also broken bonds and springs of removed blocks
+    double bonds = 0;
+    double dashpots = 0;
+    double local_damping = 0;
+    double kinetic_damping = 0;
 
     double elastic_at_start = 0;
+
+    static constexpr auto fields() {
+        using E = EnergyLedger;
+        constexpr Dimension energy = Dimension::energy_per_length;
+        return std::tuple{
+            number("applied", &E::applied, energy, any_number(), "work of gravity and other loads"),
+            number("prescribed", &E::prescribed, energy, any_number(), "work of moved fixed blocks"),
+            number("kinetic", &E::kinetic, energy, any_number(), "kinetic energy at the end"),
+            number("elastic", &E::elastic, energy, any_number(), "stored in springs at the end, above the start"),
+            number("friction", &E::friction, energy, any_number(), "dissipated by slip"),
+            number("bonds", &E::bonds, energy, any_number(), "set free by bonds that broke"),
+            number("dashpots", &E::dashpots, energy, any_number(), "dissipated by contact dashpots"),
+            number("local_damping", &E::local_damping, energy, any_number(), "dissipated by local damping"),
+            number("kinetic_damping", &E::kinetic_damping, energy, any_number(),
+                   "taken out at energy peaks, and with removed blocks"),
+            number("residual", &E::residual, energy, any_number(), "residual of the energy balance"),
+            number("residual_share", &E::residual_share, Dimension::ratio, any_number(),
+                   "residual over all energy turned over; 0 where it is rounding of what springs hold")};
+    }
 
     double residual() const {
         return applied + prescribed - kinetic - elastic - friction - bonds - dashpots - local_damping - kinetic_damping;
@@ -39,7 +60,7 @@ struct EnergyLedger {
     double residual_share() const;
 };
 
-// Of two free blocks that were neighbours in the initial geometry.
+// The first crack between two free blocks that were neighbours in the initial geometry.
 struct FirstCrack {
     double time = 0;  // s
     double tilt = 0;  // rad, of gravity in the section and of the first moved base together
@@ -47,7 +68,7 @@ struct FirstCrack {
     std::uint64_t other = 0;
 };
 
-// Of the most balanced state that the static solve met: the run starts there, unless blocks have crept on.
+// The most balanced state that the static solve met: the run starts there, unless blocks have crept on.
 struct StartBalance {
     double unbalanced_ratio = 0;  // greatest unbalanced force on a block, with moment over radius, over its load
     bool cut_short = false;       // ended for lack of linear solutions: with more there may be balance

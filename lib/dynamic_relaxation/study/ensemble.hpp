@@ -37,7 +37,7 @@ struct EnsembleRequest {
     }
 };
 
-// Of a jointed slope; the first member, 0, is the study itself. Without its ensemble.
+// A member of a jointed slope's ensemble; the first, 0, is the study itself. It has no ensemble of its own.
 RelaxationStudy member_of(const RelaxationStudy& study, std::size_t member);
 
 struct EnsemblePrediction {
@@ -63,7 +63,7 @@ EnsemblePrediction predict_ensemble(const RelaxationStudy& study, Prediction fir
 // (deviation_prefix), that of the profile, and how many members had no answer.
 std::vector<Quantity> outputs_of_ensemble(const std::vector<Quantity>& outputs);
 
-// In their order. Nothing where there is a failure.
+// Results in the order of the members. Nothing where there is a failure.
 Prediction prediction_of(EnsemblePrediction ensemble);
 
 }  // namespace delabole

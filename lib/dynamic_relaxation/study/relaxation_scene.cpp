@@ -114,7 +114,7 @@ void scatter_friction(RelaxationScene& scene, std::size_t standing, const Relaxa
                 drawn(scene.block[block].joint[right]);
         }
     }
-    // Of two faces that touch, the one with less friction counts: below a block it is to be that of the block.
+    // The face with less friction counts where two touch: below a block it is to be that of the block.
     JointMaterial below = scene.material[scene.block[standing].joint[top]];
     below.friction_angle = degrees(89.9);
     below.residual_friction_angle.reset();

@@ -85,7 +85,7 @@ RelaxationAnswer without_blocks_of_slope(RelaxationAnswer answer, const Relaxati
     return answer;
 }
 
-// Of a run and a search that have an answer.
+// The prediction of a run and a search that have an answer.
 Prediction prediction_of(const RelaxationStudy& study, const RelaxationRun& made,
                          const std::optional<CriticalAnswer>& critical) {
     std::vector<double> outputs = output_values(without_blocks_of_slope(answer_of(made), study));
@@ -250,36 +250,29 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work) {
 }
 
 RelaxationAnswer answer_of(const RelaxationResult& result) {
-    const EnergyLedger& ledger = result.ledger;
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const std::optional<FirstCrack>& crack = result.first_crack;
-    RelaxationAnswer answer{
-        result.outcome,
-        result.onset_time.value_or(infinite),
-        result.time,
-        result.tilt_of_base,
-        crack ? crack->time : infinite,
-        crack ? crack->tilt : infinite,
-        crack ? static_cast<double>(std::min(crack->block, crack->other) + 1) : 0,
-        crack ? static_cast<double>(std::max(crack->block, crack->other) + 1) : 0,
-        static_cast<double>(result.broken_bonds),
-        result.start_balance ? result.start_balance->unbalanced_ratio : infinite,
-        result.unbalanced_ratio,
-        result.deepest ? result.deepest->overlap : 0,
-        result.overlap ? result.overlap->area : 0,
-        {ledger.applied, ledger.prescribed, ledger.kinetic, ledger.elastic, ledger.friction, ledger.bonds,
-         ledger.dashpots, ledger.local_damping, ledger.kinetic_damping, ledger.residual(), ledger.residual_share()},
-        static_cast<double>(result.cost.steps),
-        result.cost.step,
-        static_cast<double>(result.cost.contacts_evaluated),
-        {},
-        {},
-        {},
-        {}};
-    for (const BlockOutcome& block : result.block) {
-        answer.block.push_back({block.movement, block.rotation, block.displacement, block.base_slip});
-    }
-    return answer;
+    return {result.outcome,
+            result.onset_time.value_or(infinite),
+            result.time,
+            result.tilt_of_base,
+            crack ? crack->time : infinite,
+            crack ? crack->tilt : infinite,
+            crack ? static_cast<double>(std::min(crack->block, crack->other) + 1) : 0,
+            crack ? static_cast<double>(std::max(crack->block, crack->other) + 1) : 0,
+            static_cast<double>(result.broken_bonds),
+            result.start_balance ? result.start_balance->unbalanced_ratio : infinite,
+            result.unbalanced_ratio,
+            result.deepest ? result.deepest->overlap : 0,
+            result.overlap ? result.overlap->area : 0,
+            result.ledger,
+            static_cast<double>(result.cost.steps),
+            result.cost.step,
+            static_cast<double>(result.cost.contacts_evaluated),
+            {},
+            {},
+            {},
+            result.block};
 }
 
 RelaxationAnswer answer_of(const RelaxationRun& run) {

@@ -152,60 +152,14 @@ struct RelaxationStudy {
 };
 
 RelaxationScene relaxation_scene(const RelaxationStudy& study);
-// Of the scene, fixed ones among them. Values may be out of their ranges; a slope that cannot be cut has none.
+// Number of the scene's blocks, with the fixed ones. Values may be out of their ranges; a slope that cannot be cut has
+// none.
 std::size_t number_of_blocks(const RelaxationStudy& study);
 RelaxationSettings relaxation_settings(const RelaxationStudy& study);
 // Likewise, with the scene of the study, so that a slope is not cut again.
 RelaxationSettings relaxation_settings(const RelaxationStudy& study, const RelaxationScene& scene);
-// That of the settings, or of their quality. Joints that give their own stiffness do not follow it.
+// The stiffness ratio of the settings, or of their quality. Joints that give their own stiffness do not follow it.
 double stiffness_ratio_of(const RelaxationStudy& study);
-
-struct EnergyAnswer {
-    double applied;
-    double prescribed;
-    double kinetic;
-    double elastic;
-    double friction;
-    double bonds;
-    double dashpots;
-    double local_damping;
-    double kinetic_damping;
-    double residual;
-    double residual_share;
-    static constexpr auto fields() {
-        using E = EnergyAnswer;
-        constexpr Dimension energy = Dimension::energy_per_length;
-        return std::tuple{
-            number("applied", &E::applied, energy, any_number(), "work of gravity and other loads"),
-            number("prescribed", &E::prescribed, energy, any_number(), "work of moved fixed blocks"),
-            number("kinetic", &E::kinetic, energy, any_number(), "kinetic energy at the end"),
-            number("elastic", &E::elastic, energy, any_number(), "stored in springs at the end, above the start"),
-            number("friction", &E::friction, energy, any_number(), "dissipated by slip"),
-            number("bonds", &E::bonds, energy, any_number(), "set free by bonds that broke"),
-            number("dashpots", &E::dashpots, energy, any_number(), "dissipated by contact dashpots"),
-            number("local_damping", &E::local_damping, energy, any_number(), "dissipated by local damping"),
-            number("kinetic_damping", &E::kinetic_damping, energy, any_number(),
-                   "taken out at energy peaks, and with removed blocks"),
-            number("residual", &E::residual, energy, any_number(), "residual of the energy balance"),
-            number("residual_share", &E::residual_share, Dimension::ratio, any_number(),
-                   "residual over all energy turned over; 0 where it is rounding of what springs hold")};
-    }
-};
-
-struct BlockAnswer {
-    BlockMovement movement;
-    double rotation;
-    double displacement;
-    double base_slip;
-    static constexpr auto fields() {
-        using B = BlockAnswer;
-        return std::tuple{
-            section("movement", &B::movement, "how it has moved"),
-            number("rotation", &B::rotation, Dimension::angle, any_number(), "anticlockwise, out of the slope"),
-            number("displacement", &B::displacement, Dimension::length, any_number(), "of the centroid"),
-            number("base_slip", &B::base_slip, Dimension::length, any_number(), "over its base, forward negative")};
-    }
-};
 
 struct RelaxationAnswer {
     RelaxationOutcome outcome;
@@ -221,14 +175,14 @@ struct RelaxationAnswer {
     double unbalanced_ratio;
     double greatest_overlap;
     double overlap_area;
-    EnergyAnswer energy;
+    EnergyLedger energy;
     double steps;
     double time_step;
     double contacts_evaluated;
     std::optional<PostFailureAnswer> post_failure;     // of a jointed slope
     std::optional<PostFailureAnswer> early_failure;    // likewise
     std::optional<RetrogressionAnswer> retrogression;  // where it is asked for
-    std::vector<BlockAnswer> block;
+    std::vector<BlockOutcome> block;
     static constexpr auto fields() {
         using R = RelaxationAnswer;
         return std::tuple{
@@ -333,11 +287,11 @@ SceneFault check(const RelaxationStudy& study);
 RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);
 RelaxationRun run(const RelaxationStudy& study, const StudyWork& work = {});
 
-// Of a run without its slope.
+// The answer of a run without its slope.
 RelaxationAnswer answer_of(const RelaxationResult& result);
 RelaxationAnswer answer_of(const RelaxationRun& run);
 
-// Of a slope at any time of a run. Nothing for other scenes.
+// What has failed of a slope at any time of a run. Nothing for other scenes.
 std::optional<PostFailure> post_failure_of(const RelaxationStudy& study, const RelaxationRun& run,
                                            const std::vector<Motion>& motion, const std::vector<char>& removed);
 

@@ -27,8 +27,8 @@ RelaxationScene with_reduced_strength(RelaxationScene scene, std::span<const std
 // columns; "1", "2", ... of blocks.
 std::vector<std::string> joint_names(const BlockScene& scene);
 
-// Of each of the scene's materials the number of the joint in `made_of` that it comes from. Scatter makes more
-// materials than there are joints.
+// The number of the joint in `made_of` that each of the scene's materials comes from. Scatter makes more materials than
+// there are joints.
 std::vector<std::size_t> joints_of_materials(const BlockScene& made_of, const RelaxationScene& scene);
 
 }  // namespace delabole

@@ -8,7 +8,7 @@
 
 namespace delabole {
 
-// With as many threads as are worth their while.
+// Uses as many threads as are worth their while.
 RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work, const RelaxationScene& scene);
 
 // Runs to the end, or until the watch says false, and returns whether it was the end. What is `seen` does not depend on

@@ -110,7 +110,7 @@ DELABOLE_INLINED Lanes absolute(const Lanes& value) {
     return (Lanes)((MaskOf<Lanes>)value & INT64_MAX);
 }
 
-// As std::copysign.
+// Does what std::copysign does.
 DELABOLE_INLINED double with_sign(const double& value, const double& sign) {
     return std::copysign(value, sign);
 }
@@ -133,7 +133,7 @@ DELABOLE_INLINED FourLanes square_root(const FourLanes& value) {
 #endif
 }
 
-// As std::min and std::max.
+// These do what std::min and std::max do.
 template <class Number>
 DELABOLE_INLINED Number lesser(const Number& one, const Number& two) {
     return select(two < one, two, one);

@@ -16,7 +16,7 @@ constexpr std::size_t packed_size = 8;
 struct alignas(packed_size * sizeof(double)) NumberGroup : std::array<double, packed_size> {};
 using FlagGroup = std::array<bool, packed_size>;
 
-// Of all members the number, or flag, at a place of a group. `Struct` has members of this type alone.
+// Takes from all members the number, or flag, at a place of a group. `Struct` has members of this type alone.
 template <template <class> class Struct, class Group>
 Struct<typename Group::value_type> taken_from(const Struct<Group>& group, std::size_t place) {
     using Number = typename Group::value_type;

@@ -97,8 +97,8 @@ struct RowModeSummary {
     }
 };
 
-// In the governing mode at its critical tilt. What passes between standing blocks is not determined: their forces are
-// those of blocks that stand alone.
+// Forces on a block in the governing mode at its critical tilt. What passes between standing blocks is not determined:
+// their forces are those of blocks that stand alone.
 struct RowBlockForces {
     double thrust;         // on the block from the one above, along the plane; 0 for the uppermost
     double thrust_height;  // above the base; 0 without thrust

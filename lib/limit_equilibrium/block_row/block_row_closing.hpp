@@ -71,7 +71,7 @@ class RowClosing {
 
     const std::vector<RowMember<T>>& members() const { return members_; }
 
-    // Of the mode closed last.
+    // Parts of the mode closed last.
     const RowParts<T>& parts() const { return parts_; }
 
     // `check` is no_tilt, locked, over_determined or admissible, there are no forces. Roles in the order
@@ -163,7 +163,7 @@ class RowClosing {
         return mode;
     }
 
-    // Of the blocks pushed back, on the uppermost turning block: T and c N of all of them, less the friction that the
+    // Thrust of the blocks pushed back on the uppermost turning block: T and c N of all, less the friction that the
     // rising heel takes off the lowest one.
     Swing thrust_of_retreat() const {
         Swing thrust;

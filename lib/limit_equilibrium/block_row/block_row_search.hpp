@@ -202,7 +202,7 @@ class RowSearch {
         result_.modes.push_back({std::string(roles), std::move(mode)});
     }
 
-    // Of the blocks from `first` on, with nothing below them.
+    // Limits of the blocks from `first` on, with nothing below them.
     Limits limits_of_upper_part(std::size_t first) {
         Limits limits;
         for_each_row_mode(count() - first, [&](std::string_view roles) {

@@ -195,7 +195,7 @@ class RowModeSolver {
         }
     }
 
-    // As if each stood alone: what passes between standing blocks is not determined.
+    // Each is taken as if it stood alone: what passes between standing blocks is not determined.
     void standing_forces(RowMode<T>& mode) const {
         for (std::size_t index = parts().slides + parts().turns;
              index < parts().slides + parts().turns + parts().stands; ++index) {

@@ -173,7 +173,7 @@ class Programme {
     LpStatus solve_from_basis(int method) {
         glp_bfcp factors;
         glp_get_bfcp(problem_.get(), &factors);
-        // With GLPK's own 0.1 and 100 rows of a few hundred blocks lose all digits, and the phase-one test its truth.
+        // With GLPK's own 0.1 and 100, rows of a few hundred blocks lose all digits and the phase-one test is wrong.
         factors.piv_tol = 0.9;
         factors.nfs_max = 20;
         glp_set_bfcp(problem_.get(), &factors);

@@ -55,8 +55,8 @@ struct BoundContactForce {
     double shear() const { return at_start.shear + at_end.shear; }
 };
 
-// Of a body about its centroid. Scaled so that the fastest contact point, body by body counted as displacement plus
-// rotation times its distance from the centroid, moves by about 1.
+// Motion of a body about its centroid, scaled so that the fastest contact point, body by body counted as displacement
+// plus rotation times its distance from the centroid, moves by about 1.
 struct VirtualMotion {
     Point displacement;
     double rotation;  // anticlockwise

@@ -22,7 +22,7 @@ constexpr auto joint_dip_field() {
                   "dip of the joints, into the slope");
 }
 
-// Of columns of one spacing with their toe corners on one line.
+// Fields of columns of one spacing with their toe corners on one line.
 template <class Columns>
 constexpr auto regular_columns_fields() {
     return std::tuple{

@@ -140,7 +140,8 @@ ColumnCheck make_wedge(const SlideHead<T>& head, const TurnedGround<T>& ground, 
         const T wetted = wedge.joint_length * head.water->filled_ratio;
         wedge.water_force = head.water->unit_weight * dip.sine * wetted * wetted / 2;
     } else {
-        // As high as on the columns' face, from the joint's lower end; to the ground where that lies lower.
+        // The pressure is as high as on the columns' face, from the joint's lower end; to the ground where that lies
+        // lower.
         const T pressure = loads.face_water_gradient * depth;
         const T fall = loads.face_water_gradient / base.cosine * dip.sine;  // of the pressure, per metre of joint
         const T wetted = pressure < fall * wedge.joint_length ? T(pressure / fall) : wedge.joint_length;

@@ -11,8 +11,8 @@ namespace delabole {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Of the logarithm: 11 decades each way and a last step more. What drives level bases is rounding, the cosine of 90 deg
-// being 6e-17: they must hold at any strength.
+// Range of the logarithm: 11 decades each way and a last step more. What drives level bases is rounding, the cosine of
+// 90 deg being 6e-17: they must hold at any strength.
 constexpr double widest_search = 25;
 
 // Outwards from zero, to the side on which the sign can change. Under water, and with a strong wedge, slopes may stand
@@ -222,7 +222,7 @@ std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const Colum
         results[index].height = column.height;
         results[index].weight = column.weight;
     }
-    // Of a push without bound on a smooth joint, too.
+    // Also for a push without bound on a smooth joint.
     const auto friction_of = [&](double push) {
         return reduced.joint_friction > 0 ? reduced.joint_friction * push : 0;
     };

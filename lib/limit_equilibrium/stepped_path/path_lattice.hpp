@@ -99,7 +99,7 @@ class PathLattice {
     double ground(double x) const;
     double ground_integral(double x) const;
     bool inside(const Point& point) const;
-    Point exit(const Point& from, const Point& direction) const;
+    Point exit(const Point& from, const Point& along) const;
     void set_water(const SteppedPath& path);
     bool has_surface() const;
     void set_risers();

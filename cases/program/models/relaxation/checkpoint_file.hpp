@@ -8,12 +8,12 @@
 
 namespace delabole {
 
-// As write_file_atomically, in a folder that is created where it is missing: a run killed at any moment leaves the old
-// checkpoint or the new one. OutputError where that is impossible.
+// Does what write_file_atomically does, in a folder that is created where it is missing: a run killed at any moment
+// leaves the old checkpoint or the new one. OutputError where that is impossible.
 void write_checkpoint(const std::filesystem::path& path, const RelaxationStudy& study, KeepFrames frames,
                       const StudyProgress& progress);
 
-// With what runs that were killed while they wrote it have left.
+// Removes the checkpoint with what runs that were killed while they wrote it have left.
 void remove_checkpoint(const std::filesystem::path& path);
 
 struct KeptProgress {

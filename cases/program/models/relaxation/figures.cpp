@@ -13,7 +13,7 @@ namespace delabole {
 namespace {
 
 constexpr std::size_t most_rows = 60;
-// Of more blocks the numbers would hide the drawing.
+// The numbers of more blocks would hide the picture.
 constexpr std::size_t most_numbered_blocks = 300;
 
 DrawnMode drawn(BlockMovement movement) {

@@ -41,10 +41,10 @@ void append_block_figures(const RelaxationRun& made, const ResultFolder& folder,
 void append_failure_figure(const RelaxationRun& failed, const std::string& title, const std::string& name,
                            const ResultFolder& folder, Report& report);
 
-// Of a run that has an end: how each block has moved, the velocities there, and what has broken.
+// Shows the end of a run: how each block has moved, the velocities there, and what has broken.
 Figure mechanism_figure(const RelaxationRun& made, const std::string& title);
 
-// Of a jointed slope: cracks, crest and the ground left standing, as figure, tables and *.csv; nothing for other
+// Shows cracks, crest and the ground left standing of a jointed slope as figure, tables and *.csv; nothing for other
 // scenes.
 void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, Report& report);
 // The blocks where they are in a frame, those marked that fail in the end.

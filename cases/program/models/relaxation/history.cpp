@@ -21,21 +21,15 @@ std::string name_of(double number) {
 }
 
 std::vector<Column> energy_columns() {
-    const auto energy = [](std::string name, auto member) {
-        return Column{std::move(name), Dimension::energy_per_length,
-                      [member](const HistoryLine& line) { return line.energy.*member; }};
+    std::vector<Column> columns;
+    const auto add = [&](const auto& field) {
+        if (field.info.dimension == Dimension::energy_per_length) {  // the residual's share is a ratio
+            columns.push_back(
+                {std::string(field.info.key), field.info.dimension,
+                 [member = field.member](const HistoryLine& line) { return std::invoke(member, line.energy); }});
+        }
     };
-    std::vector<Column> columns{energy("applied", &EnergyLedger::applied),
-                                energy("prescribed", &EnergyLedger::prescribed),
-                                energy("kinetic", &EnergyLedger::kinetic),
-                                energy("elastic", &EnergyLedger::elastic),
-                                energy("friction", &EnergyLedger::friction),
-                                energy("bonds", &EnergyLedger::bonds),
-                                energy("dashpots", &EnergyLedger::dashpots),
-                                energy("local_damping", &EnergyLedger::local_damping),
-                                energy("kinetic_damping", &EnergyLedger::kinetic_damping)};
-    columns.push_back(
-        {"residual", Dimension::energy_per_length, [](const HistoryLine& line) { return line.energy.residual(); }});
+    std::apply([&](const auto&... field) { (add(field), ...); }, EnergyLedger::fields());
     return columns;
 }
 

@@ -65,7 +65,7 @@ void write_tables(const PostFailure& failure, const ResultFolder& folder) {
 // Stages in shades of their own.
 constexpr std::size_t most_shades = 4;
 
-// Of retrogression, counted from 1; 0: the block has not failed.
+// The stage of retrogression in which each block failed, counted from 1; 0: it has not failed.
 std::vector<std::size_t> stages_of_blocks(const RelaxationRun& made) {
     std::vector<std::size_t> stages(made.scene.block.size(), 0);
     for (std::size_t stage = 0; stage < made.stage.size(); ++stage) {

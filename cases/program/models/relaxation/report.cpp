@@ -61,7 +61,7 @@ std::string run_in_words(const RelaxationRun& made) {
                " % of what was turned over, more than the " + number_in_words(100 * most_energy_lacking) +
                " % at which a run can be believed: lower settings.step_fraction";
     case RelaxationOutcome::motion_not_finite:
-        return "stopped because the motion grew beyond all numbers: lower settings.step_fraction";
+        return "stopped because the motion diverged (non-finite): lower settings.step_fraction";
     default:
         return {};
     }
@@ -152,8 +152,8 @@ void append_start_warnings(const RelaxationRun& made, Analysis& analysis) {
     if (!has_fixed_block(made.scene) && !made.scene.belt) {
         analysis.warnings.emplace_back("no block is fixed: all of them fall");
     }
-    // Of the block's radius: springs give way by less, and so do blocks that slide or turn while equilibrium is
-    // sought.
+    // Fraction of the block's radius: springs give way by less, and so do blocks that slide or turn while equilibrium
+    // is sought.
     constexpr double unexpected = 5e-3;
     std::size_t farthest = 0;
     double greatest = 0;

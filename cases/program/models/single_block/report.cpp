@@ -39,7 +39,7 @@ BlockDrawing block_drawing(const SingleBlock<>& problem, const SingleBlockResult
     drawing.title = "The block: " + human_name(word_of(result.onset_mode));
     drawing.blocks = {
         {Polyline{Point(0, 0), width * along, width * along + height * up, height * up}, "", drawn(result.onset_mode)}};
-    // As wide as the picture of a slender block.
+    // The figure is as wide as the picture of a slender block.
     const double reach = 0.6 * std::max(width, height);
     drawing.base = {-reach * along, (width + reach) * along};
     const Point centre = width / 2 * along + height / 2 * up;

@@ -22,7 +22,7 @@ void check_layout(Checker& checker, const ColumnLayout<>& layout) {
     std::visit(
         [&](const auto& cut) {
             if constexpr (requires { cut.base_inclination; }) {
-                // As in the model: their difference may be nothing but rounding.
+                // Compared as in the model: their difference may be nothing but rounding.
                 if (cut.base_inclination + cut.joint_dip < degrees(90) - 1e-9) {
                     checker.complain("columns.joint_dip",
                                      "cannot topple on this base: bases normal to the joints dip " +

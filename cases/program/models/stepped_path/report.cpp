@@ -113,6 +113,7 @@ Analysis named_outputs(const SteppedPath&, const SteppedPathResult& result) {
 }
 
 HeadCard head_card(const SteppedPath&, const SteppedPathResult& result) {
+<<<<<<< HEAD
     const bool found = result.limit == LimitState::found || result.limit == LimitState::abrupt;
     const bool stands = result.limit == LimitState::holds_at_any_strength || (found && result.factor_of_safety >= 1);
     HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
@@ -124,6 +125,21 @@ HeadCard head_card(const SteppedPath&, const SteppedPathResult& result) {
         head.sentences.push_back("The most critical surface along joints takes " +
                                  value_in_words(result.failed_area, Dimension::area) + ", " +
                                  value_in_words(result.retreat, Dimension::length) + " behind the crest.");
+=======
+    if (result.surface.empty()) {
+        return result.limit == LimitState::holds_at_any_strength
+                   ? HeadCard{AnswerTone::good, {"No surface along the joints moves, even without strength."}, {}}
+                   : HeadCard{AnswerTone::bad, {"A surface along the joints moves whatever the strength."}, {}};
+    }
+    const bool stands = result.factor_of_safety >= 1;
+    HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
+    head.sentences = {"FS " + number_in_words(result.factor_of_safety) + (stands ? ": stands." : ": fails."),
+                      value_in_words(result.failed_area, Dimension::area) + " move, along a surface that comes out " +
+                          value_in_words(result.retreat, Dimension::length) + " behind the crest."};
+    if (result.column_count > 0) {
+        head.sentences.push_back(number_in_words(result.column_count) + " columns move, " +
+                                 number_in_words(result.toppling_count) + " of them topple.");
+>>>>>>> hub/main
     }
     return head;
 }

@@ -2,6 +2,10 @@
 #include "cases/program/models/wedge/figures.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
+<<<<<<< HEAD
+=======
+#include "plots/drawing/text.hpp"
+>>>>>>> hub/main
 
 #include <cmath>
 
@@ -119,6 +123,7 @@ HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& a
     const bool stands = result.factor_of_safety >= 1;
     HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
     if (result.contact == SlidingContact::none) {
+<<<<<<< HEAD
         head.sentences.emplace_back("The wedge is lifted off both planes.");
     } else if (std::isinf(result.factor_of_safety)) {
         head.sentences.emplace_back("Nothing drives the wedge: the factor of safety is infinite.");
@@ -139,6 +144,27 @@ HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& a
                              value_in_words(result.weight, Dimension::force) + "; " +
                              value_in_words(result.driving_force, Dimension::force) + " drive, " +
                              value_in_words(result.resisting_force, Dimension::force) + " resist.");
+=======
+        head.sentences.emplace_back("Water and loads lift the wedge off both planes: nothing resists.");
+    } else if (std::isinf(result.factor_of_safety)) {
+        head.sentences.emplace_back("Nothing drives the wedge down: the factor of safety is infinite.");
+    } else {
+        head.sentences.push_back("FS " + number_in_words(result.factor_of_safety) + (stands ? ": stands" : ": slides") +
+                                 " on " + human_name(word_of(result.contact)) + ".");
+    }
+    for (std::size_t index = 0; index < study.required.size(); ++index) {
+        if (answer.required[index].status == RequiredStatus::found) {
+            head.sentences.push_back("FS " + number_in_words(study.required[index].factor_of_safety) + " takes " +
+                                     human_name(study.required[index].parameter) + " of " +
+                                     value_in_words(answer.required[index].value, answer.required[index].dimension) +
+                                     ".");
+            break;
+        }
+    }
+    head.sentences.push_back(value_in_words(result.weight, Dimension::force) + " of rock on a line that plunges " +
+                             value_in_words(result.line_plunge, Dimension::angle) + " towards " +
+                             value_in_words(result.line_trend, Dimension::angle) + ".");
+>>>>>>> hub/main
     return head;
 }
 

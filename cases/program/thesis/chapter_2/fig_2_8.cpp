@@ -1,6 +1,6 @@
 #include "cases/program/thesis/chapter_2/fig_2_8.hpp"
 
-#include "cases/program/thesis/imperial.hpp"
+#include "cases/program/thesis/thesis_tables.hpp"
 #include "numerics/scalar_search.hpp"
 
 #include <cmath>
@@ -12,16 +12,14 @@ namespace {
 
 constexpr double water_unit_weight = 9810;
 
+// That of the case, with what is not printed and what is changed.
 PlaneFailure<> problem(double unit_weight, double z, double cohesion) {
-    PlaneFailure<> slope{};
-    slope.slope.height = (575 - 350) * foot;
-    slope.slope.face_dip = degrees(70);
-    slope.slope.upper_surface_dip = 0;
-    slope.slope.toe_elevation = 350 * foot;
-    slope.failure_plane.dip = degrees(40);
-    slope.tension_crack = TensionCrack<>{degrees(90), CrackBaseBelowCrest<>{z}};
+    static const PlaneFailure<> printed =
+        std::get<PlaneFailureStudy<>>(built_in_case("plane_failure", "fig_2_8").model).model;
+    PlaneFailure<> slope = printed;
+    std::get<CrackBaseBelowCrest<>>(slope.tension_crack->position).base_below_crest = z;
     slope.rock.unit_weight = unit_weight;
-    slope.strength = SteppedSurface<>{cohesion, degrees(20), degrees(46)};
+    std::get<SteppedSurface<>>(slope.strength).cohesion = cohesion;
     return slope;
 }
 

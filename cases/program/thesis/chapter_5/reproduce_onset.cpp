@@ -1,5 +1,6 @@
 // 5.3.4.2 well resolved: at which friction the stepped base begins to move, apart from where it collapses.
 #include "cases/program/terminal/interrupt.hpp"
+#include "cases/program/thesis/appendix_a.hpp"
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"
 #include "cases/program/thesis/chapter_5/clean_chapter_5.hpp"
 #include "dynamic_relaxation/scene/scenes.hpp"
@@ -19,8 +20,8 @@ constexpr double theory = 41.14;  // deg, Appendix A
 RelaxationScene metre_columns(double friction, double stiffness_ratio) {
     constexpr double density = 2700;
     StandingBlocks columns{};
-    for (const double height : {1.0, 2.0, 3.0, 4.0, 3.1, 2.2, 1.3, 0.4}) {
-        columns.block.push_back({1, height, 0.5});
+    for (const ColumnBlock<>& block : appendix_a_columns().block) {
+        columns.block.push_back({block.width, block.height, block.step_above});
     }
     columns.density = density;
     columns.tilt = degrees(21.8);

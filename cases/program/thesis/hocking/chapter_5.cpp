@@ -1,6 +1,7 @@
 #include "cases/program/thesis/hocking/chapter_5.hpp"
 
 #include "cases/program/reader/data_table.hpp"
+#include "cases/program/thesis/appendix_a.hpp"
 #include "cases/program/thesis/thesis_tables.hpp"
 #include "parameters/fields.hpp"
 
@@ -141,8 +142,7 @@ std::optional<int> whole(const std::optional<double>& number) {
 
 // Those of Appendix A, a metre there being an inch here.
 HockingColumns stepped_columns(double inclination) {
-    const CaseFile file = built_in_case("stepped_base", "appendix_a");
-    const auto& columns = std::get<BlockColumns<>>(std::get<SteppedBaseStudy<>>(file.model).model.scene.columns);
+    const BlockColumns<> columns = appendix_a_columns();
     HockingColumns made;
     for (const ColumnBlock<>& block : columns.block) {
         made.heights.push_back(block.height * inch);

@@ -1,0 +1,169 @@
+#include "cases/program/reader/names.hpp"
+
+#include "cases/program/reader/spelling.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <unordered_set>
+
+namespace delabole {
+namespace {
+
+bool may_be(NameOf what, NameOf one) {
+    return what == one || what == NameOf::measurable;
+}
+
+const Quantity* find_known(const KnownNames& names, NameOf what, const std::string& name) {
+    for (const ModelNames& model : names.models) {
+        const Quantity* output = may_be(what, NameOf::output) ? find_quantity(model.outputs, name) : nullptr;
+        const Quantity* found =
+            output == nullptr && may_be(what, NameOf::input) ? find_quantity(model.inputs, name) : output;
+        if (found != nullptr) {
+            return found;
+        }
+    }
+    return nullptr;
+}
+
+// Every name that would have been right, once.
+std::vector<std::string> right_names(const KnownNames& names, NameOf what) {
+    std::vector<std::string> right;
+    std::unordered_set<std::string> known;  // a section of many blocks has a million of them
+    const auto add = [&](const std::string& name) {
+        if (known.insert(name).second) {
+            right.push_back(name);
+        }
+    };
+    for (const ModelNames& model : names.models) {
+        if (what == NameOf::mechanism) {
+            add(model.mechanism);
+        }
+        for (const auto& [one, quantities] :
+             {std::pair{NameOf::output, &model.outputs}, std::pair{NameOf::input, &model.inputs}}) {
+            if (may_be(what, one)) {
+                std::ranges::for_each(*quantities, add, &Quantity::name);
+            }
+        }
+    }
+    return right;
+}
+
+bool can_judge(const KnownNames& names, NameOf what) {
+    return !names.models.empty() && (what == NameOf::output || what == NameOf::mechanism ||
+                                     std::ranges::all_of(names.models, &ModelNames::inputs_known));
+}
+
+// "is not an input of this case (did you mean ...?)"
+std::string unknown_name(const Section& section, NameOf what, const std::string& name) {
+    const std::string_view is_not = what == NameOf::mechanism    ? "is not a mechanism of this case"
+                                    : what == NameOf::input      ? "is not an input of this case"
+                                    : what == NameOf::measurable ? "is neither an output nor an input of any mechanism"
+                                                                 : "is not ";
+    const bool full = section.reading().full();  // not worth a search for the right word
+    return std::string(is_not).append(what == NameOf::output ? section.names().output : "") +
+           (full ? "" : suggestion(name, right_names(section.names(), what)));
+}
+
+const ModelNames* find_mechanism(const KnownNames& names, const std::string& name) {
+    const auto found = std::ranges::find(names.models, name, &ModelNames::mechanism);
+    return found == names.models.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::vector<std::string> names_in(const std::vector<Quantity>& quantities) {
+    std::vector<std::string> names;
+    names.reserve(quantities.size());
+    std::ranges::transform(quantities, std::back_inserter(names), &Quantity::name);
+    return names;
+}
+
+void for_each_flat_entry(const Node& table, const std::function<void(const std::string&, const Node&)>& visit) {
+    for (const auto& [key, node] : table.entries) {
+        if (node.kind != Node::Kind::table) {
+            visit(key, node);
+            continue;
+        }
+        for_each_flat_entry(node, [&](const std::string& inner, const Node& value) {
+            visit(std::string(key).append(1, '.').append(inner), value);
+        });
+    }
+}
+
+std::string read_name(Section& section, std::string_view key, NameOf what, std::string_view meaning) {
+    const std::string name = require_text(section, key, meaning);
+    bool known = false;
+    if (what == NameOf::mechanism) {
+        const ModelNames* found = find_mechanism(section.names(), name);
+        known = found != nullptr;
+        if (!name.empty() && !known && can_judge(section.names(), what)) {
+            section.complain(key, *section.peek(key), unknown_name(section, what, name));
+        }
+        section.refer_to({known ? std::span(found, 1) : std::span<const ModelNames>{}, "an output of the mechanism"});
+        return name;
+    }
+    const Quantity* found = find_known(section.names(), what, name);
+    if (!name.empty() && found == nullptr && can_judge(section.names(), what)) {
+        section.complain(key, *section.peek(key), unknown_name(section, what, name));
+    }
+    section.name_quantity(found);
+    return name;
+}
+
+void read_names(Section& section, std::string_view key, NameOf what, std::string_view meaning,
+                std::vector<std::string>& names) {
+    const Node* node = section.peek(key);
+    if (what == NameOf::measurable && (node == nullptr || node->kind == Node::Kind::text)) {
+        names = {read_name(section, key, what, meaning)};
+        return;
+    }
+    read_words(section, key, names);
+    if (what == NameOf::measurable && node->kind == Node::Kind::array && names.empty()) {
+        section.complain(key, *node, "is empty");
+    }
+    const Quantity* first = what == NameOf::input ? section.named().value_or(nullptr) : nullptr;
+    for (const std::string& name : names) {
+        const bool is_mechanism = what == NameOf::mechanism;
+        const Quantity* found = is_mechanism ? nullptr : find_known(section.names(), what, name);
+        const bool known = is_mechanism ? find_mechanism(section.names(), name) != nullptr : found != nullptr;
+        std::string complaint;
+        if (!known && can_judge(section.names(), what)) {
+            complaint = unknown_name(section, what, name);
+        } else if (found != nullptr && first != nullptr && found->dimension != first->dimension) {
+            complaint = "has another dimension than " + first->name;
+        }
+        if (!complaint.empty()) {
+            section.complain(key, *section.peek(key), std::string(name).append(1, ' ').append(complaint));
+        }
+        first = first == nullptr ? found : first;
+    }
+    if (what == NameOf::measurable) {
+        section.name_quantity(first);
+    }
+}
+
+std::vector<Condition> read_conditions(Section& section, std::string_view key) {
+    std::vector<Condition> conditions;
+    const Node* node = section.take(key);
+    const Node* table = node == nullptr ? nullptr : as_table(section.reading(), *node, section.path_of(key));
+    if (table == nullptr) {
+        return conditions;
+    }
+    for_each_flat_entry(*table, [&](const std::string& name, const Node& value) {
+        const std::string path = section.path_of(key) + "." + name;
+        const Quantity* input = find_known(section.names(), NameOf::input, name);
+        if (input == nullptr) {
+            if (can_judge(section.names(), NameOf::input)) {
+                section.reading().complain(value.key_place, path, {}, unknown_name(section, NameOf::input, name));
+            }
+        } else if (std::ranges::find(conditions, name, &Condition::input) != conditions.end()) {
+            section.reading().complain(value.key_place, path, {}, "is given twice");
+        } else {
+            const auto number = read_number(section.reading(), value, path, input->dimension, input->range);
+            conditions.push_back({name, number.value_or(0), input->dimension});
+        }
+    });
+    return conditions;
+}
+
+}  // namespace delabole
