@@ -135,9 +135,6 @@ TEST(RelaxationCase, RefusesWhatContradictsItself) {
               std::string::npos);
     EXPECT_NE(complaint_with("[settings]\nwatch = \"6 s\"\nstop = \"collapse\"\n").find("takes the place of"),
               std::string::npos);
-    EXPECT_NE(complaint_with("[settings]\nwatch = \"6 s\"\n[critical]\nparameter = \"tilt\"\n")
-                  .find("does not go with a search"),
-              std::string::npos);
     EXPECT_NE(complaint_with("[settings]\nstart = \"ramped\"\n").find("ramp_time"), std::string::npos);
     EXPECT_NE(complaint_with("[settings]\nconsolidation_time = \"1 s\"\n").find("held_at_first"), std::string::npos);
     EXPECT_NE(complaint_with("[settings]\nmost_steps = 1.5\n").find("most_steps = 1.5: must be a whole number"),

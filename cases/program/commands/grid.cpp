@@ -95,7 +95,7 @@ ExitCode grid_command(const std::filesystem::path& path, const Options& options)
                                            progress.report(share, "points of the grid");
                                        }});
     }();
-    Report report{file.title.empty() ? file.name : file.title, file.description, {}};
+    Report report{title_of(file, options), file.description, {}};
     document_sweep(run, folder, report);
     report.blocks.emplace_back(Heading{"Inputs"});
     report.blocks.emplace_back(inputs_table(file));

@@ -213,12 +213,11 @@ Json LiveSession::answer_to(const CaseModel& model, bool all_figures) const {
     json["results"] = Json::array();
     for (const NamedOutput& output : analysis.outputs) {
         const auto* number = std::get_if<double>(&output.value);
-        json["results"].push_back(
-            {{"name", output.name},
-             {"meaning", output.meaning},
-             {"text",
-              number != nullptr ? in_six_digits(*number, output.dimension) : std::get<std::string>(output.value)},
-             {"detail", output.detail}});
+        json["results"].push_back({{"name", output.name},
+                                   {"meaning", output.meaning},
+                                   {"text", number != nullptr ? in_six_digits(*number, output.dimension)
+                                                              : std::get<std::string>(output.value)},
+                                   {"detail", output.detail}});
     }
     json["warnings"] = analysis.warnings;
     Report ignored;

@@ -184,6 +184,8 @@ std::string end_in_words(const RelaxationRun& made) {
     case RelaxationOutcome::equilibrium:
         return result.onset_time ? "Failed, and came to rest: " + area + " had moved" + after + "."
                                  : "Stands: at rest" + after + ".";
+    case RelaxationOutcome::held_by_corners:
+        return "Held by corners alone: at rest" + after + ", but without corners on corners blocks would move.";
     case RelaxationOutcome::onset:
         return "Fails: " + area + " had begun to move" + after + ".";
     case RelaxationOutcome::collapse:

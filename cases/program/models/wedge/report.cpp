@@ -2,7 +2,10 @@
 #include "cases/program/models/wedge/figures.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
+<<<<<<< HEAD
+=======
 #include "plots/drawing/text.hpp"
+>>>>>>> hub/main
 
 #include <cmath>
 
@@ -120,6 +123,28 @@ HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& a
     const bool stands = result.factor_of_safety >= 1;
     HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
     if (result.contact == SlidingContact::none) {
+<<<<<<< HEAD
+        head.sentences.emplace_back("The wedge is lifted off both planes.");
+    } else if (std::isinf(result.factor_of_safety)) {
+        head.sentences.emplace_back("Nothing drives the wedge: the factor of safety is infinite.");
+    } else {
+        head.sentences.push_back("FS " + number_in_words(result.factor_of_safety) +
+                                 (stands ? ": stands." : ": fails by sliding."));
+    }
+    std::string required;
+    for (std::size_t index = 0; index < study.required.size(); ++index) {
+        required +=
+            (index == 0 ? "" : " ") + required_in_words(study.required[index].parameter,
+                                                        study.required[index].factor_of_safety, answer.required[index]);
+    }
+    if (!required.empty()) {
+        head.sentences.push_back(std::move(required));
+    }
+    head.sentences.push_back("The wedge of " + value_in_words(result.volume, Dimension::volume) + " weighs " +
+                             value_in_words(result.weight, Dimension::force) + "; " +
+                             value_in_words(result.driving_force, Dimension::force) + " drive, " +
+                             value_in_words(result.resisting_force, Dimension::force) + " resist.");
+=======
         head.sentences.emplace_back("Water and loads lift the wedge off both planes: nothing resists.");
     } else if (std::isinf(result.factor_of_safety)) {
         head.sentences.emplace_back("Nothing drives the wedge down: the factor of safety is infinite.");
@@ -139,6 +164,7 @@ HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& a
     head.sentences.push_back(value_in_words(result.weight, Dimension::force) + " of rock on a line that plunges " +
                              value_in_words(result.line_plunge, Dimension::angle) + " towards " +
                              value_in_words(result.line_trend, Dimension::angle) + ".");
+>>>>>>> hub/main
     return head;
 }
 
