@@ -1,5 +1,5 @@
 // [[sweep]] computed: values, crossings, statements; and every case of the thesis that is data.
-#include "cases/program/reports/sweep_report.hpp"
+#include "cases/program/sweeps/sweep_report.hpp"
 #include "cases/program/thesis/thesis_tables.hpp"
 
 #include <gtest/gtest.h>

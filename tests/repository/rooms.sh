@@ -43,7 +43,7 @@ declare -A sub_rooms=(
     [fitting]='work probability search posterior mechanism back_analysis studies sensitivity'
     [plots]='drawing figures report'
     [cases]='program python'
-    [cases/program]='reader case terminal results reports models live thesis commands'
+    [cases/program]='reader case terminal results reports sweeps models live thesis commands'
 )
 most_sources=25
 most_lines=500

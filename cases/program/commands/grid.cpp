@@ -1,9 +1,9 @@
 // delabole grid
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/document.hpp"
-#include "cases/program/reports/sweep_report.hpp"
 #include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/study_output.hpp"
+#include "cases/program/sweeps/sweep_report.hpp"
 #include "cases/program/terminal/progress.hpp"
 #include "plots/drawing/text.hpp"
 

@@ -1,9 +1,9 @@
 // delabole verify
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/case_error.hpp"
-#include "cases/program/reports/sweep_run.hpp"
 #include "cases/program/results/comparison.hpp"
 #include "cases/program/results/result_folder.hpp"
+#include "cases/program/sweeps/sweep_run.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 
 #include <algorithm>

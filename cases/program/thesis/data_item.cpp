@@ -1,6 +1,6 @@
 #include "cases/program/thesis/data_item.hpp"
 
-#include "cases/program/reports/sweep_report.hpp"
+#include "cases/program/sweeps/sweep_report.hpp"
 #include "cases/program/thesis/thesis_tables.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // [[sweep]] as figures, tables and files: for `run`, `grid` and the reproductions of the thesis.
 #pragma once
 
-#include "cases/program/reports/sweep_run.hpp"
 #include "cases/program/results/result_folder.hpp"
+#include "cases/program/sweeps/sweep_run.hpp"
 
 namespace delabole {
 

@@ -1,4 +1,4 @@
-#include "cases/program/reports/sweep_run.hpp"
+#include "cases/program/sweeps/sweep_run.hpp"
 
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/spelling.hpp"

@@ -1,4 +1,4 @@
-#include "cases/program/reports/sweep_report.hpp"
+#include "cases/program/sweeps/sweep_report.hpp"
 
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
