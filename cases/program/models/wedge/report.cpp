@@ -2,216 +2,205 @@
 #include "cases/program/models/wedge/figures.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
-<<<<<<< HEAD
-=======
 #include "plots/drawing/text.hpp"
-    >>>>>>> hub/main
 
 #include <cmath>
 
-    namespace delabole {
+namespace delabole {
 
-    namespace {
+namespace {
 
-    void warn(Analysis& analysis, const WedgeFailureResult& result) {
-        if (result.contact == SlidingContact::none) {
-            analysis.warnings.emplace_back("water and loads lift the wedge off both planes: nothing resists");
-        } else if (std::isinf(result.factor_of_safety)) {
-            analysis.warnings.emplace_back("nothing drives the wedge down: the factor of safety is infinite");
-        } else if (result.sliding_plunge < 0) {
-            analysis.warnings.emplace_back("the loads push the wedge upwards");
-        }
-        if (result.normal_force_1 < 0 || result.normal_force_2 < 0) {
-            analysis.warnings.emplace_back("passive bolts pull the wedge off a plane: its normal force is negative");
+void warn(Analysis& analysis, const WedgeFailureResult& result) {
+    if (result.contact == SlidingContact::none) {
+        analysis.warnings.emplace_back("water and loads lift the wedge off both planes: nothing resists");
+    } else if (std::isinf(result.factor_of_safety)) {
+        analysis.warnings.emplace_back("nothing drives the wedge down: the factor of safety is infinite");
+    } else if (result.sliding_plunge < 0) {
+        analysis.warnings.emplace_back("the loads push the wedge upwards");
+    }
+    if (result.normal_force_1 < 0 || result.normal_force_2 < 0) {
+        analysis.warnings.emplace_back("passive bolts pull the wedge off a plane: its normal force is negative");
+    }
+}
+
+void append_drawings(const WedgeFailure<>& problem, const WedgeFailureResult& result, const std::string& prefix,
+                     const ResultFolder& folder, Report& report) {
+    report.blocks.emplace_back(folder.draw(wedge_figure(wedge_drawing(problem, "The wedge in the slope")),
+                                           prefix + "wedge",
+                                           "The wedge, to scale, seen from above and from in front of the face; 1 and "
+                                           "2 mark the traces of the planes."));
+    if (result.contact != SlidingContact::none) {
+        report.blocks.emplace_back(folder.draw(slid_wedge_figure(wedge_drawing(problem, "The wedge slid out")),
+                                               prefix + "slid_wedge",
+                                               "The same wedge moved along its direction of sliding, and the surfaces "
+                                               "that it leaves."));
+    }
+    report.blocks.emplace_back(folder.draw(wedge_net_figure(wedge_net(problem, result)), prefix + "stereonet",
+                                           "The planes as great circles, and the line along which they meet."));
+    if (const auto curve = filled_ratio_curve(problem)) {
+        report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(*curve), prefix + "water",
+                                               "Factor of safety against the greatest water pressure over that of "
+                                               "fissures filled to the ground."));
+    }
+    report.blocks.emplace_back(folder.draw(tornado_figure("Change of the factor of safety", sensitivity_bars(problem)),
+                                           prefix + "sensitivity",
+                                           "Each input changed by itself, by the step that stands beside it."));
+}
+
+std::string_view in_words(WedgeFailureCheck check) {
+    switch (check) {
+    case WedgeFailureCheck::planes_parallel:
+        return "planes 1 and 2 are parallel: they meet in no line, so there is no wedge; plane_failure may be meant";
+    case WedgeFailureCheck::line_does_not_daylight:
+        return "the line of intersection does not come out of the face: it is level, plunges into the slope, or more "
+               "steeply than the face. Without a steeper face or flatter planes no wedge can slide";
+    case WedgeFailureCheck::line_does_not_surface:
+        return "the line of intersection does not reach the ground behind the crest: the upper surface must be flatter";
+    case WedgeFailureCheck::upper_surface_steeper_than_face:
+        return "the upper surface is steeper than the face, so there is no crest";
+    case WedgeFailureCheck::crest_below_daylight:
+        return "plane 1 does not rise to the crest: call the other plane 1";
+    case WedgeFailureCheck::crack_misses_wedge:
+        return "the tension crack does not cut the wedge: it lies too far behind the crest, or dips too flat to cut "
+               "the "
+               "line of intersection";
+    case WedgeFailureCheck::crack_cuts_face:
+        return "the tension crack meets the crest between planes 1 and 2: it must lie behind the crest";
+    case WedgeFailureCheck::water_needs_crack:
+        return "a water pressure is given in a tension crack, but the case has none";
+    case WedgeFailureCheck::friction_not_below_90_deg:
+        return "friction_angle plus roughness_angle must not exceed 89.9 deg";
+    case WedgeFailureCheck::input_out_of_range:
+        return "a number is outside its allowed range";
+    case WedgeFailureCheck::valid:
+        break;
+    }
+    return "";
+}
+
+WedgeFailureCheck check_named(std::string_view failure) {
+    return value_of<WedgeFailureCheck>(failure).value_or(WedgeFailureCheck::valid);
+}
+
+}  // namespace
+
+WedgeFailureAnswer analyse_case(const WedgeFailureStudy<>& study, const AnalysisWork&) {
+    WedgeFailureAnswer answer{analyse(study.model)};
+    if (answer.result.check == WedgeFailureCheck::valid) {
+        for (const RequiredValue<>& request : study.required) {
+            answer.required.push_back(required_value(study.model, request.parameter, request.factor_of_safety));
         }
     }
+    return answer;
+}
 
-    void append_drawings(const WedgeFailure<>& problem, const WedgeFailureResult& result, const std::string& prefix,
-                         const ResultFolder& folder, Report& report) {
-        report.blocks.emplace_back(
-            folder.draw(wedge_figure(wedge_drawing(problem, "The wedge in the slope")), prefix + "wedge",
-                        "The wedge, to scale, seen from above and from in front of the face; 1 and "
-                        "2 mark the traces of the planes."));
-        if (result.contact != SlidingContact::none) {
-            report.blocks.emplace_back(
-                folder.draw(slid_wedge_figure(wedge_drawing(problem, "The wedge slid out")), prefix + "slid_wedge",
-                            "The same wedge moved along its direction of sliding, and the surfaces "
-                            "that it leaves."));
-        }
-        report.blocks.emplace_back(folder.draw(wedge_net_figure(wedge_net(problem, result)), prefix + "stereonet",
-                                               "The planes as great circles, and the line along which they meet."));
-        if (const auto curve = filled_ratio_curve(problem)) {
-            report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(*curve), prefix + "water",
-                                                   "Factor of safety against the greatest water pressure over that of "
-                                                   "fissures filled to the ground."));
-        }
-        report.blocks.emplace_back(
-            folder.draw(tornado_figure("Change of the factor of safety", sensitivity_bars(problem)),
-                        prefix + "sensitivity", "Each input changed by itself, by the step that stands beside it."));
-    }
-
-    std::string_view in_words(WedgeFailureCheck check) {
-        switch (check) {
-        case WedgeFailureCheck::planes_parallel:
-            return "planes 1 and 2 are parallel: they meet in no line, so there is no wedge; plane_failure may be "
-                   "meant";
-        case WedgeFailureCheck::line_does_not_daylight:
-            return "the line of intersection does not come out of the face: it is level, plunges into the slope, or "
-                   "more "
-                   "steeply than the face. Without a steeper face or flatter planes no wedge can slide";
-        case WedgeFailureCheck::line_does_not_surface:
-            return "the line of intersection does not reach the ground behind the crest: the upper surface must be "
-                   "flatter";
-        case WedgeFailureCheck::upper_surface_steeper_than_face:
-            return "the upper surface is steeper than the face, so there is no crest";
-        case WedgeFailureCheck::crest_below_daylight:
-            return "plane 1 does not rise to the crest: call the other plane 1";
-        case WedgeFailureCheck::crack_misses_wedge:
-            return "the tension crack does not cut the wedge: it lies too far behind the crest, or dips too flat to "
-                   "cut "
-                   "the "
-                   "line of intersection";
-        case WedgeFailureCheck::crack_cuts_face:
-            return "the tension crack meets the crest between planes 1 and 2: it must lie behind the crest";
-        case WedgeFailureCheck::water_needs_crack:
-            return "a water pressure is given in a tension crack, but the case has none";
-        case WedgeFailureCheck::friction_not_below_90_deg:
-            return "friction_angle plus roughness_angle must not exceed 89.9 deg";
-        case WedgeFailureCheck::input_out_of_range:
-            return "a number is outside its allowed range";
-        case WedgeFailureCheck::valid:
-            break;
-        }
-        return "";
-    }
-
-    WedgeFailureCheck check_named(std::string_view failure) {
-        return value_of<WedgeFailureCheck>(failure).value_or(WedgeFailureCheck::valid);
-    }
-
-    }  // namespace
-
-    WedgeFailureAnswer analyse_case(const WedgeFailureStudy<>& study, const AnalysisWork&) {
-        WedgeFailureAnswer answer{analyse(study.model)};
-        if (answer.result.check == WedgeFailureCheck::valid) {
-            for (const RequiredValue<>& request : study.required) {
-                answer.required.push_back(required_value(study.model, request.parameter, request.factor_of_safety));
-            }
-        }
-        return answer;
-    }
-
-    Analysis named_outputs(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer) {
-        Analysis analysis;
-        if (answer.result.check != WedgeFailureCheck::valid) {
-            analysis.failure = word_of(answer.result.check);
-            return analysis;
-        }
-        append_outputs(analysis, answer.result);
-        if (answer.result.contact == SlidingContact::none) {
-            mark_none(analysis, "sliding_");
-        }
-        if (!study.model.tension_crack) {
-            mark_none(analysis, "crack_");
-        }
-        for (std::size_t index = 0; index < study.required.size(); ++index) {
-            append_required_value(analysis, study.required[index].parameter, study.required[index].factor_of_safety,
-                                  answer.required[index]);
-        }
-        warn(analysis, answer.result);
+Analysis named_outputs(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer) {
+    Analysis analysis;
+    if (answer.result.check != WedgeFailureCheck::valid) {
+        analysis.failure = word_of(answer.result.check);
         return analysis;
     }
+    append_outputs(analysis, answer.result);
+    if (answer.result.contact == SlidingContact::none) {
+        mark_none(analysis, "sliding_");
+    }
+    if (!study.model.tension_crack) {
+        mark_none(analysis, "crack_");
+    }
+    for (std::size_t index = 0; index < study.required.size(); ++index) {
+        append_required_value(analysis, study.required[index].parameter, study.required[index].factor_of_safety,
+                              answer.required[index]);
+    }
+    warn(analysis, answer.result);
+    return analysis;
+}
 
-    HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer) {
-        const WedgeFailureResult& result = answer.result;
-        const bool stands = result.factor_of_safety >= 1;
-        HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
-        if (result.contact == SlidingContact::none) {
-<<<<<<< HEAD
-            head.sentences.emplace_back("The wedge is lifted off both planes.");
-        } else if (std::isinf(result.factor_of_safety)) {
-            head.sentences.emplace_back("Nothing drives the wedge: the factor of safety is infinite.");
-        } else {
-            head.sentences.push_back("FS " + number_in_words(result.factor_of_safety) +
-                                     (stands ? ": stands." : ": fails by sliding."));
-        }
-        std::string required;
-        for (std::size_t index = 0; index < study.required.size(); ++index) {
-            required += (index == 0 ? "" : " ") + required_in_words(study.required[index].parameter,
-                                                                    study.required[index].factor_of_safety,
-                                                                    answer.required[index]);
-        }
-        if (!required.empty()) {
-            head.sentences.push_back(std::move(required));
-        }
-        head.sentences.push_back("The wedge of " + value_in_words(result.volume, Dimension::volume) + " weighs " +
-                                 value_in_words(result.weight, Dimension::force) + "; " +
-                                 value_in_words(result.driving_force, Dimension::force) + " drive, " +
-                                 value_in_words(result.resisting_force, Dimension::force) + " resist.");
-=======
-            head.sentences.emplace_back("Water and loads lift the wedge off both planes: nothing resists.");
-        } else if (std::isinf(result.factor_of_safety)) {
-            head.sentences.emplace_back("Nothing drives the wedge down: the factor of safety is infinite.");
-        } else {
-            head.sentences.push_back("FS " + number_in_words(result.factor_of_safety) +
-                                     (stands ? ": stands" : ": slides") + " on " + human_name(word_of(result.contact)) +
+HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer) {
+    const WedgeFailureResult& result = answer.result;
+    const bool stands = result.factor_of_safety >= 1;
+    HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
+    if (result.contact == SlidingContact::none) {
+        head.sentences.emplace_back("The wedge is lifted off both planes.");
+    } else if (std::isinf(result.factor_of_safety)) {
+        head.sentences.emplace_back("Nothing drives the wedge: the factor of safety is infinite.");
+    } else {
+        head.sentences.push_back("FS " + number_in_words(result.factor_of_safety) +
+                                 (stands ? ": stands." : ": fails by sliding."));
+    }
+    std::string required;
+    for (std::size_t index = 0; index < study.required.size(); ++index) {
+        required +=
+            (index == 0 ? "" : " ") + required_in_words(study.required[index].parameter,
+                                                        study.required[index].factor_of_safety, answer.required[index]);
+    }
+    if (!required.empty()) {
+        head.sentences.push_back(std::move(required));
+    }
+    head.sentences.push_back("The wedge of " + value_in_words(result.volume, Dimension::volume) + " weighs " +
+                             value_in_words(result.weight, Dimension::force) + "; " +
+                             value_in_words(result.driving_force, Dimension::force) + " drive, " +
+                             value_in_words(result.resisting_force, Dimension::force) + " resist.");
+        head.sentences.emplace_back("Water and loads lift the wedge off both planes: nothing resists.");
+    } else if (std::isinf(result.factor_of_safety)) {
+        head.sentences.emplace_back("Nothing drives the wedge down: the factor of safety is infinite.");
+    } else {
+        head.sentences.push_back("FS " + number_in_words(result.factor_of_safety) + (stands ? ": stands" : ": slides") +
+                                 " on " + human_name(word_of(result.contact)) + ".");
+    }
+    for (std::size_t index = 0; index < study.required.size(); ++index) {
+        if (answer.required[index].status == RequiredStatus::found) {
+            head.sentences.push_back("FS " + number_in_words(study.required[index].factor_of_safety) + " takes " +
+                                     human_name(study.required[index].parameter) + " of " +
+                                     value_in_words(answer.required[index].value, answer.required[index].dimension) +
                                      ".");
-        }
-        for (std::size_t index = 0; index < study.required.size(); ++index) {
-            if (answer.required[index].status == RequiredStatus::found) {
-                head.sentences.push_back(
-                    "FS " + number_in_words(study.required[index].factor_of_safety) + " takes " +
-                    human_name(study.required[index].parameter) + " of " +
-                    value_in_words(answer.required[index].value, answer.required[index].dimension) + ".");
-                break;
-            }
-        }
-        head.sentences.push_back(value_in_words(result.weight, Dimension::force) + " of rock on a line that plunges " +
-                                 value_in_words(result.line_plunge, Dimension::angle) + " towards " +
-                                 value_in_words(result.line_trend, Dimension::angle) + ".");
->>>>>>> hub/main
-        return head;
-    }
-
-    void append_case_figures(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer,
-                             const ResultFolder& folder, Report& report) {
-        append_drawings(study.model, answer.result, "", folder, report);
-    }
-
-    void append_mechanism_figures(const WedgeFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem&,
-                                  const ResultFolder& folder, Report& report) {
-        const WedgeFailureResult result = analyse(at_best.model);
-        if (result.check == WedgeFailureCheck::valid) {
-            append_drawings(at_best.model, result, fit.name + "_", folder, report);
-        }
-    }
-
-    std::vector<std::string> blamed_keys(const WedgeFailureStudy<>&, std::string_view failure) {
-        switch (check_named(failure)) {
-        case WedgeFailureCheck::planes_parallel:
-        case WedgeFailureCheck::line_does_not_daylight:
-            return {"plane_2.dip"};
-        case WedgeFailureCheck::line_does_not_surface:
-        case WedgeFailureCheck::upper_surface_steeper_than_face:
-            return {"slope.upper_surface_dip"};
-        case WedgeFailureCheck::crest_below_daylight:
-            return {"plane_1.dip"};
-        case WedgeFailureCheck::crack_misses_wedge:
-        case WedgeFailureCheck::crack_cuts_face:
-            return {"tension_crack.distance"};
-        case WedgeFailureCheck::water_needs_crack:
-            return {"water.tension_crack"};
-        case WedgeFailureCheck::friction_not_below_90_deg:
-            return {"plane_1.strength.roughness_angle", "plane_2.strength.roughness_angle"};
-        case WedgeFailureCheck::input_out_of_range:
-        case WedgeFailureCheck::valid:
             break;
         }
-        return {};
     }
+    head.sentences.push_back(value_in_words(result.weight, Dimension::force) + " of rock on a line that plunges " +
+                             value_in_words(result.line_plunge, Dimension::angle) + " towards " +
+                             value_in_words(result.line_trend, Dimension::angle) + ".");
+    return head;
+}
 
-    std::string explain_failure(const WedgeFailureStudy<>&, std::string_view failure, const std::string&) {
-        return std::string(in_words(check_named(failure)));
+void append_case_figures(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer, const ResultFolder& folder,
+                         Report& report) {
+    append_drawings(study.model, answer.result, "", folder, report);
+}
+
+void append_mechanism_figures(const WedgeFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem&,
+                              const ResultFolder& folder, Report& report) {
+    const WedgeFailureResult result = analyse(at_best.model);
+    if (result.check == WedgeFailureCheck::valid) {
+        append_drawings(at_best.model, result, fit.name + "_", folder, report);
     }
+}
+
+std::vector<std::string> blamed_keys(const WedgeFailureStudy<>&, std::string_view failure) {
+    switch (check_named(failure)) {
+    case WedgeFailureCheck::planes_parallel:
+    case WedgeFailureCheck::line_does_not_daylight:
+        return {"plane_2.dip"};
+    case WedgeFailureCheck::line_does_not_surface:
+    case WedgeFailureCheck::upper_surface_steeper_than_face:
+        return {"slope.upper_surface_dip"};
+    case WedgeFailureCheck::crest_below_daylight:
+        return {"plane_1.dip"};
+    case WedgeFailureCheck::crack_misses_wedge:
+    case WedgeFailureCheck::crack_cuts_face:
+        return {"tension_crack.distance"};
+    case WedgeFailureCheck::water_needs_crack:
+        return {"water.tension_crack"};
+    case WedgeFailureCheck::friction_not_below_90_deg:
+        return {"plane_1.strength.roughness_angle", "plane_2.strength.roughness_angle"};
+    case WedgeFailureCheck::input_out_of_range:
+    case WedgeFailureCheck::valid:
+        break;
+    }
+    return {};
+}
+
+std::string explain_failure(const WedgeFailureStudy<>&, std::string_view failure, const std::string&) {
+    return std::string(in_words(check_named(failure)));
+}
 
 }  // namespace delabole
