@@ -421,10 +421,7 @@ FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const
     if (!sections.figures.empty()) {
         report.blocks.emplace_back(std::move(sections));
     }
-<<<<<<< HEAD
     append_evidence(result, folder, report);
-=======
->>>>>>> hub/main
     report.blocks.emplace_back(ranking_table(result));
     report.blocks.emplace_back(Paragraph{
         "Score: the squared pulls of data and priors, and 4 for each datum or piece of field evidence that the "

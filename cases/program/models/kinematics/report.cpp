@@ -389,16 +389,6 @@ void append_case_figures(const KinematicsStudy& study, const KinematicsResult& r
                                    ? " The zones are drawn for level ground behind the crest; the verdicts below know "
                                      "the ground that the case gives."
                                    : "";
-<<<<<<< HEAD
-    report.blocks.emplace_back(
-        folder.draw(pole_figure(drawing), "stereonet_poles",
-                    "Poles of the joint sets, their means and the zones in which a pole slides or topples. " +
-                        std::string(result.poles ? "The poles are measured; shares of pairs are of planes drawn from "
-                                                   "both sets independently of each other."
-                                                 : "The poles are not measurements: they are sampled from what the "
-                                                   "case says of each set, every set independently of the others.") +
-                        ground));
-=======
     report.blocks.emplace_back(folder.draw(
         pole_figure(drawing), "stereonet_poles",
         "Poles of the joint sets, their means and the zones in which a pole slides or topples. " +
@@ -407,7 +397,6 @@ void append_case_figures(const KinematicsStudy& study, const KinematicsResult& r
                                      : "The poles are not measurements: they are sampled from what the case says of "
                                        "each set, every set independently of the others.") +
             ground));
->>>>>>> hub/main
     report.blocks.emplace_back(Heading{"Mean planes and zones"});
     report.blocks.emplace_back(folder.draw(plane_figure(drawing), "stereonet_planes",
                                            "Mean planes and the lines along which they meet, numbered as the pairs "

@@ -93,11 +93,7 @@ void append_frames(const RelaxationRun& made, const ResultFolder& folder, Report
         report.blocks.emplace_back(Paragraph{"Frames for ParaView are written when the run has come to its end."});
         return;
     }
-<<<<<<< HEAD
-    folder.enter({});  // takes the result before away, an emptied folder of frames with it
-=======
     folder.enter({});  // takes the frames of an earlier result away, and the folder with them
->>>>>>> hub/main
     FrameFolder frames(folder.path() / "frames", "run");
     std::vector<std::string> names = frames.file_names(made.frames.size());
     for (std::string& name : names) {

@@ -113,19 +113,6 @@ Analysis named_outputs(const SteppedPath&, const SteppedPathResult& result) {
 }
 
 HeadCard head_card(const SteppedPath&, const SteppedPathResult& result) {
-<<<<<<< HEAD
-    const bool found = result.limit == LimitState::found || result.limit == LimitState::abrupt;
-    const bool stands = result.limit == LimitState::holds_at_any_strength || (found && result.factor_of_safety >= 1);
-    HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
-    head.sentences.push_back(found ? "FS " + number_in_words(result.factor_of_safety) +
-                                         (stands ? ": stands." : ": fails.")
-                             : stands ? std::string("Nothing moves even without strength.")
-                                      : std::string("Fails at any strength."));
-    if (!result.surface.empty()) {
-        head.sentences.push_back("The most critical surface along joints takes " +
-                                 value_in_words(result.failed_area, Dimension::area) + ", " +
-                                 value_in_words(result.retreat, Dimension::length) + " behind the crest.");
-=======
     if (result.surface.empty()) {
         return result.limit == LimitState::holds_at_any_strength
                    ? HeadCard{AnswerTone::good, {"No surface along the joints moves, even without strength."}, {}}
@@ -139,7 +126,6 @@ HeadCard head_card(const SteppedPath&, const SteppedPathResult& result) {
     if (result.column_count > 0) {
         head.sentences.push_back(number_in_words(result.column_count) + " columns move, " +
                                  number_in_words(result.toppling_count) + " of them topple.");
->>>>>>> hub/main
     }
     return head;
 }

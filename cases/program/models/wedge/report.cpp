@@ -120,26 +120,6 @@ HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& a
     const bool stands = result.factor_of_safety >= 1;
     HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
     if (result.contact == SlidingContact::none) {
-        head.sentences.emplace_back("The wedge is lifted off both planes.");
-    } else if (std::isinf(result.factor_of_safety)) {
-        head.sentences.emplace_back("Nothing drives the wedge: the factor of safety is infinite.");
-    } else {
-        head.sentences.push_back("FS " + number_in_words(result.factor_of_safety) +
-                                 (stands ? ": stands." : ": fails by sliding."));
-    }
-    std::string required;
-    for (std::size_t index = 0; index < study.required.size(); ++index) {
-        required +=
-            (index == 0 ? "" : " ") + required_in_words(study.required[index].parameter,
-                                                        study.required[index].factor_of_safety, answer.required[index]);
-    }
-    if (!required.empty()) {
-        head.sentences.push_back(std::move(required));
-    }
-    head.sentences.push_back("The wedge of " + value_in_words(result.volume, Dimension::volume) + " weighs " +
-                             value_in_words(result.weight, Dimension::force) + "; " +
-                             value_in_words(result.driving_force, Dimension::force) + " drive, " +
-                             value_in_words(result.resisting_force, Dimension::force) + " resist.");
         head.sentences.emplace_back("Water and loads lift the wedge off both planes: nothing resists.");
     } else if (std::isinf(result.factor_of_safety)) {
         head.sentences.emplace_back("Nothing drives the wedge down: the factor of safety is infinite.");
