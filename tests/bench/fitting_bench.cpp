@@ -47,12 +47,12 @@ ModelInterface sliding_model(std::chrono::nanoseconds cost) {
 
 FitProblem sliding_problem(std::chrono::nanoseconds cost, bool profile) {
     FitProblem problem;
-    problem.mechanisms.push_back({"sliding",
-                                  "Sliding",
-                                  sliding_model(cost),
-                                  {{"friction_angle", 0.2, 0.9, Prior{0.52, 0.1, "bench"}},
-                                   {"cohesion", 0, 1, Prior{0.4, 0.3, "bench"}},
-                                   {"water", 0, 1, std::nullopt}}});
+    problem.mechanisms.push_back({{"sliding",
+                                   "Sliding",
+                                   {{"friction_angle", 0.2, 0.9, Prior{0.52, 0.1, "bench"}},
+                                    {"cohesion", 0, 1, Prior{0.4, 0.3, "bench"}},
+                                    {"water", 0, 1, std::nullopt}}},
+                                  sliding_model(cost)});
     problem.observations.push_back({"failed", "factor_of_safety", Relation::equal, 1, 0.05, {}, "bench"});
     problem.observations.push_back({"stood", "factor_of_safety", Relation::at_least, 1, 0.05, {{"water", 0}}, "bench"});
     problem.observations.push_back({"crack", "crack_depth", Relation::equal, 25, 5, {}, "bench"});

@@ -236,11 +236,11 @@ TEST(BackAnalysis, RanksMechanismsAndSaysWhatTheyCannotExplain) {
     FitProblem problem = failure_problem();
     const auto blunt = [](std::span<const double>) { return answer({1.3}); };
     problem.mechanisms.insert(problem.mechanisms.begin(),
-                              {"blunt", "Blunt", formula_model(1, {"factor_of_safety"}, blunt), {}});
+                              test::mechanism("blunt", "Blunt", formula_model(1, {"factor_of_safety"}, blunt), {}));
     const auto failing = [](std::span<const double>) { return Prediction{"impossible", {}, {}}; };
-    problem.mechanisms.insert(
-        problem.mechanisms.begin(),
-        {"failing", "Failing", formula_model(1, {"factor_of_safety"}, failing), {test::free_parameter("x1", 0, 1)}});
+    problem.mechanisms.insert(problem.mechanisms.begin(),
+                              test::mechanism("failing", "Failing", formula_model(1, {"factor_of_safety"}, failing),
+                                              {test::free_parameter("x1", 0, 1)}));
     problem.mechanisms[2].signs = {{"cracks", "factor_of_safety", Relation::at_most, 1.2}};
     problem.evidence = {{"cracks", "cracks opened behind the crest", "test"}};
     const FitResult result = fit(problem);

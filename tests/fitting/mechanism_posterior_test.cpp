@@ -176,11 +176,10 @@ TEST(MechanismPosterior, PriorsThatLeaveNothingBetweenTheBoundsAreFaults) {
 TEST(MechanismPosterior, FitRanksByEvidenceAndNamesWhatNothingDependsOn) {
     FitProblem problem = linear_problem();
     // The same with a parameter that must be tuned far more closely, and one without effect.
-    problem.mechanisms.push_back(
-        {"tuned",
-         "Tuned",
-         formula_model(2, {"factor_of_safety"}, [](std::span<const double> x) { return answer({1 + 10 * x[0]}); }),
-         {with_prior("x1", -6, 6, 0, 1), with_prior("x2", -6, 6, 0, 1)}});
+    problem.mechanisms.push_back(test::mechanism(
+        "tuned", "Tuned",
+        formula_model(2, {"factor_of_safety"}, [](std::span<const double> x) { return answer({1 + 10 * x[0]}); }),
+        {with_prior("x1", -6, 6, 0, 1), with_prior("x2", -6, 6, 0, 1)}));
     std::swap(problem.mechanisms[0], problem.mechanisms[1]);
     problem.settings.threads = 2;
     const FitResult result = fit(problem);

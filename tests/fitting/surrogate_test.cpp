@@ -164,13 +164,12 @@ TEST(Surrogate, GivesUpWhereAnotherMechanismIsOutOfReach) {
     const MechanismFit alone = only(fit(problem));
     EXPECT_FALSE(alone.surrogate->given_up);
 
-    problem.mechanisms.push_back({"cheap",
-                                  "",
-                                  formula_model(1, {"depth", "width"},
-                                                [](std::span<const double> x) {
-                                                    return answer({x[0], 5});
-                                                }),
-                                  {test::with_prior("x1", 30, 50, 40, 2)}});
+    problem.mechanisms.push_back(test::mechanism("cheap", "",
+                                                 formula_model(1, {"depth", "width"},
+                                                               [](std::span<const double> x) {
+                                                                   return answer({x[0], 5});
+                                                               }),
+                                                 {test::with_prior("x1", 30, 50, 40, 2)}));
     const FitResult both = fit(problem);
     EXPECT_EQ(both.mechanisms[0].name, "cheap");
     const MechanismFit& beaten = both.mechanisms[1];
@@ -233,11 +232,9 @@ TEST(Surrogate, InterruptedRunsLeaveWhatWasFinished) {
 TEST(OwnTerms, MechanismComparesTheSameDatumByItsOwnQuantity) {
     FitProblem problem = test::problem_of(test::linear_safety(), {test::free_parameter("x1", 0, 1)},
                                           {{"it failed", "factor_of_safety", Relation::equal, 1, 0.05, {}, "test"}});
-    Mechanism other{"other",
-                    "Other",
-                    formula_model(1, {"area"}, [](std::span<const double> x) { return answer({100 * x[0]}); }),
-                    {test::free_parameter("x1", 0, 1)}};
-    problem.mechanisms.push_back(other);
+    problem.mechanisms.push_back(test::mechanism(
+        "other", "Other", formula_model(1, {"area"}, [](std::span<const double> x) { return answer({100 * x[0]}); }),
+        {test::free_parameter("x1", 0, 1)}));
     const FitResult silent = fit(problem);
     EXPECT_EQ(silent.mechanisms.back().name, "other");
     EXPECT_EQ(silent.mechanisms.back().data_count, 0);

@@ -55,10 +55,15 @@ inline FreeParameter with_prior(const std::string& name, double lower, double up
     return {name, lower, upper, Prior{mean, deviation, "test"}};
 }
 
+inline Mechanism mechanism(const std::string& name, const std::string& title, ModelInterface model,
+                           std::vector<FreeParameter> parameters) {
+    return {{name, title, std::move(parameters)}, std::move(model)};
+}
+
 inline FitProblem problem_of(ModelInterface model, std::vector<FreeParameter> parameters,
                              std::vector<QuantityObservation> observations) {
     FitProblem problem;
-    problem.mechanisms.push_back({"mechanism", "A mechanism", std::move(model), std::move(parameters)});
+    problem.mechanisms.push_back(mechanism("mechanism", "A mechanism", std::move(model), std::move(parameters)));
     problem.observations = std::move(observations);
     return problem;
 }
