@@ -36,7 +36,7 @@ struct Lognormal {
     double standard_deviation;
     static constexpr std::string_view kind = "lognormal";
     static constexpr auto fields() {
-        return std::tuple{number("mean", &Lognormal::mean, Dimension::named, any_number(), "mean"),
+        return std::tuple{number("mean", &Lognormal::mean, Dimension::named, more_than(0), "mean"),
                           number("standard_deviation", &Lognormal::standard_deviation, Dimension::named, more_than(0),
                                  "standard deviation of the parameter itself, not of its logarithm")};
     }
@@ -48,7 +48,7 @@ struct Exponential {
     static constexpr std::string_view kind = "exponential";
     static constexpr auto fields() {
         return std::tuple{
-            number("mean", &Exponential::mean, Dimension::named, any_number(), "mean before any truncation")};
+            number("mean", &Exponential::mean, Dimension::named, more_than(0), "mean before any truncation")};
     }
 };
 

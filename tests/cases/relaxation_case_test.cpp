@@ -414,7 +414,7 @@ TEST(RelaxationCase, SearchesThatCannotBeAreRefused) {
         {reduction + "lower = 3\nupper = 2",
          "critical.lower = 3: bounds are reversed: must be less than critical.upper (3 and 2)"},
         {reduction + "joints = [\"planes\"]",
-         ":36:10: critical.joints: \"planes\" is no joint of the scene: must be plane or intact"},
+         ":36:10: critical.joints = [ ... ]: \"planes\" is no joint of the scene: must be plane or intact"},
         {reduction + "path = \"slow\"",
          "critical.path = \"slow\": must be consolidated, preloaded, gravity, sudden or stages"},
         {reduction + "path = \"stages\"", "critical.path = \"stages\": needs stages of excavation"},
