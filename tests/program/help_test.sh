@@ -12,13 +12,25 @@ examples() {
     awk '/^Examples?:/ { inside = 1; next } inside && /^ *$/ { exit } inside' "$scratch/out"
 }
 
+# A page is served until Ctrl-C.
+serve_briefly() {
+    bash -euc "cd tree && exec $1" >"$scratch/out" 2>"$scratch/err" </dev/null &
+    local server=$!
+    until grep -q 'http://' "$scratch/out" || ! kill -0 "$server" 2>/dev/null; do
+        sleep 0.1
+    done
+    kill -INT "$server" 2>/dev/null || true
+    status=0
+    wait "$server" || status=$?
+}
+
 title "the program lists its commands"
 delabole --help
 expect_status 0
 expect_output 'Exit codes: 0 ok, 1 verify mismatch, 2 usage, 3 invalid case'
 mapfile -t commands < <(sed -n '/^Subcommands:/,$p' "$scratch/out" | sed -nE 's/^  ([a-z]+) +[A-Z].*/\1/p')
-expect "run fit recover sensitivity grid trade check compare show init inputs outputs verify reproduce, not ${commands[*]}" \
-    test "${commands[*]}" == "run fit recover sensitivity grid trade check compare show init inputs outputs verify reproduce"
+expect "run fit recover live sensitivity grid trade check compare show init inputs outputs verify reproduce, not ${commands[*]}" \
+    test "${commands[*]}" == "run fit recover live sensitivity grid trade check compare show init inputs outputs verify reproduce"
 
 for command in "" "${commands[@]}"; do
     # shellcheck disable=SC2086
@@ -30,7 +42,11 @@ for command in "" "${commands[@]}"; do
     for line in "${lines[@]}"; do
         title "delabole ${command:+$command }--help: $line"
         expect "it is an example of the command" contains <(echo "$line") "delabole $command"
-        run bash -euc "cd tree && $line"
+        if [[ $command == live ]]; then
+            serve_briefly "$line"
+        else
+            run bash -euc "cd tree && $line"
+        fi
         expect_status 0
         expect_only_progress
     done

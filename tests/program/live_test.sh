@@ -3,6 +3,8 @@
 source "$DELABOLE_SOURCE/tests/program/harness.sh"
 source "$DELABOLE_SOURCE/tests/program/browser.sh"
 
+trap '[[ -z ${server:-} ]] || kill "$server" 2>/dev/null || true; rm -rf "$scratch"' EXIT
+
 # Leaves $port, $token and $server.
 serve() {
     "$program" live "$@" >"$scratch/served" 2>"$scratch/served_err" </dev/null &

@@ -73,8 +73,11 @@ HeadCard head_card(const FitResult& result) {
     head.sentences.push_back(result.mechanisms.size() == 1 ? title_of(best) + " is the one mechanism that was fitted."
                                                            : title_of(best) + " explains the observations best" +
                                                                  probability_of_best(result) + ".");
+    if (const std::string dependence = dependence_of_ranking(result); !dependence.empty()) {
+        head.sentences.push_back(dependence);
+    }
     head.sentences.push_back(determined_in_words(best));
-    if (const std::string values = values_in_words(best); !values.empty()) {
+    if (const std::string values = values_in_words(best); !values.empty() && head.sentences.size() < 3) {
         head.sentences.push_back("Best point: " + values + ".");
     }
     return head;

@@ -116,8 +116,7 @@ std::string dependence_in_words(const Weighed& all) {
         return best +
                " stays first when priors are halved, doubled or flat, when their means are one standard deviation "
                "lower or higher, and when the model error of the factor of safety is halved or doubled, as far as the "
-               "case "
-               "has them.";
+               "case has them.";
     }
     return "The ranking depends on what was put in: " + best + " is first as given, another with " +
            list_in_words(others) + ".";
@@ -244,6 +243,11 @@ std::string probability_of_best(const FitResult& result) {
         }
     }
     return {};
+}
+
+std::string dependence_of_ranking(const FitResult& result) {
+    const Weighed all = weighed(result);
+    return all.fits.empty() ? std::string() : dependence_in_words(all);
 }
 
 void append_evidence(const FitResult& result, const ResultFolder& folder, Report& report) {
