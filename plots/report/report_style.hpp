@@ -89,9 +89,10 @@ figcaption { font-size: .92rem; color: #333; margin-top: .4rem; max-width: 46rem
   .table { overflow: visible; }
   table { font-size: 8pt; max-width: 100%; }
   table.wide { font-size: 6.5pt; }
-  th, td { padding: .15rem .3rem; }
+  /* Names as long as jointed_slope_above_fault may be broken, words of a verdict should not. */
+  th, td, td:first-child, td:last-child:not(.number) { padding: .15rem .3rem; overflow-wrap: anywhere; min-width: 6.8em; }
+  .number, td.number:first-child { min-width: 5.2em; }
   td.number { white-space: normal; }
-  td:first-child, td:last-child:not(.number) { min-width: 0; }
 }
 )css";
 

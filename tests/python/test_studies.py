@@ -105,15 +105,15 @@ def test_a_fit_does_not_depend_on_threads_but_on_its_seed(case, fit):
 def test_mechanisms_are_chosen_by_name(cases):
     case = delabole.read(cases / "delabole_1967/delabole_1967.toml",
                          {"fit.starts": "1", "fit.evaluations_per_start": "20"})
-    with pytest.raises(ValueError, match="the case has no mechanism 'structural_slidng'.*structural_sliding"):
-        case.fit(mechanisms=["structural_slidng"])
+    with pytest.raises(ValueError, match="the case has no mechanism 'stepped_slidng'.*stepped_sliding"):
+        case.fit(mechanisms=["stepped_slidng"])
 
 
 def test_conclusions_and_further_measurements_are_judged_too(cases, program, tmp_path):
     case = delabole.read(cases / "delabole_1967/delabole_1967.toml", {"fit.starts": "2"})
-    found = case.fit(mechanisms=["structural_sliding"]).to_dict()
+    found = case.fit(mechanisms=["stepped_sliding"]).to_dict()
     assert {"value_of_information", "conclusions"} <= set(found)
-    assert found == asked(program, tmp_path, "fit", case, "--mechanism", "structural_sliding")
+    assert found == asked(program, tmp_path, "fit", case, "--mechanism", "stepped_sliding")
 
 
 def test_a_study_finds_what_the_program_finds(cases, program, tmp_path):

@@ -15,8 +15,8 @@ build_house() {
     printf '#pragma once\n#include "water/water.hpp"\n#include <nlopt.hpp>\n' >"$house/fitting/work/fit.hpp"
     printf '#pragma once\n#include "fitting/work/fit.hpp"\n' >"$house/fitting/search/search.hpp"
     printf '#include "fitting/work/fit.hpp"\n#include <unistd.h>\n#include <toml++/toml.h>\n' >"$house/cases/program/commands/main.cpp"
-    printf '#pragma once\n#include "cases/program/commands/main.hpp"\n#include <pybind11/pybind11.h>\n' >"$house/cases/python/module.hpp"
-    printf '#pragma once\n' >"$house/cases/program/commands/main.hpp"
+    printf '#pragma once\n#include "cases/program/commands/commands.hpp"\n#include <pybind11/pybind11.h>\n' >"$house/cases/python/module.hpp"
+    printf '#pragma once\n' >"$house/cases/program/commands/commands.hpp"
     printf '#include "helper.hpp"\n#include <gtest/gtest.h>\n' >"$house/tests/some_test.cpp"
 }
 failed=0
