@@ -248,9 +248,9 @@ inline constexpr bool is_vector<std::vector<Type>> = true;
 template <class Type>
 concept NumberType =
     !std::is_enum_v<std::remove_const_t<Type>> && !std::same_as<std::remove_const_t<Type>, std::string> &&
-    !is_optional<std::remove_const_t<Type>> && requires(const Type& value) {
-    value + value;
-    { value < value } -> std::convertible_to<bool>;
+    !is_optional<std::remove_const_t<Type>> && requires(const Type& one, const Type& other) {
+    one + other;
+    { one < other } -> std::convertible_to<bool>;
 };
 
 namespace detail {
