@@ -95,12 +95,12 @@ Json json_of_handles(const CaseModel& model) {
 // Ends the walk through a report's figures after the first.
 struct EnoughFigures {};
 
-std::vector<Quantity> figures_axes(const std::vector<Quantity>& inputs, const std::string& name) {
+const Quantity& input_named(const std::vector<Quantity>& inputs, const std::string& name) {
     const Quantity* found = find_quantity(inputs, name);
     if (found == nullptr) {
         throw LiveRefusal("the case has no input '" + name + "'");
     }
-    return {*found};
+    return *found;
 }
 
 struct MapAxis {
@@ -112,7 +112,7 @@ struct MapAxis {
 MapAxis axis_of_map(const Json& request, const char* name, const char* count, const std::vector<Quantity>& inputs) {
     const Json axis = member<Json>(request, name);
     const auto input = member<std::string>(axis, "name");
-    const Quantity quantity = figures_axes(inputs, input).front();
+    const Quantity& quantity = input_named(inputs, input);
     const int points = member<int>(request, count);
     if (points < 2 || points > 200) {
         throw LiveRefusal("a map has 2 to 200 rows and columns");
@@ -144,20 +144,17 @@ std::vector<Condition> LiveSession::conditions(const Json& request) const {
         throw LiveRefusal("'values' of the request is of the wrong kind");
     }
     for (const auto& [name, value] : values.items()) {
-        const Quantity* input = find_quantity(inputs_, name);
-        if (input == nullptr) {
-            throw LiveRefusal("the case has no input '" + name + "'");
-        }
+        const Quantity& input = input_named(inputs_, name);
         if (!value.is_number()) {
             throw LiveRefusal(name + " has to be a number");
         }
-        const double unit = display_unit(input->dimension).si_per_unit;
+        const double unit = display_unit(input.dimension).si_per_unit;
         const auto shown = value.get<double>();
         // What is shown as the case's own value is that value, to the last bit.
-        const double si = shown == input->value / unit ? input->value : shown * unit;
-        if (!std::isfinite(si) || !input->range.contains(si)) {
-            throw LiveRefusal(name + " = " + readable_quantity(si, input->dimension) + ": must be " +
-                              readable_range(input->range, input->dimension));
+        const double si = shown == input.value / unit ? input.value : shown * unit;
+        if (!std::isfinite(si) || !input.range.contains(si)) {
+            throw LiveRefusal(name + " = " + readable_quantity(si, input.dimension) + ": must be " +
+                              readable_range(input.range, input.dimension));
         }
         conditions.push_back({name, si});
     }

@@ -7,10 +7,13 @@
 #include "cases/program/results/result_folder.hpp"
 #include "cases/program/terminal/options.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace delabole {
 
