@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <span>
 
@@ -22,6 +21,12 @@ constexpr double nearly_all = 0.95;
 
 bool holds(double value, const ConclusionTest& test) {
     return test.relation == Relation::at_least ? value >= test.limit : value <= test.limit;
+}
+
+// 0 where the two differ by no more than some roundings.
+double difference(double value, double less) {
+    const double rounding = 64 * std::numeric_limits<double>::epsilon() * std::max(std::abs(value), std::abs(less));
+    return std::abs(value - less) <= rounding ? 0 : value - less;
 }
 
 // Judges by the mechanisms that were fitted; not tested where none was sampled.
@@ -98,7 +103,7 @@ class QuantityJudge {
         std::vector<double> values = values_of(*quantity, points, mechanism->model.costly);
         if (other) {
             const std::vector<double> less = values_of(*other, points, mechanism->model.costly);
-            std::ranges::transform(values, less, values.begin(), std::minus<>());
+            std::ranges::transform(values, less, values.begin(), difference);
         }
         if (stop_requested(stop_)) {
             return finding;

@@ -120,6 +120,22 @@ TEST(Conclusions, ADifferenceIsTakenAtTheSameDraw) {
     EXPECT_EQ(findings[2].verdict, Verdict::confirmed);
 }
 
+// y is about 1: 2e-15 more is some of its last bits, 1e-12 more is not.
+TEST(Conclusions, ADifferenceOfRoundingsIsNone) {
+    FitProblem problem = two_mechanisms();
+    problem.mechanisms[0].model = formula_model(2, {"y", "z"}, [](std::span<const double> x) {
+        return answer({1 + x[0] / 10 + x[1], x[0]});
+    });
+    const std::vector<Condition> nearly_none = {{"x2", 2e-15}};
+    const std::vector<Condition> small = {{"x2", 1e-12}};
+    const auto findings = findings_of(
+        problem, {claim_of(ClaimOfQuantity{"likely", "y", nearly_none, std::vector<Condition>{}}, Relation::at_most, 0),
+                  claim_of(ClaimOfQuantity{"likely", "y", small, std::vector<Condition>{}}, Relation::at_most, 0)});
+    EXPECT_EQ(findings[0].interval_68.upper, 0);
+    EXPECT_EQ(findings[0].verdict, Verdict::confirmed);
+    EXPECT_EQ(findings[1].verdict, Verdict::contradicted);
+}
+
 TEST(Conclusions, DrawsWithoutAnAnswerAreCounted) {
     FitProblem problem = two_mechanisms();
     const auto model = problem.mechanisms[0].model.predict;

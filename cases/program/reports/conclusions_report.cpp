@@ -1,5 +1,6 @@
 #include "cases/program/reports/conclusions_report.hpp"
 
+#include "cases/program/case/case_writer.hpp"
 #include "cases/program/reader/units.hpp"
 #include "fitting/work/words.hpp"
 
@@ -46,6 +47,11 @@ std::string holding_in_words(const TestFinding& finding) {
         std::to_string(finding.holding) + " of " + std::to_string(finding.draws - finding.without_answer);
     return finding.without_answer == 0 ? text
                                        : text + ", " + std::to_string(finding.without_answer) + " without answer";
+}
+
+std::string on_screen(const ConclusionTest& test, const TestFinding& finding) {
+    const std::string holding = holding_in_words(finding);
+    return "  " + test.claim + ": " + value_in_words(test, finding) + (holding.empty() ? "" : ", in " + holding);
 }
 
 std::string asked_in_words(const ConclusionTest& test) {
@@ -100,6 +106,9 @@ ConclusionDocuments document_conclusions(const std::vector<Conclusion>& conclusi
         for (std::size_t number = 0; number < conclusion.tests.size(); ++number) {
             const ConclusionTest& test = conclusion.tests[number];
             const TestFinding& finding = findings[index].tests[number];
+            if (!std::isnan(finding.value)) {
+                screen.push_back({"", in_words(finding.verdict), on_screen(test, finding)});
+            }
             tests.rows.push_back({conclusion.label, test.claim, asked_in_words(test), value_in_words(test, finding),
                                   limit_in_words(test), holding_in_words(finding), in_words(finding.verdict)});
             json["tests"].push_back(json_of(test, finding));
@@ -115,7 +124,7 @@ ConclusionDocuments document_conclusions(const std::vector<Conclusion>& conclusi
     if (!tests.rows.empty()) {
         report.blocks.emplace_back(std::move(tests));
     }
-    documents.screen = '\n' + text_table(screen);
+    documents.screen = '\n' + aligned_columns(screen);
     return documents;
 }
 

@@ -1,11 +1,13 @@
 #include "cases/program/reports/fit_report.hpp"
 
+#include "cases/program/case/case_writer.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/reports/fit_answer.hpp"
 #include "cases/program/reports/fit_knowledge.hpp"
 #include "cases/program/reports/posterior_report.hpp"
 #include "cases/program/reports/sensitivity_parts.hpp"
 #include "cases/program/reports/surrogate_report.hpp"
+#include "cases/program/results/analysis.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
@@ -230,12 +232,7 @@ void write_tables(const MechanismFit& fit, const ResultFolder& folder) {
     folder.write(fit.name + "_observations.csv", observations.text());
 }
 
-// Figures of the mechanism's own model at the best point.
-void append_best_figures(Report& report, const ResultFolder& folder, const MechanismFit& fit, const CaseModel& model,
-                         const FitProblem& problem) {
-    if (fit.best.empty()) {
-        return;
-    }
+CaseModel at_best_point(const MechanismFit& fit, const CaseModel& model) {
     std::vector<Condition> best;
     for (std::size_t index = 0; index < fit.best.size(); ++index) {
         best.push_back({fit.parameters[index].name, fit.best[index]});
@@ -243,8 +240,21 @@ void append_best_figures(Report& report, const ResultFolder& folder, const Mecha
             best.push_back({name, fit.best[index]});
         }
     }
+    return with_conditions(model, best);
+}
+
+// Figures of the mechanism's own model at the best point, and a case that `run` takes to answer all else about it.
+void append_best_point(Report& report, const ResultFolder& folder, const MechanismFit& fit, const CaseModel& model,
+                       const FitProblem& problem) {
+    if (fit.best.empty()) {
+        return;
+    }
+    CaseFile best;
+    best.title = title_of(fit) + ", at the best point of the fit";
+    best.model = at_best_point(fit, model);
+    folder.write(fit.name + "_best.toml", resolved_toml(best));
     std::visit([&](const auto& at_best) { append_mechanism_figures(at_best, fit, problem, folder, report); },
-               with_conditions(model, best));
+               best.model);
 }
 
 // Misfit over the first two parameters; nothing where the fit holds no map.
@@ -300,7 +310,7 @@ void append_mechanism(Report& report, const ResultFolder& folder, const Mechanis
         report.blocks.emplace_back(Notice{NoticeKind::warning, "What it does not explain", fit.unexplained});
     }
     Report figures;
-    append_best_figures(figures, folder, fit, model, problem);
+    append_best_point(figures, folder, fit, model, problem);
     const auto first = std::ranges::find_if(
         figures.blocks, [](const ReportBlock& block) { return std::holds_alternative<FigureInReport>(block); });
     if (first != figures.blocks.end()) {

@@ -66,7 +66,9 @@ void add_crest_movements(const Motion& motion, const PathLattice& lattice, Stepp
         if (index + 1 < motion.part.size()) {
             across -= motion.part[index + 1].at(outcrop.point);
         }
-        result.crest_opening = std::max(result.crest_opening, across.dot(outcrop.out) / greatest);
+        // Parts that slip past each other open by rounding alone.
+        const double opening = across.dot(outcrop.out) / greatest;
+        result.crest_opening = opening > 1e-12 ? std::max(result.crest_opening, opening) : result.crest_opening;
         result.crest_cracks += across.norm() >= least_difference * greatest ? 1 : 0;
     }
     const PartMotion& last = motion.part.back();
