@@ -35,27 +35,25 @@ std::string determined_in_words(const MechanismFit& fit) {
     const std::size_t count = fit.parameters.size();
     const auto rank = static_cast<std::size_t>(fit.identifiability.rank);
     const std::string parameters = std::to_string(count) + (count == 1 ? " parameter" : " parameters");
-    if (rank >= count) {
-        return "Near the best point the data determine all of its " + parameters + ".";
-    }
-    const std::string what = rank == 0   ? "none"
-                             : rank == 1 ? "one combination"
-                                         : std::to_string(rank) + " combinations";
-    return "The data determine " + what + " of its " + parameters + ": what follows depends on the priors.";
+    const std::string what = rank >= count ? "all"
+                             : rank == 0   ? "none"
+                             : rank == 1   ? "one combination"
+                                           : std::to_string(rank) + " combinations";
+    return "The data determine " + what + " of its " + parameters + (rank >= count ? " near the best point" : "");
 }
 
 // The first parameters alone: a case names those first that matter most.
 std::string values_in_words(const MechanismFit& fit) {
     constexpr std::size_t most = 2;
-    std::string text;
+    std::vector<std::string> values;
     for (std::size_t index = 0; index < std::min(most, fit.best.size()); ++index) {
         const FreeParameter& parameter = fit.parameters[index];
         const std::string range =
             interval_in_words(profile_of(fit, parameter.name, true), parameter, fit.dimensions[index]);
-        text += (index == 0 ? "" : "; ") + human_name(parameter.name) + " " +
-                value_in_words(fit.best[index], fit.dimensions[index]) + (range.empty() ? "" : ", 95 % range " + range);
+        values.push_back(human_name(parameter.name) + " " + value_in_words(fit.best[index], fit.dimensions[index]) +
+                         (range.empty() ? "" : " (" + range + " with 95 %)"));
     }
-    return text;
+    return list_in_words(values);
 }
 
 }  // namespace
@@ -70,16 +68,18 @@ HeadCard head_card(const FitResult& result) {
         head.sentences.emplace_back("No mechanism has an answer within the bounds of its parameters.");
         return head;
     }
-    head.sentences.push_back(result.mechanisms.size() == 1 ? title_of(best) + " is the one mechanism that was fitted."
-                                                           : title_of(best) + " explains the observations best" +
-                                                                 probability_of_best(result) + ".");
+    const std::string probability = probability_of_best(result);
+    head.sentences.push_back(result.mechanisms.size() == 1
+                                 ? title_of(best) + " is the one mechanism that was fitted."
+                                 : "Best explanation of the " + std::to_string(result.mechanisms.size()) + " compared" +
+                                       (probability.empty() ? "" : ", with a probability of " + probability) + ": " +
+                                       title_of(best) + ".");
     if (const std::string dependence = dependence_of_ranking(result); !dependence.empty()) {
         head.sentences.push_back(dependence);
     }
-    head.sentences.push_back(determined_in_words(best));
-    if (const std::string values = values_in_words(best); !values.empty() && head.sentences.size() < 3) {
-        head.sentences.push_back("Best point: " + values + ".");
-    }
+    const std::string values = values_in_words(best);
+    head.sentences.push_back(determined_in_words(best) +
+                             (values.empty() ? "" : "; with the priors they give " + values) + ".");
     return head;
 }
 

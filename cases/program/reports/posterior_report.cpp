@@ -92,34 +92,58 @@ Table evidence_table_of(const Weighed& all) {
     return table;
 }
 
-// Whether the order of the mechanisms is the same whatever is changed.
-std::string dependence_in_words(const Weighed& all) {
-    std::vector<std::string> others;
-    const auto best_of = [&](std::size_t variant) {
-        const std::vector<MechanismWeight> weights = weights_of(all.fits, true, variant);
-        return std::max_element(weights.begin(), weights.end(),
-                                [](const auto& a, const auto& b) { return a.probability < b.probability; }) -
-               weights.begin();
-    };
-    const auto& variants = all.fits.front()->posterior->evidences;
-    const std::string best = all.fits[static_cast<std::size_t>(best_of(0))]->name;
-    for (std::size_t variant = 1; variant < variants.size(); ++variant) {
-        const std::string other = all.fits[static_cast<std::size_t>(best_of(variant))]->name;
-        if (other != best) {
-            others.push_back(std::string(word_of(variants[variant].variant)) + " (" + other + ")");
-        }
+std::string in_words(EvidenceVariant variant) {
+    switch (variant) {
+    case EvidenceVariant::as_given:
+        return "everything as given";
+    case EvidenceVariant::priors_halved:
+        return "priors half as wide";
+    case EvidenceVariant::priors_doubled:
+        return "priors twice as wide";
+    case EvidenceVariant::priors_flat:
+        return "flat priors";
+    case EvidenceVariant::prior_means_lower:
+        return "prior means one standard deviation lower";
+    case EvidenceVariant::prior_means_higher:
+        return "prior means one standard deviation higher";
+    case EvidenceVariant::model_error_halved:
+        return "half the model error of the factor of safety";
+    case EvidenceVariant::model_error_doubled:
+        return "twice the model error of the factor of safety";
     }
+    return {};
+}
+
+// Says whether the order of the mechanisms is the same whatever is changed.
+std::string dependence_in_words(const Weighed& all) {
+    const auto& variants = all.fits.front()->posterior->evidences;
     if (variants.size() < 2 || all.fits.size() < 2) {
         return {};
     }
-    if (others.empty()) {
-        return best +
-               " stays first when priors are halved, doubled or flat, when their means are one standard deviation "
-               "lower or higher, and when the model error of the factor of safety is halved or doubled, as far as the "
-               "case has them.";
+    const auto first_of = [&](std::size_t variant) {
+        const auto weights = weights_of(all.fits, true, variant);
+        return all.fits[static_cast<std::size_t>(std::ranges::max_element(weights, {}, &MechanismWeight::probability) -
+                                                 weights.begin())];
+    };
+    std::vector<std::string> others;
+    for (const MechanismFit* other : all.fits) {
+        std::vector<std::string> where;
+        for (std::size_t variant = 1; variant < variants.size() && other != first_of(0); ++variant) {
+            if (first_of(variant) == other) {
+                where.push_back(in_words(variants[variant].variant));
+            }
+        }
+        if (!where.empty()) {
+            others.push_back(other->name + " with " + list_in_words(where));
+        }
     }
-    return "The ranking depends on what was put in: " + best + " is first as given, another with " +
-           list_in_words(others) + ".";
+    const std::string best = first_of(0)->name;
+    return others.empty()
+               ? best +
+                     " stays first when priors are halved, doubled or flat, when their means are one standard "
+                     "deviation lower or higher, and when the model error of the factor of safety is halved or "
+                     "doubled, as far as the case has them."
+               : "Which is first depends on what was put in: " + best + " as given, " + list_in_words(others) + ".";
 }
 
 Table dependence_table(const Weighed& all) {
@@ -238,8 +262,7 @@ std::string probability_of_best(const FitResult& result) {
     const Weighed all = weighed(result);
     for (std::size_t index = 0; index < all.fits.size() && all.compared(); ++index) {
         if (all.fits[index] == &result.mechanisms.front()) {
-            return ", with a probability of " + percent_with_error(all.with_field_evidence[index]) + " % among the " +
-                   std::to_string(all.fits.size()) + " compared";
+            return number_in_words(std::round(100 * all.with_field_evidence[index].probability)) + " %";
         }
     }
     return {};

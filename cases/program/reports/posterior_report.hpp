@@ -8,11 +8,11 @@
 
 namespace delabole {
 
-// ", with a probability of 91 % among the 3 compared": of the first mechanism; empty where none was compared with it.
+// Of the first mechanism, as "91 %"; empty where none was compared with it.
 std::string probability_of_best(const FitResult& result);
 
-// Whether the order of the mechanisms is the same with other priors and another model error; empty where there is no
-// order or nothing was changed.
+// Says whether the order of the mechanisms is the same with other priors and another model error; empty where there is
+// no order or nothing was changed.
 std::string dependence_of_ranking(const FitResult& result);
 
 // Evidences of all mechanisms against each other: table and figures for the report, evidence.csv. Nothing where no
