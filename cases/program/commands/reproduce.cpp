@@ -123,10 +123,10 @@ bool names_clean_engine(const std::vector<PrintedRow>& rows) {
 }  // namespace
 
 Table printed_table(const std::string& caption, const std::vector<PrintedRow>& rows) {
-    Table table{caption, {{"quantity"}, {"printed", true}, {"computed", true}, {"difference", true}, {"remark"}}, {}};
+    Table table{caption, {"quantity", "printed"_number, "computed"_number, "difference"_number, "remark"}};
     const bool both = names_clean_engine(rows);
     if (both) {
-        table.columns.insert(table.columns.begin() + 3, {"clean engine", true});
+        table.columns.insert(table.columns.begin() + 3, "clean engine"_number);
     }
     for (const PrintedRow& row : rows) {
         table.rows.push_back({row.what, row.printed, row.computed, row.difference, row.remark});

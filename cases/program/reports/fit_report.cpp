@@ -49,14 +49,8 @@ std::string data_misfit_in_words(const MechanismFit& fit) {
 
 Table ranking_table(const FitResult& result) {
     Table table{"Mechanisms, best first",
-                {{"mechanism"},
-                 {"score", true},
-                 {"data misfit", true},
-                 {"prior misfit", true},
-                 {"data", true},
-                 {"unexplained", true},
-                 {"status"}},
-                {}};
+                {"mechanism", "score"_number, "data misfit"_number, "prior misfit"_number, "data"_number,
+                 "unexplained"_number, "status"}};
     for (const MechanismFit& fit : result.mechanisms) {
         table.rows.push_back({fit.title.empty() ? fit.name : fit.title, number_in_words(fit.ranking_score),
                               data_misfit_in_words(fit), number_in_words(fit.prior_misfit),
@@ -68,12 +62,8 @@ Table ranking_table(const FitResult& result) {
 
 Table parameter_table(const MechanismFit& fit) {
     Table table{"Fitted parameters (read the verdict first)",
-                {{"parameter"},
-                 {"best", true},
-                 {"95 % range with priors", true},
-                 {"95 % range from the data alone", true},
-                 {"the data alone"}},
-                {}};
+                {"parameter", "best"_number, "95 % range with priors"_number, "95 % range from the data alone"_number,
+                 "the data alone"}};
     for (std::size_t index = 0; index < fit.best.size(); ++index) {
         const std::string& name = fit.parameters[index].name;
         const Dimension dimension = fit.dimensions[index];
@@ -96,14 +86,9 @@ std::string relation_in_words(Relation relation) {
 }
 
 Table observation_table(const MechanismFit& fit) {
-    Table table{"Observed and predicted",
-                {{"observation"},
-                 {"observed", true},
-                 {"standard deviation", true},
-                 {"predicted", true},
-                 {"pull", true},
-                 {"source"}},
-                {}};
+    Table table{
+        "Observed and predicted",
+        {"observation", "observed"_number, "standard deviation"_number, "predicted"_number, "pull"_number, "source"}};
     for (const ObservationFit& row : fit.observations) {
         table.rows.push_back({row.label, relation_in_words(row.relation) + value_in_words(row.observed, row.dimension),
                               value_in_words(row.standard_deviation, row.dimension),

@@ -139,19 +139,13 @@ Table factor_table(const std::vector<Problem>& problems) {
     Table table{
         "Factors of safety by strength reduction and as published; of RJ-16 critical tilts in degrees. Statics: up "
         "to this factor forces over faces exist that strength allows and that hold the blocks.",
-        {{"problem"},
-         {"factor", true},
-         {"bracket", true},
-         {"path"},
-         {"statics", true},
-         {"blocks", true},
-         {"seconds", true}},
+        {"problem", "factor"_number, "bracket"_number, "path", "statics"_number, "blocks"_number, "seconds"_number},
         {}};
     for (const Code& code : codes()) {
-        table.columns.push_back({code.name, true});
+        table.columns.emplace_back(code.name, true);
     }
-    table.columns.push_back({"verdict"});
-    table.columns.push_back({"remark"});
+    table.columns.emplace_back("verdict");
+    table.columns.emplace_back("remark");
     for (const Problem& problem : problems) {
         table.rows.push_back({problem.file.title, found_in_words(problem, problem.answer),
                               bracket_in_words(problem, problem.answer), human_name(word_of(problem.answer.path)),

@@ -67,8 +67,7 @@ Table mode_table(const std::vector<RowModeSummary>& modes) {
         return one != other ? one : first->critical_tilt < second->critical_tilt;
     });
     Table table{"Modes: the admissible ones first, by tilt.",
-                {{"mode"}, {"begins at tilt, °", true}, {"second solution, °", true}, {"can it happen?"}},
-                {}};
+                {"mode", "begins at tilt, °"_number, "second solution, °"_number, "can it happen?"}};
     if (sorted.size() > most_rows) {
         table.caption +=
             " The first " + std::to_string(most_rows) + " of " + std::to_string(sorted.size()) + "; modes.csv has all.";
@@ -114,8 +113,7 @@ Table block_table(const BlockRowResult& result) {
                  {"shear, " + unit, true},
                  {"base normal, " + unit, true},
                  {"base shear, " + unit, true},
-                 {"from toe, m", true}},
-                {}};
+                 {"from toe, m", true}}};
     const auto force = [](double value) {
         return human_number(in_display_unit(value, Dimension::force_per_length), 5);
     };

@@ -53,8 +53,7 @@ Figure columns_figure(const FlexuralSlope& slope, const FlexuralStability& resul
 
 Table column_table(const FlexuralStability& result) {
     Table table{"The columns from the toe up, and the push that each needs from the one below.",
-                {{"column", true}, {"without it"}, {"push, kN/m", true}, {"moment at the foot, kN", true}},
-                {}};
+                {"column"_number, "without it", "push, kN/m"_number, "moment at the foot, kN"_number}};
     constexpr double kilo = 1e3;
     for (std::size_t index = 0; index < result.column.size(); ++index) {
         const FlexuralColumnState& state = result.column[index];

@@ -85,8 +85,7 @@ std::string or_dash(const std::string& text) {
 
 Table set_table(const KinematicsResult& result) {
     Table table{"The joint sets at their means, as dip/dip direction, and in the section across the face",
-                {{"set"}, {"mean", true}, {"scatter of the sampled poles", true}, {"apparent dip in section", true}},
-                {}};
+                {"set", "mean"_number, "scatter of the sampled poles"_number, "apparent dip in section"_number}};
     for (const JointSetFeasibility& set : result.joint_set) {
         table.rows.push_back(
             {set.name, attitude(set.mean.dip, set.mean.dip_direction), degrees_shown(set.angular_standard_deviation),
@@ -99,7 +98,7 @@ Table set_table(const KinematicsResult& result) {
 
 Table mechanism_table(const KinematicsResult& result, const std::string& caption,
                       MechanismFeasibility JointSetFeasibility::*mechanism) {
-    Table table{caption, {{"set"}, {"at the mean"}, {"feasible below friction of", true}, {"share", true}}, {}};
+    Table table{caption, {"set", "at the mean", "feasible below friction of"_number, "share"_number}};
     for (const JointSetFeasibility& set : result.joint_set) {
         const MechanismFeasibility& answer = set.*mechanism;
         table.rows.push_back({set.name, verdict_shown(answer.at_mean), critical_shown(answer.critical_friction_angle),
@@ -109,7 +108,7 @@ Table mechanism_table(const KinematicsResult& result, const std::string& caption
 }
 
 Table base_table(const KinematicsResult& result) {
-    Table table{"Bases of toppling columns", {{"set"}, {"at the mean"}, {"share", true}}, {}};
+    Table table{"Bases of toppling columns", {"set", "at the mean", "share"_number}};
     for (const JointSetFeasibility& set : result.joint_set) {
         table.rows.push_back({set.name, verdict_shown(set.toppling_base), share_shown(set.toppling_base_share)});
     }
@@ -119,15 +118,8 @@ Table base_table(const KinematicsResult& result) {
 // Pairs carry the numbers under which the stereonet shows their intersections.
 Table wedge_table(const KinematicsResult& result) {
     Table table{"Sliding of wedges, the intersection as plunge/trend",
-                {{"no."},
-                 {"pair"},
-                 {"intersection", true},
-                 {"at the mean"},
-                 {"carried by"},
-                 {"feasible below friction of", true},
-                 {"in balance at friction of", true},
-                 {"share", true}},
-                {}};
+                {"no.", "pair", "intersection"_number, "at the mean", "carried by", "feasible below friction of"_number,
+                 "in balance at friction of"_number, "share"_number}};
     for (std::size_t index = 0; index < result.pair.size(); ++index) {
         const PairFeasibility& pair = result.pair[index];
         const std::string carrier = pair.wedge_contact == SlidingContact::none          ? ""
@@ -148,8 +140,7 @@ Table wedge_table(const KinematicsResult& result) {
 
 Table direct_toppling_table(const KinematicsResult& result) {
     Table table{"Direct toppling of the columns that two sets cut",
-                {{"no."}, {"pair"}, {"at the mean"}, {"base"}, {"share", true}},
-                {}};
+                {"no.", "pair", "at the mean", "base", "share"_number}};
     for (std::size_t index = 0; index < result.pair.size(); ++index) {
         const PairFeasibility& pair = result.pair[index];
         table.rows.push_back({std::to_string(index + 1), pair_name(pair), verdict_shown(pair.direct_toppling),
@@ -246,14 +237,8 @@ StereonetDrawing stereonet_drawing(const Kinematics& model, const KinematicsResu
 
 Table statistics_table(const KinematicsResult& result) {
     Table table{"Fisher's statistics of the measured sets",
-                {{"set"},
-                 {"poles", true},
-                 {"mean, dip/dip direction", true},
-                 {"K", true},
-                 {"95 % bounds of K", true},
-                 {"cone that holds the true mean, 95 %", true},
-                 {"cone that holds 68 % of the poles", true}},
-                {}};
+                {"set", "poles"_number, "mean, dip/dip direction"_number, "K"_number, "95 % bounds of K"_number,
+                 "cone that holds the true mean, 95 %"_number, "cone that holds 68 % of the poles"_number}};
     for (const JointSetFeasibility& set : result.joint_set) {
         if (const auto& own = set.measured) {
             table.rows.push_back(
@@ -272,7 +257,7 @@ Table count_table(const PoleCounts& counts) {
                                         of > 0 ? share_shown(count / of) : "–"};
     };
     return {"Every measured pole, and every line along which two of the planes meet, counted once",
-            {{"what"}, {"number", true}, {"out of", true}, {"share", true}},
+            {"what", "number"_number, "out of"_number, "share"_number},
             {row("poles of planes that can slide", counts.planar_sliding, counts.count),
              row("poles of layers that can topple (flexural)", counts.flexural_toppling, counts.count),
              row("poles of planes that can be a base of direct toppling", counts.toppling_base, counts.count),
@@ -282,7 +267,7 @@ Table count_table(const PoleCounts& counts) {
 }
 
 Table number_of_sets_table(const std::vector<double>& criterion) {
-    Table table{"Evidence for the number of sets", {{"sets", true}, {"Bayesian information criterion", true}}, {}};
+    Table table{"Evidence for the number of sets", {"sets"_number, "Bayesian information criterion"_number}};
     const double least = *std::ranges::min_element(criterion);
     for (std::size_t sets = 0; sets < criterion.size(); ++sets) {
         const double above = criterion[sets] - least;

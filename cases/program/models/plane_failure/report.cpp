@@ -47,9 +47,7 @@ void warn(Analysis& analysis, const PlaneFailureResult& result, bool critical_at
 }
 
 Table sensitivity_table(const SensitivityResult& sensitivities, CsvTable& csv) {
-    Table table{"Exact derivatives of the factor of safety",
-                {{"input"}, {"value", true}, {"dFS per unit", true}, {"unit"}},
-                {}};
+    Table table{"Exact derivatives of the factor of safety", {"input", "value"_number, "dFS per unit"_number, "unit"}};
     for (const Sensitivity& input : sensitivities.derivatives) {
         const DisplayUnit unit = display_unit(input.dimension);
         const double per_unit = input.derivative * unit.si_per_unit;

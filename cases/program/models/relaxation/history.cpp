@@ -127,8 +127,7 @@ Table movement_table(const RelaxationRun& made) {
     Table table{
         "Intervals in which each block slid over its base: forward (F.S.), backward (B.S.), not at all (-). "
         "movements.csv has every interval.",
-        {{"block", true}, {"F.S.", true}, {"B.S.", true}, {"-", true}},
-        {}};
+        {"block"_number, "F.S."_number, "B.S."_number, "-"_number}};
     constexpr std::size_t most_rows = 60;
     for (const std::size_t block : free_blocks(made.scene)) {
         std::array<int, 3> count{};

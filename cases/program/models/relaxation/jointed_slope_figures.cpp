@@ -43,7 +43,7 @@ Table cut_table(const RelaxationSlope& slope, const JointedSection& section) {
     Table table{
         "The cuts in their order; not cut: blocks that a joint would have divided had it reached from side to "
         "side.",
-        {{"cut"}, {"joint"}, {"blocks divided", true}, {"not cut", true}},
+        {"cut", "joint", "blocks divided"_number, "not cut"_number},
         {}};
     for (std::size_t index = 0; index < section.cut.size(); ++index) {
         const SlopeCut& cut = slope.geometry.cut[index];

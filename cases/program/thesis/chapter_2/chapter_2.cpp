@@ -15,16 +15,10 @@ namespace delabole {
 namespace {
 
 Table solutions_table(CsvTable& csv) {
-    Table table{"Crack depth z that makes the slope just fail, for plausible unit weights",
-                {{"reading of \"full\""},
-                 {"unit weight", true},
-                 {"z", true},
-                 {"depth of the crack", true},
-                 {"level of its bottom", true},
-                 {"it opens in"},
-                 {"FS half full, c = 0", true},
-                 {"restoring / overturning", true}},
-                {}};
+    Table table{
+        "Crack depth z that makes the slope just fail, for plausible unit weights",
+        {"reading of \"full\"", "unit weight"_number, "z"_number, "depth of the crack"_number,
+         "level of its bottom"_number, "it opens in", "FS half full, c = 0"_number, "restoring / overturning"_number}};
     for (const FilledFraction reading : {FilledFraction::of_z_below_crest, FilledFraction::of_the_crack_itself}) {
         const std::string words(word_of(reading));
         for (const double unit_weight : {24e3, 25e3, 26e3, 27e3, 28e3, 29e3}) {

@@ -102,8 +102,7 @@ bool quicker(const ColumnMotion& one, const ColumnMotion& other) {
 
 Table motion_table(const std::vector<ColumnMotion>& motions) {
     Table table{"Time to a mean movement of 3 mm, and the mean rotation then.",
-                {{"material"}, {"friction, °", true}, {"turned by, °", true}, {"time"}, {"rotation"}, {"plate"}},
-                {}};
+                {"material", "friction, °"_number, "turned by, °"_number, "time", "rotation", "plate"}};
     for (const ColumnMotion& motion : motions) {
         table.rows.push_back({motion.test.material, human_number(motion.test.friction() / degrees(1), 3),
                               human_number(motion.test.rotation / degrees(1), 3), time_in_words(motion),

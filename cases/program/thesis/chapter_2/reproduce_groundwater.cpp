@@ -48,13 +48,8 @@ std::vector<GroundwaterTest> tests_with(std::string_view material, double rotati
 
 Table tests_table(const std::vector<GroundwaterTest>& tests) {
     Table table{"Forces on joint A over the weight of the column",
-                {{"material"},
-                 {"friction, deg", true},
-                 {"rotation, deg", true},
-                 {"normal force", true},
-                 {"driving force", true},
-                 {"plate"}},
-                {}};
+                {"material", "friction, deg"_number, "rotation, deg"_number, "normal force"_number,
+                 "driving force"_number, "plate"}};
     for (const GroundwaterTest& test : tests) {
         const bool leaves = leaves_joint(test.rotation);
         table.rows.push_back({test.material,

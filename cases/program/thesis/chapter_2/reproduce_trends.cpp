@@ -211,12 +211,8 @@ Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
     });
     Reproduction result;
     Table table{"One dimension of the slope changed, after 16 cm of belt.",
-                {{"parameter"},
-                 {"value", true},
-                 {"failed columns of joint A", true},
-                 {"their width, mm", true},
-                 {"angle of the lower surface, °", true}},
-                {}};
+                {"parameter", "value"_number, "failed columns of joint A"_number, "their width, mm"_number,
+                 "angle of the lower surface, °"_number}};
     for (std::size_t index = 0; index < series.size(); ++index) {
         const Variation& one = series[index];
         Figure figure;

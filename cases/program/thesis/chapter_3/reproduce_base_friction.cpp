@@ -57,8 +57,7 @@ constexpr std::array behaviours{SlopeBehaviour::stable, SlopeBehaviour::limiting
 
 Table behaviour_table(const States& states, Json& json) {
     Table table{"States by slope angle",
-                {{"slope angle, deg", true}, {"stable", true}, {"limiting", true}, {"unstable", true}},
-                {}};
+                {"slope angle, deg"_number, "stable"_number, "limiting"_number, "unstable"_number}};
     for (const double angle : slope_angles) {
         std::vector<std::string> row = {number_in_words(angle)};
         for (const SlopeBehaviour behaviour : behaviours) {
@@ -96,7 +95,7 @@ std::vector<Guess> guesses() {
 }
 
 Table guess_table(const States& states, Json& json) {
-    Table table{"What guessing scores", {{"rule"}, {"right", true}, {"of", true}}, {}};
+    Table table{"What guessing scores", {"rule", "right"_number, "of"_number}};
     // A limiting state is neither right nor wrong.
     const States decided =
         chosen(states, [](const BaseFrictionState& state) { return state.behaviour != SlopeBehaviour::limiting; });
@@ -111,7 +110,7 @@ Table guess_table(const States& states, Json& json) {
 }
 
 Table doubt_table(const States& states) {
-    Table table{"Doubtful rows of Table 3.2", {{"test"}, {"slope angle, deg", true}, {"doubt"}}, {}};
+    Table table{"Doubtful rows of Table 3.2", {"test", "slope angle, deg"_number, "doubt"}};
     for (const BaseFrictionState& state : states) {
         if (!state.doubt.empty()) {
             table.rows.push_back({state.test, number_in_words(state.slope_angle / degrees(1)), state.doubt});

@@ -83,17 +83,8 @@ std::string angle_in_words(std::optional<double> angle) {
 
 Table test_table(const Predictions& predictions) {
     Table table{"Test by test: strength needed, kPa, and crack path, deg",
-                {{"test"},
-                 {"slope, deg", true},
-                 {"toe, foundation"},
-                 {"half"},
-                 {"printed"},
-                 {"needs", true},
-                 {"predicted"},
-                 {""},
-                 {"path printed", true},
-                 {"computed", true}},
-                {}};
+                {"test", "slope, deg"_number, "toe, foundation", "half", "printed", "needs"_number, "predicted", "",
+                 "path printed"_number, "computed"_number}};
     for (const Prediction& prediction : predictions) {
         const BaseFrictionState& state = *prediction.state;
         table.rows.push_back({state.test, human_number(state.slope_angle / degrees(1), 3),
@@ -120,8 +111,7 @@ bool steep_or_weak_toe(const Prediction& prediction) {
 
 Table score_table(const Predictions& predictions, Reproduction& result) {
     Table table{"Right out of the states that are stable or unstable",
-                {{"rule"}, {"fitted half", true}, {"predicted half", true}, {"all", true}},
-                {}};
+                {"rule", "fitted half"_number, "predicted half"_number, "all"_number}};
     const auto add = [&](const std::string& rule, const std::string& key,
                          const std::function<bool(const Prediction&)>& fails) {
         const auto right = [&](const Prediction& prediction) {

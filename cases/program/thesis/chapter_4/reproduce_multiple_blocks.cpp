@@ -120,7 +120,7 @@ Reproduction reproduce_fig_4_9(const ResultFolder& folder, Report& report) {
     constexpr std::array<std::string_view, 3> printed{"3", "5", "7"};
     Reproduction result;
     Table table{"Modes in which every block turns; a/b = 3, interface 20 deg, base 30 deg",
-                {{"blocks", true}, {"mode"}, {"begins at tilt, °", true}, {"what the model says of it"}},
+                {"blocks"_number, "mode", "begins at tilt, °"_number, "what the model says of it"},
                 {}};
     for (int count = 2; count <= 4; ++count) {
         const std::vector<RowModeSummary> modes = whole_row_modes(count, 3, 20, 30);
@@ -245,13 +245,9 @@ Reproduction reproduce_equations_14_to_19(const ResultFolder&, Report& report) {
     row("(18) at μ = c against (19)", form::four_blocks_one_friction_printed(a, b, same),
         form::four_blocks_printed(a, b, same, same), "(18) reduces to another formula than (19)");
 
-    Table stability{"Equal blocks, a/b = 3, interface 20 deg, base 30 deg",
-                    {{"blocks", true},
-                     {"free: begins at, °", true},
-                     {"mode"},
-                     {"pressed together: stands up to, °", true},
-                     {"mode"}},
-                    {}};
+    Table stability{
+        "Equal blocks, a/b = 3, interface 20 deg, base 30 deg",
+        {"blocks"_number, "free: begins at, °"_number, "mode", "pressed together: stands up to, °"_number, "mode"}};
     for (int count = 1; count <= 5; ++count) {
         const RowAnswer answer = analyse(equal_row(count, a, 20, 30)).answer;
         stability.rows.push_back({std::to_string(count), tilt_shown(answer.critical_tilt), answer.mode,

@@ -91,14 +91,8 @@ Table last_digit_table() {
     constexpr unsigned starts = 50;
     Table table{"Single block, fixed inclination: coordinates shifted at random by one digit (1e-6 m), " +
                     std::to_string(starts) + " starts each",
-                {{"inclination"},
-                 {"re-created: stand", true},
-                 {"fail", true},
-                 {"CX at rest", true},
-                 {"clean, dropped: stand", true},
-                 {"fail", true},
-                 {"CX at rest", true}},
-                {}};
+                {"inclination", "re-created: stand"_number, "fail"_number, "CX at rest"_number,
+                 "clean, dropped: stand"_number, "fail"_number, "CX at rest"_number}};
     for (const Chapter5Run& run : fixed_inclination_runs()) {
         const std::vector<HockingBlock> blocks = make_blocks(run.columns);
         ShiftedStarts recreated;
@@ -214,9 +208,9 @@ const std::vector<Scheme>& schemes() {
 }
 
 Table table_of(const RunTable& data) {
-    Table table{data.caption, {{data.heading}, {"printed", true}}, {}};
+    Table table{data.caption, {{data.heading}, {"printed", true}}};
     for (const Scheme& scheme : schemes()) {
-        table.columns.push_back({scheme.name, true});
+        table.columns.emplace_back(scheme.name, true);
     }
     for (const Chapter5Run& run : data.runs) {
         std::vector<std::string> row = {run.name, data.printed(run)};
@@ -361,16 +355,9 @@ void add_outcomes(const std::string& what, const std::vector<Chapter5Run>& runs,
 Reproduction reproduce_fig_5_5(const ResultFolder& folder, Report& report) {
     Reproduction result;
     Table table{"Tilt at which the block has turned relative to its base, deg",
-                {{"cycles for a degree", true},
-                 {"gravity turned: by 1 deg", true},
-                 {"by 10 deg", true},
-                 {"clean: by 1 deg", true},
-                 {"by 10 deg", true},
-                 {"base turned: by 1 deg", true},
-                 {"by 10 deg", true},
-                 {"clean: by 1 deg", true},
-                 {"by 10 deg", true}},
-                {}};
+                {"cycles for a degree"_number, "gravity turned: by 1 deg"_number, "by 10 deg"_number,
+                 "clean: by 1 deg"_number, "by 10 deg"_number, "base turned: by 1 deg"_number, "by 10 deg"_number,
+                 "clean: by 1 deg"_number, "by 10 deg"_number}};
     for (const int cycles : {50, 100, 200, 500, 2000}) {
         std::vector<double> tilts;
         for (const TiltedPart part : {TiltedPart::gravity, TiltedPart::base}) {

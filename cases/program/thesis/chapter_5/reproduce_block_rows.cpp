@@ -180,8 +180,7 @@ Reproduction reproduce_triple_blocks(const ResultFolder& folder, Report& report)
                  {"first F, B"},
                  {"clean engine"},
                  {"first F, B"},
-                 {"clean, range of " + std::to_string(shifted_starts) + " starts (F, B, -)"}},
-                {}};
+                 {"clean, range of " + std::to_string(shifted_starts) + " starts (F, B, -)"}}};
     for (const Chapter5Run& run : triple_runs()) {
         const std::size_t columns = run.columns.heights.size();
         const std::array results = {delabole::run(run), clean_history(run)};
@@ -245,15 +244,8 @@ Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& repo
         "clean engine's histories do not part by the last bit; its blocks slide one way each, and its ranges are "
         "narrow, so that most printed totals, mixed as they are, lie outside."});
     Table table{"Totals, and their range over " + std::to_string(shifted_starts) + " starts (F, B, -)",
-                {{"table"},
-                 {"block", true},
-                 {"printed"},
-                 {"re-created program"},
-                 {"range, 1e-15 m"},
-                 {"range, 1e-6 m"},
-                 {"clean engine"},
-                 {"range, 1e-6 m"}},
-                {}};
+                {"table", "block"_number, "printed", "re-created program", "range, 1e-15 m", "range, 1e-6 m",
+                 "clean engine", "range, 1e-6 m"}};
     int within = 0;
     int count = 0;
     int senses = 0;

@@ -104,7 +104,7 @@ Table mechanism(const Chapter5Run& run, const HockingFaceChange& change, const H
     const auto small = [](double metres) { return human_number(metres * 1e6, 3) + " µm"; };
     const auto force = [](double value) { return human_number(value / 1000, 4) + " kN/m"; };
     return {"The slot of block 1's uphill foot against block 2 at cycle " + std::to_string(change.cycle),
-            {{"quantity"}, {"value", true}},
+            {"quantity", "value"_number},
             {
                 {"inclination of block 2's base, deg",
                  human_number((run.columns.dip + before.blocks[1].angle) / degrees(1), 6)},
@@ -129,13 +129,9 @@ constexpr unsigned random_starts = 400;
 
 Table clean_table(const Chapter5Run& run, Reproduction& result) {
     Table table{"Two blocks, " + std::to_string(random_starts) + " random starts for each a/b",
-                {{"a/b", true},
-                 {"blow-outs, re-created program", true},
-                 {"blow-outs, clean engine", true},
-                 {"greatest energy error, %", true},
-                 {"largest speed, m/s", true},
-                 {"speed of free fall from that height, m/s", true}},
-                {}};
+                {"a/b"_number, "blow-outs, re-created program"_number, "blow-outs, clean engine"_number,
+                 "greatest energy error, %"_number, "largest speed, m/s"_number,
+                 "speed of free fall from that height, m/s"_number}};
     int listed_blow_outs = 0;
     int clean_blow_outs = 0;
     double worst_error = 0;
@@ -231,11 +227,11 @@ Reproduction reproduce_fig_5_13(const ResultFolder& folder, Report& report) {
     }
     std::vector<TableColumn> columns = {{"shift"}};
     for (const Variant& variant : variants()) {
-        columns.push_back({variant.name, true});
+        columns.emplace_back(variant.name, true);
     }
-    columns.push_back({"first cycle, as listed", true});
-    columns.push_back({"last", true});
-    Table shifted{"Blow-outs of " + std::to_string(starts) + " starts, coordinates shifted at random", columns, {}};
+    columns.emplace_back("first cycle, as listed", true);
+    columns.emplace_back("last", true);
+    Table shifted{"Blow-outs of " + std::to_string(starts) + " starts, coordinates shifted at random", columns};
     for (const double unit : {1e-12, 1e-9, 1e-8, 1e-7, 1e-6}) {
         std::vector<std::string> row = {human_number(unit, 2) + " m"};
         BlowOuts listed;
@@ -250,14 +246,13 @@ Reproduction reproduce_fig_5_13(const ResultFolder& folder, Report& report) {
         shifted.rows.push_back(row);
     }
     report.blocks.emplace_back(shifted);
-    columns = {{"a/b", true}, {"coordinates"}};
+    columns = {"a/b"_number, "coordinates"};
     for (const Variant& variant : variants()) {
-        columns.push_back({variant.name, true});
+        columns.emplace_back(variant.name, true);
     }
     Table others{"Blow-outs of " + std::to_string(inclinations) +
                      " inclinations, from half a degree below atan(b/a) to half a degree above",
-                 columns,
-                 {}};
+                 columns};
     for (const double slenderness : {3.0, 5.0, 7.0, 10.0}) {
         for (const double unit : {typed_digit / 10, 0.0}) {
             std::vector<std::string> row = {human_number(slenderness, 2), unit > 0 ? "typed to 1e-7 m" : "exact"};

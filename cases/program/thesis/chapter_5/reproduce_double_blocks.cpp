@@ -94,8 +94,7 @@ Reproduction reproduce_double_blocks(const ResultFolder& folder, Report& report)
                   {"by 1e-7 m"},
                   {"by 1e-6 m, a typed digit"},
                   {"clean engine, dropped, by 1e-6 m"},
-                  {"preloaded"}},
-                 {}};
+                  {"preloaded"}}};
     for (const Chapter5Run& run : fixed) {
         std::vector<std::string> row = {run.name};
         for (const double unit : {1e-9, 1e-7, typed_digit}) {
@@ -155,16 +154,10 @@ Reproduction reproduce_double_blocks(const ResultFolder& folder, Report& report)
 
 Reproduction reproduce_fig_5_12(const ResultFolder& folder, Report& report) {
     Reproduction result;
-    Table table{"First backward sliding of block 2",
-                {{"blocks"},
-                 {"printed: about cycle", true},
-                 {"cycle", true},
-                 {"rotation, deg", true},
-                 {"rotation / atan(b/a)", true},
-                 {"clean engine: cycle", true},
-                 {"rotation, deg", true},
-                 {"rotation / atan(b/a)", true}},
-                {}};
+    Table table{
+        "First backward sliding of block 2",
+        {"blocks", "printed: about cycle"_number, "cycle"_number, "rotation, deg"_number, "rotation / atan(b/a)"_number,
+         "clean engine: cycle"_number, "rotation, deg"_number, "rotation / atan(b/a)"_number}};
     report.blocks.emplace_back(Heading{"Fig 5.12: backward sliding and a/b"});
     double last = INFINITY;
     bool earlier = true;
@@ -252,8 +245,7 @@ Reproduction reproduce_observations(const ResultFolder& folder, Report& report) 
         }
     }
     Table spread{"Least and greatest cycle of that displacement, coordinates shifted by one digit, 30 starts each",
-                 {{"run"}, {"blow out", true}, {"least", true}, {"greatest", true}},
-                 {}};
+                 {"run", "blow out"_number, "least"_number, "greatest"_number}};
     for (std::size_t number = 0; number < all.size(); ++number) {
         std::vector<int> counts;
         for (const std::vector<std::optional<int>>& start : shifted) {

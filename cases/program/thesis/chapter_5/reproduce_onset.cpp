@@ -69,8 +69,7 @@ Reproduction reproduce_onset(const ResultFolder& folder, Report& report) {
     Reproduction result;
     report.blocks.emplace_back(Heading{"Stepped base, well resolved"});
     Table table{"Least friction that stands, clean engine, deg",
-                {{"blocks"}, {"k b/W", true}, {"start"}, {"counts as failed"}, {"friction", true}},
-                {}};
+                {"blocks", "k b/W"_number, "start", "counts as failed", "friction"_number}};
     const auto add = [&](const std::string& blocks, const std::string& ratio, const std::string& start,
                          const std::string& counts, double friction) {
         table.rows.push_back({blocks, ratio, start, counts, human_number(friction / degrees(1), 5)});

@@ -96,8 +96,8 @@ Json json_of(const Thresholds& found) {
 }
 
 const std::vector<TableColumn>& threshold_columns() {
-    static const std::vector<TableColumn> columns = {
-        {"one, dropped", true}, {"one, preloaded", true}, {"two, dropped", true}, {"two, preloaded", true}};
+    static const std::vector<TableColumn> columns = {"one, dropped"_number, "one, preloaded"_number,
+                                                     "two, dropped"_number, "two, preloaded"_number};
     return columns;
 }
 
@@ -108,9 +108,9 @@ Polyline marks(const std::vector<double>& logarithms, double tilt) {
 constexpr std::array stiffnesses{1e6, 2e6, 6e6, 12e6, 1e8, 1e9};
 
 void stiffness_part(const ResultFolder& folder, Report& report, Reproduction& result) {
-    Table table{"Greatest tilt that stands against stiffness, clean engine, deg", {{"stiffness, N/m", true}}, {}};
+    Table table{"Greatest tilt that stands against stiffness, clean engine, deg", {"stiffness, N/m"_number}};
     table.columns.insert(table.columns.end(), threshold_columns().begin(), threshold_columns().end());
-    table.columns.push_back({"law of one, preloaded", true});
+    table.columns.emplace_back("law of one, preloaded", true);
     std::array<Line, 4> lines = {Line{.legend = "one, dropped", .colour = Colour::blue, .dash = Dash::dashed},
                                  Line{.legend = "one, preloaded", .colour = Colour::blue},
                                  Line{.legend = "two, dropped", .colour = Colour::vermilion, .dash = Dash::dashed},
@@ -186,8 +186,7 @@ void stiffness_part(const ResultFolder& folder, Report& report, Reproduction& re
 
 void step_and_damping_part(Report& report, Reproduction& result) {
     Table table{"Greatest tilt that stands against time step and damping, 6e6 N/m, clean engine, deg",
-                {{"time step, s"}, {"damping", true}},
-                {}};
+                {"time step, s", "damping"_number}};
     table.columns.insert(table.columns.end(), threshold_columns().begin(), threshold_columns().end());
     struct Setting {
         double step, damping;
