@@ -2,7 +2,6 @@
 // friction the stepped base does, and how stiffness, time step, damping and start change that.
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"
-#include "cases/program/thesis/chapter_5/clean_chapter_5.hpp"
 #include "dynamic_relaxation/scene/scenes.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
 #include "limit_equilibrium/block_row/closed_forms.hpp"
@@ -21,7 +20,7 @@ constexpr double friction = degrees(20);
 constexpr double accuracy = degrees(0.002);
 
 Chapter5Run row_of(int count) {
-    return count == 1 ? fixed_inclination_runs().front() : double_fixed_runs().front();
+    return chapter_5_runs(count == 1 ? "fixed_inclination" : "double_fixed").front();
 }
 
 bool stands(const Chapter5Run& run, RelaxationStart start) {
@@ -148,8 +147,7 @@ void stiffness_part(const ResultFolder& folder, Report& report, Reproduction& re
     result.rows.push_back({"two blocks, dropped: stands up to, 1e6 and 1e9 N/m", "softer fails; stiffer fails faster",
                            "", "", "stiffer stands longer, without exception",
                            shown(softest) + " and " + shown(stiffest) + " deg"});
-    Figure figure;
-    figure.title = "Greatest tilt that stands, a/b = 3";
+    Figure figure{.title = "Greatest tilt that stands, a/b = 3"};
     figure.x = {.title = "stiffness of a corner",
                 .unit = "N/m",
                 .range = std::pair(5.8, 9.2),
