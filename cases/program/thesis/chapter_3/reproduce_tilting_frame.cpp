@@ -306,10 +306,7 @@ Table heights_table(const std::vector<RowOfHeights>& rows, Json& json) {
 
 Line heights_line(const std::vector<RowOfHeights>& rows, const std::string& legend, Colour colour, Dash dash,
                   const std::function<double(const RowOfHeights&)>& value) {
-    Line line;
-    line.legend = legend;
-    line.colour = colour;
-    line.dash = dash;
+    Line line{.legend = legend, .colour = colour, .dash = dash};
     for (const RowOfHeights& row : rows) {
         line.points.emplace_back(row.columns, value(row) / degrees(1));
     }
