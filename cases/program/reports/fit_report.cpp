@@ -235,11 +235,10 @@ void append_best_figures(Report& report, const ResultFolder& folder, const Mecha
 // Misfit over the first two parameters; nothing where the fit holds no map.
 std::optional<FigureInReport> map_of(const MechanismFit& fit, const ResultFolder& folder) {
     const auto map = misfit_map_figure(fit);
-    return map ? std::optional(folder.draw(
-                     *map, fit.name + "_misfit_map",
-                     "Misfit (data and priors) over the first two parameters with the joint 68 and 95 % regions. Any "
-                     "further parameter is held at the best point, which makes the regions smaller than they are; the "
-                     "profile likelihoods free it."))
+    return map ? std::optional(folder.draw(*map, fit.name + "_misfit_map",
+                                           "Misfit (data and priors) over the first two parameters with the joint 68 "
+                                           "and 95 % regions. Any further parameter is held at the best point, which "
+                                           "makes the regions smaller than they are; the profile likelihoods free it."))
                : std::nullopt;
 }
 
@@ -408,10 +407,10 @@ FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const
     }
     append_evidence(result, folder, report);
     report.blocks.emplace_back(ranking_table(result));
-    report.blocks.emplace_back(Paragraph{
-        "Score: the squared pulls of data and priors, and 4 for each datum or piece of field evidence that the "
-        "mechanism says nothing about. A mechanism whose geometry is put in matches the observed surfaces by "
-        "construction; one that predicts them has to earn it."});
+    report.blocks.emplace_back(
+        Paragraph{"Score: the squared pulls of data and priors, and 4 for each datum or piece of field evidence that "
+                  "the mechanism says nothing about. A mechanism whose geometry is put in matches the observed "
+                  "surfaces by construction; one that predicts them has to earn it."});
     if (const auto profiles = profiles_figure(problem, result, toe_elevation_of(file.model))) {
         report.blocks.emplace_back(folder.draw(*profiles, "profiles",
                                                "Where the geometry is put in, the profile is no prediction: only a "

@@ -256,9 +256,8 @@ void append_evidence(const FitResult& result, const ResultFolder& folder, Report
     folded.blocks.emplace_back(Paragraph{
         "Evidence: the likelihood exp(-misfit / 2) averaged over the priors, so that a mechanism pays for parameters "
         "that have to be tuned; the Occam factor is what is left of its greatest likelihood. A datum or a piece of "
-        "field evidence about which it says nothing counts as missed by two standard deviations. Probabilities hold "
-        "if one of these mechanisms is true and all are equally likely beforehand. Errors are those of the "
-        "computation."});
+        "field evidence about which it says nothing counts as missed by two standard deviations. Probabilities hold if "
+        "one of these mechanisms is true and all are equally likely beforehand. Errors are those of the computation."});
     if (const auto figure = evidence_figure(result)) {
         folded.blocks.emplace_back(
             folder.draw(*figure, "evidence", "Natural logarithm of the evidence and its parts: shorter is better."));
@@ -267,11 +266,10 @@ void append_evidence(const FitResult& result, const ResultFolder& folder, Report
         folded.blocks.emplace_back(dependence_table(all));
     }
     if (const auto figure = evidence_dependence_figure(result)) {
-        folded.blocks.emplace_back(
-            folder.draw(*figure, "evidence_dependence",
-                        "Evidence when the standard deviations or the means of all priors, or the standard deviation "
-                        "of the observed factors of safety (the model error), are changed. Bars: 95 % interval "
-                        "of the computation."));
+        folded.blocks.emplace_back(folder.draw(
+            *figure, "evidence_dependence",
+            "Evidence when the standard deviations or the means of all priors, or the standard deviation of the "
+            "observed factors of safety (the model error), are changed. Bars: 95 % interval of the computation."));
     }
     if (const auto figure = chain_agreement_figure(result)) {
         folded.blocks.emplace_back(folder.draw(*figure, "chain_agreement",
@@ -346,10 +344,10 @@ void append_posterior(const MechanismFit& fit, const ResultFolder& folder, Repor
                                                "lines and the diamond: the best point."));
     }
     if (const auto figure = running_quantiles_figure(fit)) {
-        report.blocks.emplace_back(folder.draw(*figure, fit.name + "_sampling",
-                                               "Convergence of the sampling: median and ends of the 95 % interval from "
-                                               "the first steps of all chains, less the final median and in final "
-                                               "standard deviations."));
+        report.blocks.emplace_back(
+            folder.draw(*figure, fit.name + "_sampling",
+                        "Convergence of the sampling: median and ends of the 95 % interval from the first steps of all "
+                        "chains, less the final median and in final standard deviations."));
     }
     if (posterior.parameters.size() > 1) {
         report.blocks.emplace_back(posterior_correlations(fit));

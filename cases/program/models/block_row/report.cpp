@@ -243,10 +243,9 @@ void append_case_figures(const BlockRow<>& row, const BlockRowResult& result, co
                          Report& report) {
     const std::string roles = mode_in_words(result.answer.mode);
     if (result.answer.search == RowSearchKind::upper_bound) {
-        report.blocks.emplace_back(
-            Paragraph{"No mode is admissible, and so there are no forces to show. The tilt is the bound by linear "
-                      "programming: the greatest at which contact forces within Coulomb's cones keep every block in "
-                      "equilibrium."});
+        report.blocks.emplace_back(Paragraph{
+            "No mode is admissible, and so there are no forces to show. The tilt is the bound by linear programming: "
+            "the greatest at which contact forces within Coulomb's cones keep every block in equilibrium."});
     } else if (row.block.size() <= most_drawn_blocks) {
         report.blocks.emplace_back(folder.draw(
             block_figure(
@@ -262,12 +261,12 @@ void append_case_figures(const BlockRow<>& row, const BlockRowResult& result, co
         report.blocks.emplace_back(block_table(result));
     }
     report.blocks.emplace_back(Heading{"Every mode"});
-    report.blocks.emplace_back(Paragraph{
-        "A mode gives every block a letter, from the lowest up: S slides; F, P and B turn forward about the toe, which "
-        "slides forward (F), does not slide (P) or slides backward (B); = adheres to the block below and turns with "
-        "it; 0 stands; R is pushed back up the plane. The governing mode is the admissible one that begins at the "
-        "least tilt: nothing presses the blocks together. Blocks that are pressed together may stand up to the tilt "
-        "given for contact, and no further."});
+    report.blocks.emplace_back(
+        Paragraph{"A mode gives every block a letter, from the lowest up: S slides; F, P and B turn forward about the "
+                  "toe, which slides forward (F), does not slide (P) or slides backward (B); = adheres to the block "
+                  "below and turns with it; 0 stands; R is pushed back up the plane. The governing mode is the "
+                  "admissible one that begins at the least tilt: nothing presses the blocks together. Blocks that are "
+                  "pressed together may stand up to the tilt given for contact, and no further."});
     report.blocks.emplace_back(mode_table(result.mode));
     folder.write("modes.csv", modes_csv(result.mode));
     folder.write("blocks.csv", blocks_csv(result));
@@ -311,9 +310,8 @@ std::string explain_failure(const BlockRow<>& row, std::string_view failure, con
                     ? std::to_string(row.block.size()) +
                           " blocks are too many for the bound by linear programming, at most " +
                           std::to_string(most_bounded_row)
-                    : std::string(
-                          "the linear programme that bounds the tilt has no answer either, as where the heaviest "
-                          "block weighs more than 1e7 times the lightest")) +
+                    : std::string("the linear programme that bounds the tilt has no answer either, as where the "
+                                  "heaviest block weighs more than 1e7 times the lightest")) +
                ": there is no answer";
     case BlockRowCheck::input_out_of_range:
         return "a number is outside its allowed range";

@@ -28,8 +28,8 @@ DrawnMode drawn(FlexuralMode mode) {
 Figure columns_figure(const FlexuralSlope& slope, const FlexuralStability& result) {
     const Point along(std::cos(slope.base_dip), std::sin(slope.base_dip));
     const Point up(-along.y(), along.x());
-    BlockDrawing drawing;
-    drawing.title = result.toe_push > 0 ? "The columns: the slope fails" : "The columns: the slope stands";
+    BlockDrawing drawing{.title =
+                             result.toe_push > 0 ? "The columns: the slope fails" : "The columns: the slope stands"};
     double foot = 0;
     double height_before = slope.column.front().height;
     for (std::size_t index = 0; index < slope.column.size(); ++index) {

@@ -165,8 +165,8 @@ Table zone_table(const Kinematics& model) {
          {"zone of flexural toppling (poles)",
           "poles of layers that dip steeply into the slope, within " + degrees_shown(limit.flexural_toppling) +
               " of the face's strike",
-          "face dip exceeds 90° less the dip of the layers, plus friction: they can slip over one another and bend "
-          "out of the slope"},
+          "face dip exceeds 90° less the dip of the layers, plus friction: they can slip over one another and bend out "
+          "of the slope"},
          {"zone of wedge sliding (intersections)", "lines that come out in the face and plunge more than " + friction,
           "a wedge between the two planes can slide; Hocking's test says on which of them"},
          {"axes of toppling columns (intersections)",
@@ -303,9 +303,9 @@ void append_measured(const Kinematics& model, const KinematicsResult& result, co
     if (!result.information_criterion.empty()) {
         report.blocks.emplace_back(number_of_sets_table(result.information_criterion));
     }
-    report.blocks.emplace_back(folder.draw(kamb_figure(drawing), "stereonet_kamb",
-                                           "Contours of the measured poles after Kamb: densities that uniform poles "
-                                           "would hardly give."));
+    report.blocks.emplace_back(
+        folder.draw(kamb_figure(drawing), "stereonet_kamb",
+                    "Contours of the measured poles after Kamb: densities that uniform poles would hardly give."));
     std::vector<Orientation> planes = drawing.without_set;
     std::vector<double> weights = drawing.weights_without_set;
     for (const DrawnJointSet& set : drawing.joint_set) {
@@ -362,8 +362,7 @@ HeadCard head_card(const KinematicsStudy&, const KinematicsResult& result) {
     }
     head.sentences.emplace_back(
         "This is so at the mean orientations; the tables say for which share of each set's spread, and cohesion, "
-        "water, "
-        "spacing, persistence and height play no part.");
+        "water, spacing, persistence and height play no part.");
     return head;
 }
 
@@ -374,18 +373,18 @@ void append_case_figures(const KinematicsStudy& study, const KinematicsResult& r
                                    ? " The zones are drawn for level ground behind the crest; the verdicts below know "
                                      "the ground that the case gives."
                                    : "";
-    report.blocks.emplace_back(folder.draw(
-        pole_figure(drawing), "stereonet_poles",
-        "Poles of the joint sets, their means and the zones in which a pole slides or topples. " +
-            std::string(result.poles ? "The poles are measured; shares of pairs are of planes drawn from both sets "
-                                       "independently of each other."
-                                     : "The poles are not measurements: they are sampled from what the case says of "
-                                       "each set, every set independently of the others.") +
-            ground));
+    report.blocks.emplace_back(
+        folder.draw(pole_figure(drawing), "stereonet_poles",
+                    "Poles of the joint sets, their means and the zones in which a pole slides or topples. " +
+                        std::string(result.poles ? "The poles are measured; shares of pairs are of planes drawn from "
+                                                   "both sets independently of each other."
+                                                 : "The poles are not measurements: they are sampled from what the "
+                                                   "case says of each set, every set independently of the others.") +
+                        ground));
     report.blocks.emplace_back(Heading{"Mean planes and zones"});
     report.blocks.emplace_back(folder.draw(plane_figure(drawing), "stereonet_planes",
-                                           "Mean planes and the lines along which they meet, numbered as the pairs "
-                                           "in the tables, with the zones of wedges and toppling columns." +
+                                           "Mean planes and the lines along which they meet, numbered as the pairs in "
+                                           "the tables, with the zones of wedges and toppling columns." +
                                                ground));
     report.blocks.emplace_back(zone_table(study.model));
     if (result.poles) {

@@ -152,8 +152,7 @@ std::optional<Figure> velocity_figure(const RelaxationRun& made, const Bodies& b
 
 Table block_table(const RelaxationRun& made) {
     Table table{"The blocks at the end; slip over the base is negative forward, towards the toe.",
-                {"block"_number, "movement", "rotation, °"_number, "displacement"_number, "slip over the base"_number},
-                {}};
+                {"block"_number, "movement", "rotation, °"_number, "displacement"_number, "slip over the base"_number}};
     for (std::size_t block = 0; block < made.result.block.size() && table.rows.size() < most_rows; ++block) {
         const BlockOutcome& outcome = made.result.block[block];
         if (outcome.movement != BlockMovement::fixed) {

@@ -96,9 +96,7 @@ BlockDrawing slope_drawing(const RelaxationRun& made, const std::vector<Motion>&
                            const std::function<bool(std::size_t block)>& gone) {
     const Bodies bodies = make_bodies(made.scene);
     const Upright upright(tilt);
-    BlockDrawing drawing;
-    drawing.title = title;
-    drawing.rocks = {"left standing"};
+    BlockDrawing drawing{.title = title, .rocks = {"left standing"}};
     const std::vector<std::size_t> stage = stages_of_blocks(made);
     const std::size_t stages = std::min(made.stage.size(), most_shades);
     for (std::size_t shade = 1; shade <= stages; ++shade) {

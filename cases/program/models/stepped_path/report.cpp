@@ -13,8 +13,8 @@ namespace delabole {
 namespace {
 
 Figure section_figure(const SteppedPath& path, const SteppedPathResult& result) {
-    BlockDrawing drawing;
-    drawing.title = "The surface that fails first, factor of safety " + number_in_words(result.factor_of_safety);
+    BlockDrawing drawing{.title = "The surface that fails first, factor of safety " +
+                                  number_in_words(result.factor_of_safety)};
     std::size_t number = 0;
     for (const SteppedPathResult::Part& part : result.parts) {
         const bool column = path.search.mechanism != SteppedPathMechanism::sliding && !part.wedge;

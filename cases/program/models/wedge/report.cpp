@@ -25,22 +25,20 @@ void warn(Analysis& analysis, const WedgeFailureResult& result) {
 
 void append_drawings(const WedgeFailure<>& problem, const WedgeFailureResult& result, const std::string& prefix,
                      const ResultFolder& folder, Report& report) {
-    report.blocks.emplace_back(folder.draw(wedge_figure(wedge_drawing(problem, "The wedge in the slope")),
-                                           prefix + "wedge",
-                                           "The wedge, to scale, seen from above and from in front of the face; 1 and "
-                                           "2 mark the traces of the planes."));
+    report.blocks.emplace_back(folder.draw(
+        wedge_figure(wedge_drawing(problem, "The wedge in the slope")), prefix + "wedge",
+        "The wedge, to scale, seen from above and from in front of the face; 1 and 2 mark the traces of the planes."));
     if (result.contact != SlidingContact::none) {
-        report.blocks.emplace_back(folder.draw(slid_wedge_figure(wedge_drawing(problem, "The wedge slid out")),
-                                               prefix + "slid_wedge",
-                                               "The same wedge moved along its direction of sliding, and the surfaces "
-                                               "that it leaves."));
+        report.blocks.emplace_back(
+            folder.draw(slid_wedge_figure(wedge_drawing(problem, "The wedge slid out")), prefix + "slid_wedge",
+                        "The same wedge moved along its direction of sliding, and the surfaces that it leaves."));
     }
     report.blocks.emplace_back(folder.draw(wedge_net_figure(wedge_net(problem, result)), prefix + "stereonet",
                                            "The planes as great circles, and the line along which they meet."));
     if (const auto curve = filled_ratio_curve(problem)) {
-        report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(*curve), prefix + "water",
-                                               "Factor of safety against the greatest water pressure over that of "
-                                               "fissures filled to the ground."));
+        report.blocks.emplace_back(folder.draw(
+            factor_of_safety_against_water(*curve), prefix + "water",
+            "Factor of safety against the greatest water pressure over that of fissures filled to the ground."));
     }
     report.blocks.emplace_back(folder.draw(tornado_figure("Change of the factor of safety", sensitivity_bars(problem)),
                                            prefix + "sensitivity",
@@ -62,8 +60,7 @@ std::string_view in_words(WedgeFailureCheck check) {
         return "plane 1 does not rise to the crest: call the other plane 1";
     case WedgeFailureCheck::crack_misses_wedge:
         return "the tension crack does not cut the wedge: it lies too far behind the crest, or dips too flat to cut "
-               "the "
-               "line of intersection";
+               "the line of intersection";
     case WedgeFailureCheck::crack_cuts_face:
         return "the tension crack meets the crest between planes 1 and 2: it must lie behind the crest";
     case WedgeFailureCheck::water_needs_crack:
