@@ -52,10 +52,9 @@ Table ranking_table(const FitResult& result) {
                 {"mechanism", "score"_number, "data misfit"_number, "prior misfit"_number, "data"_number,
                  "unexplained"_number, "status"}};
     for (const MechanismFit& fit : result.mechanisms) {
-        table.rows.push_back({fit.title.empty() ? fit.name : fit.title, number_in_words(fit.ranking_score),
-                              data_misfit_in_words(fit), number_in_words(fit.prior_misfit),
-                              std::to_string(fit.data_count), std::to_string(fit.unexplained.size()),
-                              std::string(word_of(fit.status))});
+        table.rows.push_back({title_of(fit), number_in_words(fit.ranking_score), data_misfit_in_words(fit),
+                              number_in_words(fit.prior_misfit), std::to_string(fit.data_count),
+                              std::to_string(fit.unexplained.size()), std::string(word_of(fit.status))});
     }
     return table;
 }
@@ -301,7 +300,7 @@ void append_mechanism(Report& report, const ResultFolder& folder, const Mechanis
 }
 
 std::string screen_of(const MechanismFit& fit) {
-    std::string text = (fit.title.empty() ? fit.name : fit.title) + " [" + fit.name + "]\n";
+    std::string text = (title_of(fit)) + " [" + fit.name + "]\n";
     text += "  What the data determine: " + fit.identifiability.verdict + "\n";
     std::vector<std::vector<std::string>> rows = {{"  parameter", "best", "95 % with priors", "95 % data alone", ""}};
     const Table table = parameter_table(fit);

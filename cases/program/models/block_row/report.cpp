@@ -284,41 +284,27 @@ void append_mechanism_figures(const BlockRow<>& at_best, const MechanismFit& fit
                     fit.name + "_mode", "The governing mode at the best point."));
 }
 
-std::vector<std::string> blamed_keys(const BlockRow<>&, std::string_view failure) {
+Impossibility impossibility(const BlockRow<>& row, std::string_view failure) {
     switch (value_of<BlockRowCheck>(failure).value_or(BlockRowCheck::valid)) {
     case BlockRowCheck::no_blocks:
+        return {{"block"}, "at least one [[block]] is required"};
     case BlockRowCheck::too_many_blocks:
-        return {"block"};
+        return {{"block"}, "at most 100 000 blocks: there are " + std::to_string(row.block.size())};
     case BlockRowCheck::no_admissible_mode:
-        return {"block"};
+        return {{"block"},
+                "none of the modes examined satisfies statics and kinematics, and " +
+                    (row.block.size() > most_bounded_row
+                         ? std::to_string(row.block.size()) +
+                               " blocks are too many for the bound by linear programming, at most " +
+                               std::to_string(most_bounded_row)
+                         : std::string("the linear programme that bounds the tilt has no answer either, as where the "
+                                       "heaviest block weighs more than 1e7 times the lightest")) +
+                    ": there is no answer"};
     case BlockRowCheck::input_out_of_range:
     case BlockRowCheck::valid:
         break;
     }
-    return {};
-}
-
-std::string explain_failure(const BlockRow<>& row, std::string_view failure, const std::string&) {
-    switch (value_of<BlockRowCheck>(failure).value_or(BlockRowCheck::valid)) {
-    case BlockRowCheck::no_blocks:
-        return "at least one [[block]] is required";
-    case BlockRowCheck::too_many_blocks:
-        return "at most 100 000 blocks: there are " + std::to_string(row.block.size());
-    case BlockRowCheck::no_admissible_mode:
-        return "none of the modes examined satisfies statics and kinematics, and " +
-               (row.block.size() > most_bounded_row
-                    ? std::to_string(row.block.size()) +
-                          " blocks are too many for the bound by linear programming, at most " +
-                          std::to_string(most_bounded_row)
-                    : std::string("the linear programme that bounds the tilt has no answer either, as where the "
-                                  "heaviest block weighs more than 1e7 times the lightest")) +
-               ": there is no answer";
-    case BlockRowCheck::input_out_of_range:
-        return "a number is outside its allowed range";
-    case BlockRowCheck::valid:
-        break;
-    }
-    return "";
+    return out_of_range();
 }
 
 }  // namespace delabole

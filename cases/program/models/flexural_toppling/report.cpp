@@ -115,13 +115,9 @@ void append_mechanism_figures(const FlexuralSlope& at_best, const MechanismFit& 
     }
 }
 
-std::vector<std::string> blamed_keys(const FlexuralSlope&, std::string_view) {
-    return {};
-}
-
-std::string explain_failure(const FlexuralSlope&, std::string_view failure, const std::string&) {
-    return value_of<FlexuralCheck>(failure) == FlexuralCheck::no_columns ? "there is no column"
-                                                                         : "a number is outside its allowed range";
+Impossibility impossibility(const FlexuralSlope&, std::string_view failure) {
+    return value_of<FlexuralCheck>(failure) == FlexuralCheck::no_columns ? Impossibility{{}, "there is no column"}
+                                                                         : out_of_range();
 }
 
 }  // namespace delabole

@@ -114,20 +114,14 @@ void append_mechanism_figures(const SingleBlock<>& at_best, const MechanismFit& 
     }
 }
 
-std::vector<std::string> blamed_keys(const SingleBlock<>& problem, std::string_view failure) {
+Impossibility impossibility(const SingleBlock<>& problem, std::string_view failure) {
     if (value_of<SingleBlockCheck>(failure) != SingleBlockCheck::water_above_block) {
-        return {};
+        return out_of_range();
     }
     const bool behind = problem.water && problem.water->depth_behind > problem.block.height;
-    return {behind ? "water.depth_behind" : "water.depth_in_front", "block.height"};
-}
-
-std::string explain_failure(const SingleBlock<>& problem, std::string_view failure, const std::string&) {
-    if (value_of<SingleBlockCheck>(failure) == SingleBlockCheck::water_above_block) {
-        return "a depth of water exceeds the height of the block, " +
-               readable_quantity(problem.block.height, Dimension::length);
-    }
-    return "a number is outside its allowed range";
+    return {{behind ? "water.depth_behind" : "water.depth_in_front", "block.height"},
+            "a depth of water exceeds the height of the block, " +
+                readable_quantity(problem.block.height, Dimension::length)};
 }
 
 }  // namespace delabole
