@@ -7,6 +7,7 @@
 #include "plots/drawing/figure.hpp"
 #include "plots/report/animation.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -38,9 +39,17 @@ struct Notice {
 };
 
 struct TableColumn {
-    std::string title = {};
-    bool number = false;  // aligned right, figures of equal width
+    TableColumn(const char* words) : TableColumn(std::string(words)) {}
+    TableColumn(std::string words, bool is_number = false) : title(std::move(words)), number(is_number) {}
+
+    std::string title;
+    bool number;  // aligned right, figures of equal width
 };
+
+// "width, m"_number is the title of a column of numbers.
+inline TableColumn operator""_number(const char* title, std::size_t length) {
+    return {std::string(title, length), true};
+}
 
 // A row may be shorter than the columns; its cells are then empty.
 struct Table {

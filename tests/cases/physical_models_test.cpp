@@ -2,16 +2,90 @@
 #include "cases/program/thesis/physical_models.hpp"
 
 #include "cases/program/reader/case_error.hpp"
+#include "cases/program/reader/data_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace delabole {
 namespace {
+
+// Tables that only say what the others are checked against.
+// A row of Table 3.1: a base friction model from its start to its failure.
+struct BaseFrictionTest {
+    std::string test;
+    double slope_angle;
+    double slope_height;
+    double joint_dip;
+    double joint_spacing;
+    std::optional<double> cross_joint_spacing;
+    std::optional<double> crack_time_from;
+    std::optional<double> crack_time_to;
+    std::optional<double> crack_angle_from;
+    std::optional<double> crack_angle_to;
+    std::string remark;
+    std::string doubt;
+    static constexpr auto fields() {
+        using T = BaseFrictionTest;
+        using D = Dimension;
+        return std::tuple{
+            section("test", &T::test, "number of the model, side of the table"),
+            number("slope_angle", &T::slope_angle, D::angle, detail::slope_angles, "inclination of the face"),
+            number("slope_height", &T::slope_height, D::length, more_than(0), "height of the slope"),
+            number("joint_dip", &T::joint_dip, D::angle, detail::slope_angles, "dip of the joints, into the slope"),
+            number("joint_spacing", &T::joint_spacing, D::length, more_than(0), "normal distance of the joints"),
+            number("cross_joint_spacing", &T::cross_joint_spacing, D::length, more_than(0),
+                   "normal distance of the cross joints; absent: continuous columns"),
+            number("crack_time_from", &T::crack_time_from, D::time, at_least(0),
+                   "time to the critical crack path, its least; absent: none formed"),
+            number("crack_time_to", &T::crack_time_to, D::time, at_least(0), "its greatest"),
+            number("crack_angle_from", &T::crack_angle_from, D::angle, detail::slope_angles,
+                   "inclination of the critical crack path, its least; absent: none given"),
+            number("crack_angle_to", &T::crack_angle_to, D::angle, detail::slope_angles, "its greatest"),
+            section("remark", &T::remark, "printed remark"),
+            section("doubt", &T::doubt, detail::doubt_meaning)};
+    }
+};
+
+// A dip or a spacing of the models of the Delabole face (2.3.3).
+struct ModelFeature {
+    std::string feature;
+    std::string dips_into;
+    std::optional<double> dip;
+    std::optional<double> spacing;
+    std::string doubt;
+    static constexpr auto fields() {
+        using F = ModelFeature;
+        return std::tuple{section("feature", &F::feature, "joint set, cleavage, fault or slope"),
+                          section("dips_into", &F::dips_into, "pit, slope or not_said"),
+                          number("dip", &F::dip, Dimension::angle, within(0, degrees(90)), "dip"),
+                          number("spacing", &F::spacing, Dimension::length, more_than(0),
+                                 "spacing in the model; of a fault: its thickness"),
+                          section("doubt", &F::doubt, detail::doubt_meaning)};
+    }
+};
+
+template <class Row>
+std::vector<Row> table_of(const std::string& file) {
+    std::ifstream stream(std::string(DELABOLE_CASES) + "/thesis/" + file);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return parse_table<Row>(text.str(), file);
+}
+
+std::vector<BaseFrictionTest> base_friction_tests() {
+    return table_of<BaseFrictionTest>("chapter_3/table_3_1.csv");
+}
+
+std::vector<ModelFeature> model_features() {
+    return table_of<ModelFeature>("chapter_2/features.csv");
+}
 
 constexpr double inch = 0.0254;
 // Numbers are printed to half a degree, a quarter of an inch and a quarter of a minute.

@@ -208,7 +208,7 @@ TEST(RelaxationCase, NamesWhatMakesASceneImpossible) {
         const auto study = std::get<RelaxationStudy>(parse_case(text, "case").model);
         const std::string failure = failure_without_run(study);
         EXPECT_EQ(failure, analyse_model(study).failure);
-        return failure + ": " + explain_failure(study, failure, "");
+        return failure + ": " + impossibility(study, failure).words;
     };
     EXPECT_EQ(explained(changed(blocks_text, "{ x = \"1 m\", y = \"0 m\" }, { x = \"0 m\", y = \"1 m\" }",
                                 "{ x = \"0 m\", y = \"1 m\" }, { x = \"1 m\", y = \"0 m\" }")),

@@ -13,8 +13,6 @@ ModelNames names_of(const CaseModel& model, const OutputsOf& outputs_of, bool in
 // Complains about a name that cannot be that of a file.
 void check_file_name(Reading& reading, const std::string& key, const std::string& name);
 
-// Ends where an input is meant to end, and equal steps between.
-std::vector<double> spaced_values(double from, double to, int points);
 std::vector<CaseSweep> read_sweeps(Section& root, const ModelNames& names);
 void write_sweep(std::string& text, const CaseSweep& sweep);
 

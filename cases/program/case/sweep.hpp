@@ -101,4 +101,7 @@ struct CaseSweep {
     Place place = {};
 };
 
+// Ends where an input is meant to end, and equal steps between.
+std::vector<double> spaced_values(double from, double to, int points);
+
 }  // namespace delabole

@@ -109,6 +109,21 @@ std::string statement(bool met) {
     return met ? "statement met" : "statement NOT met";
 }
 
+std::string columns_in_words(const std::vector<std::string_view>& does, const std::string& to) {
+    std::vector<std::string> parts;
+    for (std::size_t first = 0; first < does.size();) {
+        std::size_t next = first + 1;
+        while (next < does.size() && does[next] == does[first]) {
+            ++next;
+        }
+        const bool several = next > first + 1;
+        parts.push_back(std::to_string(first + 1) + (several ? to + std::to_string(next) : "") + " " +
+                        std::string(does[first].substr(0, does[first].size() - (several ? 1 : 0))));
+        first = next;
+    }
+    return list_in_words(parts);
+}
+
 // A difference of rounding is no difference.
 std::string difference_in_words(double difference) {
     return std::abs(difference) < 1e-9 ? "0" : number_in_words(difference);
@@ -123,10 +138,10 @@ bool names_clean_engine(const std::vector<PrintedRow>& rows) {
 }  // namespace
 
 Table printed_table(const std::string& caption, const std::vector<PrintedRow>& rows) {
-    Table table{caption, {{"quantity"}, {"printed", true}, {"computed", true}, {"difference", true}, {"remark"}}, {}};
+    Table table{caption, {"quantity", "printed"_number, "computed"_number, "difference"_number, "remark"}};
     const bool both = names_clean_engine(rows);
     if (both) {
-        table.columns.insert(table.columns.begin() + 3, {"clean engine", true});
+        table.columns.insert(table.columns.begin() + 3, "clean engine"_number);
     }
     for (const PrintedRow& row : rows) {
         table.rows.push_back({row.what, row.printed, row.computed, row.difference, row.remark});

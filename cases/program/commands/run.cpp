@@ -34,7 +34,7 @@ std::string shown(const NamedOutput& output) {
 }
 
 Table output_table(const Analysis& analysis) {
-    Table table{"Results", {{"quantity"}, {"value", true}, {"meaning"}}, {}};
+    Table table{"Results", {"quantity", "value"_number, "meaning"}};
     for (const NamedOutput& output : analysis.outputs) {
         if (!output.detail) {
             table.rows.push_back({output.name, shown(output), output.meaning});

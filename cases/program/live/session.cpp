@@ -54,14 +54,14 @@ std::string group_of(const std::string& name) {
 }
 
 Json described(const Quantity& input, const CaseFile& file) {
-    const double unit = display_unit(input.dimension).si_per_unit;
+    const auto shown = [&](double value) { return in_display_unit(value, input.dimension); };
     const auto source = file.sources.find(input.name);
     return {{"name", input.name},
             {"label", human_name(input.name.substr(input.name.rfind('.') + 1))},
             {"unit", std::string(display_unit(input.dimension).symbol)},
-            {"value", input.value / unit},
-            {"lower", finite(input.range.lower / unit)},
-            {"upper", finite(input.range.upper / unit)},
+            {"value", shown(input.value)},
+            {"lower", finite(shown(input.range.lower))},
+            {"upper", finite(shown(input.range.upper))},
             {"lower_open", input.range.lower_open},
             {"upper_open", input.range.upper_open},
             {"meaning", input.meaning},
@@ -123,8 +123,8 @@ MapAxis axis_of_map(const Json& request, const char* name, const char* count, co
     if (!std::isfinite(lower) || !std::isfinite(upper)) {
         throw LiveRefusal("the ends of a map are numbers");
     }
-    for (int index = 0; index < points; ++index) {
-        made.values.push_back((lower + (upper - lower) * index / (points - 1)) * made.unit);
+    for (const double value : spaced_values(lower, upper, points)) {
+        made.values.push_back(value * made.unit);
     }
     return made;
 }
@@ -148,10 +148,11 @@ std::vector<Condition> LiveSession::conditions(const Json& request) const {
         if (!value.is_number()) {
             throw LiveRefusal(name + " has to be a number");
         }
-        const double unit = display_unit(input.dimension).si_per_unit;
         const auto shown = value.get<double>();
         // What is shown as the case's own value is that value, to the last bit.
-        const double si = shown == input.value / unit ? input.value : shown * unit;
+        const double si = shown == in_display_unit(input.value, input.dimension)
+                              ? input.value
+                              : shown * display_unit(input.dimension).si_per_unit;
         if (!std::isfinite(si) || !input.range.contains(si)) {
             throw LiveRefusal(name + " = " + readable_quantity(si, input.dimension) + ": must be " +
                               readable_range(input.range, input.dimension));
@@ -182,7 +183,7 @@ Json LiveSession::open() const {
         inputs_, {"strength.friction_angle", "joints.friction_angle", "base.friction_angle", "friction_angle"});
     const std::string water =
         first_ending(inputs_, {"water.water_depth", "water.water_elevation", "water.filled_ratio", "cohesion", "dip"});
-    Json json{{"title", file_.title.empty() ? file_.name : file_.title},
+    Json json{{"title", title_of(file_, {})},
               {"description", file_.description},
               {"model", std::string(model_name(file_.model))},
               {"moves", moves},
@@ -251,8 +252,8 @@ Json LiveSession::drag(const Json& request) const {
     }
     Json json = answer_to(with_conditions(before, moved), false);
     for (const Condition& condition : moved) {
-        const double unit = display_unit(find_quantity(inputs_, condition.input)->dimension).si_per_unit;
-        json["values"][condition.input] = condition.value / unit;
+        json["values"][condition.input] =
+            in_display_unit(condition.value, find_quantity(inputs_, condition.input)->dimension);
     }
     return json;
 }

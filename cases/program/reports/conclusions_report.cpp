@@ -86,12 +86,11 @@ ConclusionDocuments document_conclusions(const std::vector<Conclusion>& conclusi
                                          Report& report) {
     ConclusionDocuments documents;
     report.blocks.emplace_back(Heading{"Conclusions held against the fit"});
-    Table table{"What was concluded", {{"conclusion"}, {"statement"}, {"by this fit"}, {"source"}, {"note"}}, {}};
+    Table table{"What was concluded", {"conclusion", "statement", "by this fit", "source", "note"}};
     Table tests{
         "How each was tested: the median over draws of the posterior, with the range of 68 % of them (of all "
         "where they are fewer than twenty)",
-        {{"conclusion"}, {"claim"}, {"asked"}, {"found"}, {"claimed"}, {"holds in"}, {"verdict"}},
-        {}};
+        {"conclusion", "claim", "asked", "found", "claimed", "holds in", "verdict"}};
     CsvTable csv({"conclusion", "claim", "asked", "value", "limit", "relation", "unit", "draws", "holding", "verdict"});
     std::vector<std::vector<std::string>> screen{{"conclusion", "by this fit", "statement"}};
     for (std::size_t index = 0; index < conclusions.size(); ++index) {

@@ -11,9 +11,9 @@ namespace delabole {
 namespace {
 
 Table minima_table(const MechanismFit& fit) {
-    Table table{"Minima found by the starts", {{"misfit", true}, {"starts", true}}, {}};
+    Table table{"Minima found by the starts", {"misfit"_number, "starts"_number}};
     for (const FreeParameter& parameter : fit.parameters) {
-        table.columns.push_back({parameter.name, true});
+        table.columns.emplace_back(parameter.name, true);
     }
     for (const MinimumCluster& minimum : fit.minima) {
         std::vector<std::string> row = {number_in_words(minimum.misfit), std::to_string(minimum.hits)};
@@ -30,10 +30,9 @@ Table direction_table(const Identifiability& identifiability) {
         "Directions in the space of the parameters, scaled by their bounds, best determined first. Determined "
         "are those with a singular value above 0.5: moving along them through the whole range changes the data "
         "by more than half a standard deviation",
-        {{"singular value", true}},
-        {}};
+        {"singular value"_number}};
     for (const std::string& name : identifiability.parameters) {
-        table.columns.push_back({name, true});
+        table.columns.emplace_back(name, true);
     }
     for (std::size_t column = 0; column < identifiability.singular_values.size(); ++column) {
         const double value = identifiability.singular_values[column];
@@ -50,10 +49,9 @@ Table direction_table(const Identifiability& identifiability) {
 Table correlation_table(const MechanismFit& fit) {
     const Identifiability& identifiability = fit.identifiability;
     Table table{"Standard deviations and correlations, data and priors together, linear at the best point",
-                {{"parameter"}, {"standard deviation", true}},
-                {}};
+                {"parameter", "standard deviation"_number}};
     for (const std::string& name : identifiability.parameters) {
-        table.columns.push_back({name, true});
+        table.columns.emplace_back(name, true);
     }
     const Eigen::MatrixXd& correlation = *identifiability.correlation;
     for (Eigen::Index row = 0; row < correlation.rows(); ++row) {

@@ -51,31 +51,20 @@ std::string data_misfit_in_words(const MechanismFit& fit) {
 
 Table ranking_table(const FitResult& result) {
     Table table{"Mechanisms, best first",
-                {{"mechanism"},
-                 {"score", true},
-                 {"data misfit", true},
-                 {"prior misfit", true},
-                 {"data", true},
-                 {"unexplained", true},
-                 {"status"}},
-                {}};
+                {"mechanism", "score"_number, "data misfit"_number, "prior misfit"_number, "data"_number,
+                 "unexplained"_number, "status"}};
     for (const MechanismFit& fit : result.mechanisms) {
-        table.rows.push_back({fit.title.empty() ? fit.name : fit.title, number_in_words(fit.ranking_score),
-                              data_misfit_in_words(fit), number_in_words(fit.prior_misfit),
-                              std::to_string(fit.data_count), std::to_string(fit.unexplained.size()),
-                              std::string(word_of(fit.status))});
+        table.rows.push_back({title_of(fit), number_in_words(fit.ranking_score), data_misfit_in_words(fit),
+                              number_in_words(fit.prior_misfit), std::to_string(fit.data_count),
+                              std::to_string(fit.unexplained.size()), std::string(word_of(fit.status))});
     }
     return table;
 }
 
 Table parameter_table(const MechanismFit& fit) {
     Table table{"Fitted parameters (read the verdict first)",
-                {{"parameter"},
-                 {"best", true},
-                 {"95 % range with priors", true},
-                 {"95 % range from the data alone", true},
-                 {"the data alone"}},
-                {}};
+                {"parameter", "best"_number, "95 % range with priors"_number, "95 % range from the data alone"_number,
+                 "the data alone"}};
     for (std::size_t index = 0; index < fit.best.size(); ++index) {
         const std::string& name = fit.parameters[index].name;
         const Dimension dimension = fit.dimensions[index];
@@ -98,14 +87,9 @@ std::string relation_in_words(Relation relation) {
 }
 
 Table observation_table(const MechanismFit& fit) {
-    Table table{"Observed and predicted",
-                {{"observation"},
-                 {"observed", true},
-                 {"standard deviation", true},
-                 {"predicted", true},
-                 {"pull", true},
-                 {"source"}},
-                {}};
+    Table table{
+        "Observed and predicted",
+        {"observation", "observed"_number, "standard deviation"_number, "predicted"_number, "pull"_number, "source"}};
     for (const ObservationFit& row : fit.observations) {
         table.rows.push_back({row.label, relation_in_words(row.relation) + value_in_words(row.observed, row.dimension),
                               value_in_words(row.standard_deviation, row.dimension),
@@ -260,11 +244,10 @@ void append_best_point(Report& report, const ResultFolder& folder, const Mechani
 // Misfit over the first two parameters; nothing where the fit holds no map.
 std::optional<FigureInReport> map_of(const MechanismFit& fit, const ResultFolder& folder) {
     const auto map = misfit_map_figure(fit);
-    return map ? std::optional(folder.draw(
-                     *map, fit.name + "_misfit_map",
-                     "Misfit (data and priors) over the first two parameters with the joint 68 and 95 % regions. Any "
-                     "further parameter is held at the best point, which makes the regions smaller than they are; the "
-                     "profile likelihoods free it."))
+    return map ? std::optional(folder.draw(*map, fit.name + "_misfit_map",
+                                           "Misfit (data and priors) over the first two parameters with the joint 68 "
+                                           "and 95 % regions. Any further parameter is held at the best point, which "
+                                           "makes the regions smaller than they are; the profile likelihoods free it."))
                : std::nullopt;
 }
 
@@ -327,7 +310,7 @@ void append_mechanism(Report& report, const ResultFolder& folder, const Mechanis
 }
 
 std::string screen_of(const MechanismFit& fit) {
-    std::string text = (fit.title.empty() ? fit.name : fit.title) + " [" + fit.name + "]\n";
+    std::string text = (title_of(fit)) + " [" + fit.name + "]\n";
     text += "  What the data determine: " + fit.identifiability.verdict + "\n";
     std::vector<std::vector<std::string>> rows = {{"  parameter", "best", "95 % with priors", "95 % data alone", ""}};
     const Table table = parameter_table(fit);
@@ -433,10 +416,10 @@ FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const
     }
     append_evidence(result, folder, report);
     report.blocks.emplace_back(ranking_table(result));
-    report.blocks.emplace_back(Paragraph{
-        "Score: the squared pulls of data and priors, and 4 for each datum or piece of field evidence that the "
-        "mechanism says nothing about. A mechanism whose geometry is put in matches the observed surfaces by "
-        "construction; one that predicts them has to earn it."});
+    report.blocks.emplace_back(
+        Paragraph{"Score: the squared pulls of data and priors, and 4 for each datum or piece of field evidence that "
+                  "the mechanism says nothing about. A mechanism whose geometry is put in matches the observed "
+                  "surfaces by construction; one that predicts them has to earn it."});
     if (const auto profiles = profiles_figure(problem, result, toe_elevation_of(file.model))) {
         report.blocks.emplace_back(folder.draw(*profiles, "profiles",
                                                "Where the geometry is put in, the profile is no prediction: only a "

@@ -88,9 +88,8 @@ InformationDocuments document_information(const std::vector<FitCandidate>& candi
         "probabilities. Outcomes of the measurement are simulated from the posterior, and the posterior is weighted "
         "anew with each; a mechanism that says nothing about the quantity gains nothing."));
     Table table{"Expected reduction of standard deviations, two standard errors either way",
-                {{"measurement"}, {"error"}, {"most"}, {"about the mechanism, nats", true}, {"cost", true}},
-                {}};
-    Table by_mechanism{"By mechanism", {{"measurement"}, {"mechanism"}, {"expected reduction"}}, {}};
+                {"measurement", "error", "most", "about the mechanism, nats"_number, "cost"_number}};
+    Table by_mechanism{"By mechanism", {{"measurement"}, {"mechanism"}, {"expected reduction"}}};
     CsvTable csv({"candidate", "mechanism", "status", "parameter", "standard_deviation_reduction",
                   "standard_deviation_reduction_error", "interval_95_reduction", "interval_95_reduction_error"});
     std::vector<std::vector<std::string>> screen{{"what to measure next", "reduces most", "by"}};

@@ -73,12 +73,12 @@ void append_comparison(const Weighed& all, std::size_t index, std::vector<std::s
 }
 
 Table evidence_table_of(const Weighed& all) {
-    Table table{"Mechanisms by evidence", {{"mechanism"}, {"ln evidence", true}}, {}};
+    Table table{"Mechanisms by evidence", {"mechanism", "ln evidence"_number}};
     if (all.compared()) {
         table.columns.insert(table.columns.end(),
-                             {{"Bayes factor", true}, {"probability, %", true}, {"without field evidence, %", true}});
+                             {"Bayes factor"_number, "probability, %"_number, "without field evidence, %"_number});
     }
-    table.columns.insert(table.columns.end(), {{"ln Occam factor", true}, {"prior without answer, %", true}});
+    table.columns.insert(table.columns.end(), {"ln Occam factor"_number, "prior without answer, %"_number});
     for (std::size_t index = 0; index < all.fits.size(); ++index) {
         const MechanismPosterior& posterior = *all.fits[index]->posterior;
         const bool estimated = posterior.evidence().status == EvidenceStatus::estimated;
@@ -147,11 +147,11 @@ std::string dependence_in_words(const Weighed& all) {
 }
 
 Table dependence_table(const Weighed& all) {
-    Table table{"ln evidence, field evidence included, when priors and model error are changed", {{"mechanism"}}, {}};
+    Table table{"ln evidence, field evidence included, when priors and model error are changed", {{"mechanism"}}};
     for (const VariantEvidence& variant : all.fits.front()->posterior->evidences) {
         std::string word(word_of(variant.variant));
         std::replace(word.begin(), word.end(), '_', ' ');
-        table.columns.push_back({word, true});
+        table.columns.emplace_back(word, true);
     }
     for (const MechanismFit* fit : all.fits) {
         std::vector<std::string> row = {fit->name};
@@ -188,14 +188,8 @@ std::string interval_in_words(const Interval& interval, Dimension dimension) {
 
 Table posterior_table(const MechanismFit& fit) {
     Table table{"Posterior of the parameters",
-                {{"parameter"},
-                 {"median", true},
-                 {"68 %", true},
-                 {"95 %", true},
-                 {"R-hat", true},
-                 {"effective size, bulk", true},
-                 {"effective size, tails", true}},
-                {}};
+                {"parameter", "median"_number, "68 %"_number, "95 %"_number, "R-hat"_number,
+                 "effective size, bulk"_number, "effective size, tails"_number}};
     for (const ParameterPosterior& parameter : fit.posterior->posterior.parameters) {
         const Dimension dimension = fit.dimension_of(parameter.name);
         // Four digits, or every R-hat would read 1.
@@ -214,10 +208,9 @@ Table posterior_table(const MechanismFit& fit) {
 Table posterior_correlations(const MechanismFit& fit) {
     const Posterior& posterior = fit.posterior->posterior;
     Table table{"Means, standard deviations and correlations of the posterior",
-                {{"parameter"}, {"mean", true}, {"standard deviation", true}},
-                {}};
+                {"parameter", "mean"_number, "standard deviation"_number}};
     for (const ParameterPosterior& parameter : posterior.parameters) {
-        table.columns.push_back({parameter.name, true});
+        table.columns.emplace_back(parameter.name, true);
     }
     for (std::size_t row = 0; row < posterior.parameters.size(); ++row) {
         const ParameterPosterior& parameter = posterior.parameters[row];
@@ -286,9 +279,8 @@ void append_evidence(const FitResult& result, const ResultFolder& folder, Report
     folded.blocks.emplace_back(Paragraph{
         "Evidence: the likelihood exp(-misfit / 2) averaged over the priors, so that a mechanism pays for parameters "
         "that have to be tuned; the Occam factor is what is left of its greatest likelihood. A datum or a piece of "
-        "field evidence about which it says nothing counts as missed by two standard deviations. Probabilities hold "
-        "if one of these mechanisms is true and all are equally likely beforehand. Errors are those of the "
-        "computation."});
+        "field evidence about which it says nothing counts as missed by two standard deviations. Probabilities hold if "
+        "one of these mechanisms is true and all are equally likely beforehand. Errors are those of the computation."});
     if (const auto figure = evidence_figure(result)) {
         folded.blocks.emplace_back(
             folder.draw(*figure, "evidence", "Natural logarithm of the evidence and its parts: shorter is better."));
@@ -297,11 +289,10 @@ void append_evidence(const FitResult& result, const ResultFolder& folder, Report
         folded.blocks.emplace_back(dependence_table(all));
     }
     if (const auto figure = evidence_dependence_figure(result)) {
-        folded.blocks.emplace_back(
-            folder.draw(*figure, "evidence_dependence",
-                        "Evidence when the standard deviations or the means of all priors, or the standard deviation "
-                        "of the observed factors of safety (the model error), are changed. Bars: 95 % interval "
-                        "of the computation."));
+        folded.blocks.emplace_back(folder.draw(
+            *figure, "evidence_dependence",
+            "Evidence when the standard deviations or the means of all priors, or the standard deviation of the "
+            "observed factors of safety (the model error), are changed. Bars: 95 % interval of the computation."));
     }
     if (const auto figure = chain_agreement_figure(result)) {
         folded.blocks.emplace_back(folder.draw(*figure, "chain_agreement",
@@ -376,10 +367,10 @@ void append_posterior(const MechanismFit& fit, const ResultFolder& folder, Repor
                                                "lines and the diamond: the best point."));
     }
     if (const auto figure = running_quantiles_figure(fit)) {
-        report.blocks.emplace_back(folder.draw(*figure, fit.name + "_sampling",
-                                               "Convergence of the sampling: median and ends of the 95 % interval from "
-                                               "the first steps of all chains, less the final median and in final "
-                                               "standard deviations."));
+        report.blocks.emplace_back(
+            folder.draw(*figure, fit.name + "_sampling",
+                        "Convergence of the sampling: median and ends of the 95 % interval from the first steps of all "
+                        "chains, less the final median and in final standard deviations."));
     }
     if (posterior.parameters.size() > 1) {
         report.blocks.emplace_back(posterior_correlations(fit));

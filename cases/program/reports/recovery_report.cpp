@@ -85,14 +85,10 @@ void document_mechanism(const MechanismRecovery& recovery, const ResultFolder& f
     report.blocks.emplace_back(folder.draw(coverage_figure(recovery), "coverage_" + recovery.name,
                                            "Share of the intervals between equal tails that held the truth, with its "
                                            "95 % interval (Wilson) for so many repetitions."));
-    Table table{"Coverage, bias and ranks (95 % intervals)",
-                {{"parameter"},
-                 {"68 % intervals", true},
-                 {"95 % intervals", true},
-                 {"bias, posterior standard deviations", true},
-                 {"mean standard deviation", true},
-                 {"ranks: chance of as uneven", true}},
-                {}};
+    Table table{
+        "Coverage, bias and ranks (95 % intervals)",
+        {"parameter", "68 % intervals"_number, "95 % intervals"_number, "bias, posterior standard deviations"_number,
+         "mean standard deviation"_number, "ranks: chance of as uneven"_number}};
     for (const ParameterRecovery& parameter : recovery.parameters) {
         const std::vector<std::string> row{parameter.name,
                                            share_in_words(parameter.coverage_68),

@@ -34,8 +34,7 @@ std::string counted_as(const StudySubject& subject, const std::string& cause) {
 }
 
 Table causes_table(const StudySubject& subject, const PropagationResult& result) {
-    Table table{
-        "Samples without a value, by cause", {{"cause"}, {"samples", true}, {"share", true}, {"counted as"}}, {}};
+    Table table{"Samples without a value, by cause", {"cause", "samples"_number, "share"_number, "counted as"}};
     for (const auto& [cause, number] : result.evaluations.failed_by_cause) {
         table.rows.push_back({cause, std::to_string(number),
                               percent(static_cast<double>(number) / static_cast<double>(result.samples)),
@@ -142,7 +141,7 @@ void document_samples(const StudySubject& subject, const PropagationResult& resu
     json[subject.column("standard_deviation")] = json_number(result.standard_deviation / unit);
     json[subject.column("least")] = json_number(subject.shown(result.least));
     json[subject.column("greatest")] = json_number(subject.shown(result.greatest));
-    Table table{"Of the samples with a value", {{"", false}, {human_name(subject.quantity.name), true}}, {}};
+    Table table{"Of the samples with a value", {{"", false}, {human_name(subject.quantity.name), true}}};
     table.rows.push_back({"mean (95 % interval)", with_interval(result.mean, unit)});
     table.rows.push_back({"standard deviation", subject.in_words(result.standard_deviation)});
     table.rows.push_back({"least", subject.in_words(result.least)});
@@ -208,12 +207,8 @@ void document_reliability(const StudySubject& subject, const ReliabilityResult& 
     json["probability_of_failure"] = result.probability_of_failure;
     const DesignPoint& nearest = result.points.front();
     Table table{"Design point: the likeliest way to fail",
-                {{"parameter"},
-                 {"design point", true},
-                 {"standard deviations from the median", true},
-                 {"alpha", true},
-                 {"importance", true}},
-                {}};
+                {"parameter", "design point"_number, "standard deviations from the median"_number, "alpha"_number,
+                 "importance"_number}};
     CsvTable csv(
         {"point", "reliability_index", "parameter", "value", "unit", "standard_normal", "alpha", "importance"});
     for (std::size_t number = 0; number < result.points.size(); ++number) {

@@ -31,8 +31,7 @@ std::string law_in_words(const Distribution& distribution, Dimension dimension) 
 
 void document_parameters(const StudySubject& subject, Report& report) {
     Table table{"Uncertain parameters",
-                {{"parameter"}, {"distribution"}, {"mean", true}, {"standard deviation", true}, {"source"}},
-                {}};
+                {"parameter", "distribution", "mean"_number, "standard deviation"_number, "source"}};
     for (std::size_t index = 0; index < subject.names.size(); ++index) {
         const UncertainParameter& parameter = subject.study.parameters[index];
         const Dimension dimension = subject.dimensions[index];
@@ -46,8 +45,7 @@ void document_parameters(const StudySubject& subject, Report& report) {
         return;
     }
     Table correlations{"Correlations: Gaussian copula",
-                       {{"between"}, {"measure"}, {"given", true}, {"of the standard normal numbers", true}},
-                       {}};
+                       {"between", "measure", "given"_number, "of the standard normal numbers"_number}};
     for (const ParameterCorrelation& correlation : subject.study.correlations) {
         const auto place = [&](const std::string& name) {
             return std::find(subject.names.begin(), subject.names.end(), name) - subject.names.begin();

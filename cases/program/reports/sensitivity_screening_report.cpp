@@ -75,7 +75,7 @@ void document_tornado(const StudySubject& subject, const TornadoResult& result, 
         }
         return end_in_words(subject, answer);
     };
-    Table table{"", {{"parameter"}, {"low", true}, {"high", true}, {"at low", true}, {"at high", true}}, {}};
+    Table table{"", {"parameter", "low"_number, "high"_number, "at low"_number, "at high"_number}};
     CsvTable csv({"parameter", "unit", "low", "high", subject.column("at_low"), subject.column("at_high")});
     json["at_medians"] = result.at_medians.valid() ? json_number(subject.shown(result.at_medians.value))
                                                    : Json(std::string(result.at_medians.failure));
@@ -167,15 +167,8 @@ void document_sweeps(const StudySubject& subject, const std::vector<SweepResult>
         Json& part = json[column_name(result.quantity, dimension)];
         part["evaluations"] = json_of(result.evaluations);
         Table table{human_name(result.quantity),
-                    {{"parameter"},
-                     {"from", true},
-                     {"to", true},
-                     {"there", true},
-                     {"in the middle", true},
-                     {"there", true},
-                     {"scatter", true},
-                     {"course"}},
-                    {}};
+                    {"parameter", "from"_number, "to"_number, "there"_number, "in the middle"_number, "there"_number,
+                     "scatter"_number, "course"}};
         for (std::size_t index = 0; index < subject.names.size(); ++index) {
             const ParameterSweep& sweep = result.parameters[index];
             const Dimension along = subject.dimensions[index];
@@ -222,10 +215,8 @@ void document_morris(const StudySubject& subject, const MorrisResult& result, co
                         " quantile, against the deviation of the effects, with 95 % intervals (bootstrap); " +
                         std::to_string(settings.trajectories) + " trajectories over " +
                         std::to_string(settings.levels) + " levels. Correlations play no part."));
-    Table table{
-        "Effects of the whole range (95 % interval)",
-        {{"parameter"}, {"mean absolute", true}, {"mean", true}, {"standard deviation", true}, {"effects", true}},
-        {}};
+    Table table{"Effects of the whole range (95 % interval)",
+                {"parameter", "mean absolute"_number, "mean"_number, "standard deviation"_number, "effects"_number}};
     CsvTable csv({"parameter", subject.column("mean_absolute"), subject.column("mean_absolute_lower"),
                   subject.column("mean_absolute_upper"), subject.column("mean"), subject.column("standard_deviation"),
                   subject.column("standard_deviation_lower"), subject.column("standard_deviation_upper"), "effects"});
@@ -278,7 +269,7 @@ void document_indices(const StudySubject& subject, const SobolIndicesResult& res
             std::to_string(result.rows) +
             " rows of a Sobol sequence, estimators of Saltelli et al. (2010) "
             "and Jansen (1999), intervals by bootstrap."));
-    Table table{"Sobol indices (95 % interval)", {{"parameter"}, {"first order", true}, {"total", true}}, {}};
+    Table table{"Sobol indices (95 % interval)", {"parameter", "first order"_number, "total"_number}};
     CsvTable csv({"parameter", "first", "first_lower", "first_upper", "total", "total_lower", "total_upper"});
     double sum = 0;
     for (std::size_t index = 0; index < subject.names.size(); ++index) {

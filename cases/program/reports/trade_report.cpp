@@ -38,14 +38,13 @@ Table settings_table(const std::string& caption, const TradeTruth& truth, const 
                      const TradeResult& result, const std::vector<std::size_t>& rows) {
     const Dimension dimension = truth.dimension;
     Table table{caption,
-                {{"setting"},
+                {"setting",
                  {human_name(truth.quantity), true},
-                 {"error", true},
-                 {"at most", true},
-                 {"contacts evaluated", true},
-                 {"steps", true},
-                 {"seconds", true}},
-                {}};
+                 "error"_number,
+                 "at most"_number,
+                 "contacts evaluated"_number,
+                 "steps"_number,
+                 "seconds"_number}};
     for (const std::size_t index : rows) {
         const TradeRow& row = result.rows[index];
         const bool found = row.answer.failure.empty();
@@ -203,15 +202,14 @@ TradeDocuments document_trade(const std::vector<TradeKnob>& knobs, const TradeRe
                                       best_of_each_decade(result));
     report.blocks.emplace_back(Heading{"Accuracy against cost"});
     report.blocks.emplace_back(
-        Paragraph{held_against +
-                  " \"At most\" is the distance of the far end of the final bracket, which no luck makes small. "
-                  "The cost is the number of contact forces computed in the whole search, the same on every "
-                  "machine; seconds are those of this machine and decide nothing."});
+        Paragraph{held_against + " \"At most\" is the distance of the far end of the final bracket, which no luck "
+                                 "makes small. The cost is the number of contact forces computed in the whole search, "
+                                 "the same on every machine; seconds are those of this machine and decide nothing."});
     report.blocks.emplace_back(best);
     report.blocks.emplace_back(
         folder.draw(trade_figure(drawing_of(result, truth)), "trade",
-                    "Error against cost: each knob alone around the case's own settings, several "
-                    "together, and the qualities. Settings without an answer are in the table."));
+                    "Error against cost: each knob alone around the case's own settings, several together, and the "
+                    "qualities. Settings without an answer are in the table."));
     report.blocks.emplace_back(settings_table("Settings that none is both cheaper and at least as accurate as", truth,
                                               knobs, result, front_of(result)));
     report.blocks.emplace_back(settings_table("All settings", truth, knobs, result, all_rows(result)));

@@ -15,12 +15,15 @@ namespace delabole {
 Problem impossible(const CaseFile& file, std::string_view failure) {
     return std::visit(
         [&](const auto& parameters) {
-            const std::vector<std::string> keys = blamed_keys(parameters, failure);
+            const Impossibility found = impossibility(parameters, failure);
+            const std::vector<std::string>& keys = found.keys;
             const auto blamed =
                 std::ranges::find_if(keys, [&](const std::string& key) { return file.places.contains(key); });
-            return blamed == keys.end()
-                       ? problem_at(file, keys.empty() ? "" : keys.front(), explain_failure(parameters, failure, ""))
-                       : problem_at(file, *blamed, explain_failure(parameters, failure, *blamed));
+            if (blamed == keys.end()) {
+                return problem_at(file, keys.empty() ? "" : keys.front(), found.words);
+            }
+            const std::string limit = found.limit ? found.limit(*blamed) : "";
+            return problem_at(file, *blamed, limit.empty() ? found.words : limit);
         },
         file.model);
 }

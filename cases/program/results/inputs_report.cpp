@@ -5,7 +5,7 @@
 namespace delabole {
 
 Table inputs_table(const CaseFile& file) {
-    Table table{"Inputs of the case", {{"input"}, {"value", true}, {"meaning"}, {"source"}}, {}};
+    Table table{"Inputs of the case", {"input", "value"_number, "meaning", "source"}};
     for (const Quantity& input : named_inputs(file.model)) {
         const auto source = file.sources.find(input.name);
         table.rows.push_back({input.name, readable_quantity(input.value, input.dimension), input.meaning,
@@ -15,7 +15,7 @@ Table inputs_table(const CaseFile& file) {
 }
 
 Table evidence_table(const FitProblem& problem) {
-    Table table{"Evidence and priors", {{"kind"}, {"what"}, {"source"}}, {}};
+    Table table{"Evidence and priors", {{"kind"}, {"what"}, {"source"}}};
     for (const QuantityObservation& observation : problem.observations) {
         table.rows.push_back({"observation", observation.label, observation.source});
     }

@@ -14,6 +14,7 @@
 #include "water/column_tilt.hpp"
 #include "wedge_failure/wedge_failure.hpp"
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -124,29 +125,27 @@ void append_mechanism_figures(const SteppedPath& at_best, const MechanismFit& fi
 void append_mechanism_figures(const WedgeFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
 
-// The keys that a failed check may blame, most likely first: the first that stands in the case is blamed.
-std::vector<std::string> blamed_keys(const PlaneFailureStudy<>& study, std::string_view failure);
-std::vector<std::string> blamed_keys(const SteppedBaseStudy<>& study, std::string_view failure);
-std::vector<std::string> blamed_keys(const SingleBlock<>& problem, std::string_view failure);
-std::vector<std::string> blamed_keys(const BlockRow<>& row, std::string_view failure);
-std::vector<std::string> blamed_keys(const TiltedColumn<>& column, std::string_view failure);
-std::vector<std::string> blamed_keys(const KinematicsStudy& study, std::string_view failure);
-std::vector<std::string> blamed_keys(const RelaxationStudy& study, std::string_view failure);
-std::vector<std::string> blamed_keys(const FlexuralSlope& slope, std::string_view failure);
-std::vector<std::string> blamed_keys(const SteppedPath& path, std::string_view failure);
-std::vector<std::string> blamed_keys(const WedgeFailureStudy<>& study, std::string_view failure);
+// Why there is no answer.
+struct Impossibility {
+    std::vector<std::string> keys = {};  // that may be to blame, most likely first: the first in the case is blamed
+    std::string words = {};              // what is wrong, in a sentence that says what to change
+    // The same with the limit that the value of the blamed key breaks; empty where no number says more.
+    std::function<std::string(const std::string& key)> limit = {};
+};
 
-// What is wrong, in a sentence that says what to change, with the limit that was broken where the model can tell.
-// `key` is the blamed key, empty where none stands in the case.
-std::string explain_failure(const PlaneFailureStudy<>& study, std::string_view failure, const std::string& key);
-std::string explain_failure(const SteppedBaseStudy<>& study, std::string_view failure, const std::string& key);
-std::string explain_failure(const SingleBlock<>& problem, std::string_view failure, const std::string& key);
-std::string explain_failure(const BlockRow<>& row, std::string_view failure, const std::string& key);
-std::string explain_failure(const TiltedColumn<>& column, std::string_view failure, const std::string& key);
-std::string explain_failure(const KinematicsStudy& study, std::string_view failure, const std::string& key);
-std::string explain_failure(const RelaxationStudy& study, std::string_view failure, const std::string& key);
-std::string explain_failure(const FlexuralSlope& slope, std::string_view failure, const std::string& key);
-std::string explain_failure(const SteppedPath& path, std::string_view failure, const std::string& key);
-std::string explain_failure(const WedgeFailureStudy<>& study, std::string_view failure, const std::string& key);
+inline Impossibility out_of_range() {
+    return {{}, "a number is outside its allowed range"};
+}
+
+Impossibility impossibility(const PlaneFailureStudy<>& study, std::string_view failure);
+Impossibility impossibility(const SteppedBaseStudy<>& study, std::string_view failure);
+Impossibility impossibility(const SingleBlock<>& problem, std::string_view failure);
+Impossibility impossibility(const BlockRow<>& row, std::string_view failure);
+Impossibility impossibility(const TiltedColumn<>& column, std::string_view failure);
+Impossibility impossibility(const KinematicsStudy& study, std::string_view failure);
+Impossibility impossibility(const RelaxationStudy& study, std::string_view failure);
+Impossibility impossibility(const FlexuralSlope& slope, std::string_view failure);
+Impossibility impossibility(const SteppedPath& path, std::string_view failure);
+Impossibility impossibility(const WedgeFailureStudy<>& study, std::string_view failure);
 
 }  // namespace delabole

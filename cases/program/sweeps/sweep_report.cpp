@@ -187,10 +187,10 @@ std::string cell_of(const SweptCurve& curve, std::size_t place) {
 }
 
 Table curves_table(const std::string& caption, const SweptInput& input, const std::vector<SweptCurve>& curves) {
-    Table table{caption, {{header_of(axis_of(input)), true}}, {}};
+    Table table{caption, {{header_of(axis_of(input)), true}}};
     for (const SweptCurve& curve : curves) {
         const std::string_view unit = display_unit(curve.dimension).symbol;
-        table.columns.push_back({curve.label + (unit.empty() ? "" : ", " + human_unit(unit)), true});
+        table.columns.emplace_back(curve.label + (unit.empty() ? "" : ", " + human_unit(unit)), true);
     }
     for (std::size_t place = 0; place < input.values.size(); ++place) {
         std::vector<std::string>& row = table.rows.emplace_back();
@@ -373,8 +373,7 @@ std::string screen_of(const SweepRun& run) {
 
 Table comparison_table(const std::vector<Comparison>& comparisons) {
     Table table{"Printed and computed",
-                {{"quantity"}, {"printed", true}, {"computed", true}, {"difference", true}, {"verdict"}, {"source"}},
-                {}};
+                {"quantity", "printed"_number, "computed"_number, "difference"_number, "verdict", "source"}};
     for (const Comparison& row : comparisons) {
         table.rows.push_back(
             {row.what, row.expected, row.computed, row.difference, std::string(word_of(row.verdict)), row.source});

@@ -5,10 +5,6 @@
 
 namespace delabole {
 
-std::vector<BaseFrictionTest> base_friction_tests() {
-    return parse_table<BaseFrictionTest>(thesis_table_3_1, "cases/thesis/chapter_3/table_3_1.csv");
-}
-
 std::vector<BaseFrictionState> base_friction_states() {
     return parse_table<BaseFrictionState>(thesis_table_3_2, "cases/thesis/chapter_3/table_3_2.csv");
 }
@@ -19,10 +15,6 @@ std::vector<SlopeHeightVariation> slope_height_variations() {
 
 std::vector<TiltingFrameAngle> tilting_frame_angles() {
     return parse_table<TiltingFrameAngle>(thesis_tilting_frame, "cases/thesis/chapter_3/tilting_frame.csv");
-}
-
-std::vector<ModelFeature> model_features() {
-    return parse_table<ModelFeature>(thesis_features, "cases/thesis/chapter_2/features.csv");
 }
 
 std::vector<MechanismVerdict> mechanism_verdicts() {

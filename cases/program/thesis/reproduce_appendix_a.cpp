@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace delabole {
 
@@ -102,28 +103,6 @@ std::string degrees_in_words(double angle, int decimals) {
     return text.substr(0, text.find('.') + 1 + static_cast<std::size_t>(decimals)) + " deg";
 }
 
-// "1 slides, 2 to 5 topple, 6 to 8 stay"
-std::string modes_in_words(const std::vector<ColumnResult>& columns) {
-    std::vector<std::string> parts;
-    for (std::size_t first = 0; first < columns.size();) {
-        std::size_t last = first;
-        while (last + 1 < columns.size() && columns[last + 1].mode == columns[first].mode) {
-            ++last;
-        }
-        std::string word(word_of(columns[first].mode));
-        std::string part = std::to_string(first + 1);
-        if (last > first) {
-            part += " to " + std::to_string(last + 1);
-            word.pop_back();
-        }
-        part += ' ';
-        part += word;
-        parts.push_back(part);
-        first = last + 1;
-    }
-    return list_in_words(parts);
-}
-
 Reproduction reproduce_limiting_friction(const ResultFolder& folder, Report& report) {
     const Limit limit = limiting_friction_angle(make_columns(appendix_a(degrees(40)).scene), 0);
     const SteppedBase<> problem = appendix_a(limit.value);
@@ -131,7 +110,10 @@ Reproduction reproduce_limiting_friction(const ResultFolder& folder, Report& rep
     const std::vector<ColumnResult> columns = column_results(slope, strength_of(problem));
     const ThesisProgram program = run_thesis_program();
     const SteppedBaseResult result = analyse(problem);
-    const std::string modes = modes_in_words(columns);
+    std::vector<std::string_view> does;
+    std::ranges::transform(columns, std::back_inserter(does),
+                           [](const ColumnResult& column) { return word_of(column.mode); });
+    const std::string modes = columns_in_words(does, " to ");
     const auto crack = static_cast<int>(result.uppermost_moving);
     const auto above = static_cast<std::size_t>(crack);
 

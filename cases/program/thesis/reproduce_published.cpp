@@ -139,19 +139,12 @@ Table factor_table(const std::vector<Problem>& problems) {
     Table table{
         "Factors of safety by strength reduction and as published; of RJ-16 critical tilts in degrees. Statics: up "
         "to this factor forces over faces exist that strength allows and that hold the blocks.",
-        {{"problem"},
-         {"factor", true},
-         {"bracket", true},
-         {"path"},
-         {"statics", true},
-         {"blocks", true},
-         {"seconds", true}},
-        {}};
+        {"problem", "factor"_number, "bracket"_number, "path", "statics"_number, "blocks"_number, "seconds"_number}};
     for (const Code& code : codes()) {
-        table.columns.push_back({code.name, true});
+        table.columns.emplace_back(code.name, true);
     }
-    table.columns.push_back({"verdict"});
-    table.columns.push_back({"remark"});
+    table.columns.emplace_back("verdict");
+    table.columns.emplace_back("remark");
     for (const Problem& problem : problems) {
         table.rows.push_back({problem.file.title, found_in_words(problem, problem.answer),
                               bracket_in_words(problem, problem.answer), human_name(word_of(problem.answer.path)),
@@ -171,11 +164,10 @@ Table factor_table(const std::vector<Problem>& problems) {
 
 // Published values over those found here, problem by problem.
 Figure factor_figure(const std::vector<Problem>& problems) {
-    Figure figure;
-    figure.title = "Published values over those of strength reduction";
-    figure.x.title = "problem";
-    figure.y.title = "published over computed";
-    figure.width = 1000;
+    Figure figure{.title = "Published values over those of strength reduction",
+                  .x = {.title = "problem"},
+                  .y = {.title = "published over computed"},
+                  .width = 1000};
     std::vector<double> place;
     for (std::size_t index = 0; index < problems.size(); ++index) {
         place.push_back(static_cast<double>(index + 1));

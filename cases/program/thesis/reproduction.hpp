@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -63,6 +64,9 @@ void run_part(const ResultFolder& folder, const PartOfWork& part, std::size_t co
               const std::function<void(std::size_t)>& task);
 
 std::string statement(bool met);
+// "1 slides, 2 to 5 topple and 6 to 8 stay": what each column does, with `to` between the first and last that do the
+// same.
+std::string columns_in_words(const std::vector<std::string_view>& does, const std::string& to);
 // A difference of rounding is no difference.
 std::string difference_in_words(double difference);
 Table printed_table(const std::string& caption, const std::vector<PrintedRow>& rows);

@@ -127,9 +127,7 @@ DrawnMode drawn_role(char role) {
 
 BlockDrawing row_drawing(const BlockRow<>& row, std::string_view roles, double tilt,
                          const std::vector<RowBlockForces>& forces, const std::string& title, double turn) {
-    BlockDrawing drawing;
-    drawing.title = title;
-    drawing.displaced_legend = "mechanism, displacement enlarged";
+    BlockDrawing drawing{.title = title, .displaced_legend = "mechanism, displacement enlarged"};
     const Plane plane(tilt);
     const std::vector<double> toes = toes_of(row);
     const RowMotion motion(row, roles, turn);

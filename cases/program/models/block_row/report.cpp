@@ -67,8 +67,7 @@ Table mode_table(const std::vector<RowModeSummary>& modes) {
         return one != other ? one : first->critical_tilt < second->critical_tilt;
     });
     Table table{"Modes: the admissible ones first, by tilt.",
-                {{"mode"}, {"begins at tilt, °", true}, {"second solution, °", true}, {"can it happen?"}},
-                {}};
+                {"mode", "begins at tilt, °"_number, "second solution, °"_number, "can it happen?"}};
     if (sorted.size() > most_rows) {
         table.caption +=
             " The first " + std::to_string(most_rows) + " of " + std::to_string(sorted.size()) + "; modes.csv has all.";
@@ -114,8 +113,7 @@ Table block_table(const BlockRowResult& result) {
                  {"shear, " + unit, true},
                  {"base normal, " + unit, true},
                  {"base shear, " + unit, true},
-                 {"from toe, m", true}},
-                {}};
+                 {"from toe, m", true}}};
     const auto force = [](double value) {
         return human_number(in_display_unit(value, Dimension::force_per_length), 5);
     };
@@ -245,10 +243,9 @@ void append_case_figures(const BlockRow<>& row, const BlockRowResult& result, co
                          Report& report) {
     const std::string roles = mode_in_words(result.answer.mode);
     if (result.answer.search == RowSearchKind::upper_bound) {
-        report.blocks.emplace_back(
-            Paragraph{"No mode is admissible, and so there are no forces to show. The tilt is the bound by linear "
-                      "programming: the greatest at which contact forces within Coulomb's cones keep every block in "
-                      "equilibrium."});
+        report.blocks.emplace_back(Paragraph{
+            "No mode is admissible, and so there are no forces to show. The tilt is the bound by linear programming: "
+            "the greatest at which contact forces within Coulomb's cones keep every block in equilibrium."});
     } else if (row.block.size() <= most_drawn_blocks) {
         report.blocks.emplace_back(folder.draw(
             block_figure(
@@ -264,12 +261,12 @@ void append_case_figures(const BlockRow<>& row, const BlockRowResult& result, co
         report.blocks.emplace_back(block_table(result));
     }
     report.blocks.emplace_back(Heading{"Every mode"});
-    report.blocks.emplace_back(Paragraph{
-        "A mode gives every block a letter, from the lowest up: S slides; F, P and B turn forward about the toe, which "
-        "slides forward (F), does not slide (P) or slides backward (B); = adheres to the block below and turns with "
-        "it; 0 stands; R is pushed back up the plane. The governing mode is the admissible one that begins at the "
-        "least tilt: nothing presses the blocks together. Blocks that are pressed together may stand up to the tilt "
-        "given for contact, and no further."});
+    report.blocks.emplace_back(
+        Paragraph{"A mode gives every block a letter, from the lowest up: S slides; F, P and B turn forward about the "
+                  "toe, which slides forward (F), does not slide (P) or slides backward (B); = adheres to the block "
+                  "below and turns with it; 0 stands; R is pushed back up the plane. The governing mode is the "
+                  "admissible one that begins at the least tilt: nothing presses the blocks together. Blocks that are "
+                  "pressed together may stand up to the tilt given for contact, and no further."});
     report.blocks.emplace_back(mode_table(result.mode));
     folder.write("modes.csv", modes_csv(result.mode));
     folder.write("blocks.csv", blocks_csv(result));
@@ -287,42 +284,27 @@ void append_mechanism_figures(const BlockRow<>& at_best, const MechanismFit& fit
                     fit.name + "_mode", "The governing mode at the best point."));
 }
 
-std::vector<std::string> blamed_keys(const BlockRow<>&, std::string_view failure) {
+Impossibility impossibility(const BlockRow<>& row, std::string_view failure) {
     switch (value_of<BlockRowCheck>(failure).value_or(BlockRowCheck::valid)) {
     case BlockRowCheck::no_blocks:
+        return {{"block"}, "at least one [[block]] is required"};
     case BlockRowCheck::too_many_blocks:
-        return {"block"};
+        return {{"block"}, "at most 100 000 blocks: there are " + std::to_string(row.block.size())};
     case BlockRowCheck::no_admissible_mode:
-        return {"block"};
+        return {{"block"},
+                "none of the modes examined satisfies statics and kinematics, and " +
+                    (row.block.size() > most_bounded_row
+                         ? std::to_string(row.block.size()) +
+                               " blocks are too many for the bound by linear programming, at most " +
+                               std::to_string(most_bounded_row)
+                         : std::string("the linear programme that bounds the tilt has no answer either, as where the "
+                                       "heaviest block weighs more than 1e7 times the lightest")) +
+                    ": there is no answer"};
     case BlockRowCheck::input_out_of_range:
     case BlockRowCheck::valid:
         break;
     }
-    return {};
-}
-
-std::string explain_failure(const BlockRow<>& row, std::string_view failure, const std::string&) {
-    switch (value_of<BlockRowCheck>(failure).value_or(BlockRowCheck::valid)) {
-    case BlockRowCheck::no_blocks:
-        return "at least one [[block]] is required";
-    case BlockRowCheck::too_many_blocks:
-        return "at most 100 000 blocks: there are " + std::to_string(row.block.size());
-    case BlockRowCheck::no_admissible_mode:
-        return "none of the modes examined satisfies statics and kinematics, and " +
-               (row.block.size() > most_bounded_row
-                    ? std::to_string(row.block.size()) +
-                          " blocks are too many for the bound by linear programming, at most " +
-                          std::to_string(most_bounded_row)
-                    : std::string(
-                          "the linear programme that bounds the tilt has no answer either, as where the heaviest "
-                          "block weighs more than 1e7 times the lightest")) +
-               ": there is no answer";
-    case BlockRowCheck::input_out_of_range:
-        return "a number is outside its allowed range";
-    case BlockRowCheck::valid:
-        break;
-    }
-    return "";
+    return out_of_range();
 }
 
 }  // namespace delabole

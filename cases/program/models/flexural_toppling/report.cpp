@@ -28,8 +28,8 @@ DrawnMode drawn(FlexuralMode mode) {
 Figure columns_figure(const FlexuralSlope& slope, const FlexuralStability& result) {
     const Point along(std::cos(slope.base_dip), std::sin(slope.base_dip));
     const Point up(-along.y(), along.x());
-    BlockDrawing drawing;
-    drawing.title = result.toe_push > 0 ? "The columns: the slope fails" : "The columns: the slope stands";
+    BlockDrawing drawing{.title =
+                             result.toe_push > 0 ? "The columns: the slope fails" : "The columns: the slope stands"};
     double foot = 0;
     double height_before = slope.column.front().height;
     for (std::size_t index = 0; index < slope.column.size(); ++index) {
@@ -53,8 +53,7 @@ Figure columns_figure(const FlexuralSlope& slope, const FlexuralStability& resul
 
 Table column_table(const FlexuralStability& result) {
     Table table{"The columns from the toe up, and the push that each needs from the one below.",
-                {{"column", true}, {"without it"}, {"push, kN/m", true}, {"moment at the foot, kN", true}},
-                {}};
+                {"column"_number, "without it", "push, kN/m"_number, "moment at the foot, kN"_number}};
     constexpr double kilo = 1e3;
     for (std::size_t index = 0; index < result.column.size(); ++index) {
         const FlexuralColumnState& state = result.column[index];
@@ -116,13 +115,9 @@ void append_mechanism_figures(const FlexuralSlope& at_best, const MechanismFit& 
     }
 }
 
-std::vector<std::string> blamed_keys(const FlexuralSlope&, std::string_view) {
-    return {};
-}
-
-std::string explain_failure(const FlexuralSlope&, std::string_view failure, const std::string&) {
-    return value_of<FlexuralCheck>(failure) == FlexuralCheck::no_columns ? "there is no column"
-                                                                         : "a number is outside its allowed range";
+Impossibility impossibility(const FlexuralSlope&, std::string_view failure) {
+    return value_of<FlexuralCheck>(failure) == FlexuralCheck::no_columns ? Impossibility{{}, "there is no column"}
+                                                                         : out_of_range();
 }
 
 }  // namespace delabole

@@ -85,8 +85,7 @@ std::string or_dash(const std::string& text) {
 
 Table set_table(const KinematicsResult& result) {
     Table table{"The joint sets at their means, as dip/dip direction, and in the section across the face",
-                {{"set"}, {"mean", true}, {"scatter of the sampled poles", true}, {"apparent dip in section", true}},
-                {}};
+                {"set", "mean"_number, "scatter of the sampled poles"_number, "apparent dip in section"_number}};
     for (const JointSetFeasibility& set : result.joint_set) {
         table.rows.push_back(
             {set.name, attitude(set.mean.dip, set.mean.dip_direction), degrees_shown(set.angular_standard_deviation),
@@ -99,7 +98,7 @@ Table set_table(const KinematicsResult& result) {
 
 Table mechanism_table(const KinematicsResult& result, const std::string& caption,
                       MechanismFeasibility JointSetFeasibility::*mechanism) {
-    Table table{caption, {{"set"}, {"at the mean"}, {"feasible below friction of", true}, {"share", true}}, {}};
+    Table table{caption, {"set", "at the mean", "feasible below friction of"_number, "share"_number}};
     for (const JointSetFeasibility& set : result.joint_set) {
         const MechanismFeasibility& answer = set.*mechanism;
         table.rows.push_back({set.name, verdict_shown(answer.at_mean), critical_shown(answer.critical_friction_angle),
@@ -109,7 +108,7 @@ Table mechanism_table(const KinematicsResult& result, const std::string& caption
 }
 
 Table base_table(const KinematicsResult& result) {
-    Table table{"Bases of toppling columns", {{"set"}, {"at the mean"}, {"share", true}}, {}};
+    Table table{"Bases of toppling columns", {"set", "at the mean", "share"_number}};
     for (const JointSetFeasibility& set : result.joint_set) {
         table.rows.push_back({set.name, verdict_shown(set.toppling_base), share_shown(set.toppling_base_share)});
     }
@@ -119,15 +118,8 @@ Table base_table(const KinematicsResult& result) {
 // Pairs carry the numbers under which the stereonet shows their intersections.
 Table wedge_table(const KinematicsResult& result) {
     Table table{"Sliding of wedges, the intersection as plunge/trend",
-                {{"no."},
-                 {"pair"},
-                 {"intersection", true},
-                 {"at the mean"},
-                 {"carried by"},
-                 {"feasible below friction of", true},
-                 {"in balance at friction of", true},
-                 {"share", true}},
-                {}};
+                {"no.", "pair", "intersection"_number, "at the mean", "carried by", "feasible below friction of"_number,
+                 "in balance at friction of"_number, "share"_number}};
     for (std::size_t index = 0; index < result.pair.size(); ++index) {
         const PairFeasibility& pair = result.pair[index];
         const std::string carrier = pair.wedge_contact == SlidingContact::none          ? ""
@@ -148,8 +140,7 @@ Table wedge_table(const KinematicsResult& result) {
 
 Table direct_toppling_table(const KinematicsResult& result) {
     Table table{"Direct toppling of the columns that two sets cut",
-                {{"no."}, {"pair"}, {"at the mean"}, {"base"}, {"share", true}},
-                {}};
+                {"no.", "pair", "at the mean", "base", "share"_number}};
     for (std::size_t index = 0; index < result.pair.size(); ++index) {
         const PairFeasibility& pair = result.pair[index];
         table.rows.push_back({std::to_string(index + 1), pair_name(pair), verdict_shown(pair.direct_toppling),
@@ -174,8 +165,8 @@ Table zone_table(const Kinematics& model) {
          {"zone of flexural toppling (poles)",
           "poles of layers that dip steeply into the slope, within " + degrees_shown(limit.flexural_toppling) +
               " of the face's strike",
-          "face dip exceeds 90° less the dip of the layers, plus friction: they can slip over one another and bend "
-          "out of the slope"},
+          "face dip exceeds 90° less the dip of the layers, plus friction: they can slip over one another and bend out "
+          "of the slope"},
          {"zone of wedge sliding (intersections)", "lines that come out in the face and plunge more than " + friction,
           "a wedge between the two planes can slide; Hocking's test says on which of them"},
          {"axes of toppling columns (intersections)",
@@ -246,14 +237,8 @@ StereonetDrawing stereonet_drawing(const Kinematics& model, const KinematicsResu
 
 Table statistics_table(const KinematicsResult& result) {
     Table table{"Fisher's statistics of the measured sets",
-                {{"set"},
-                 {"poles", true},
-                 {"mean, dip/dip direction", true},
-                 {"K", true},
-                 {"95 % bounds of K", true},
-                 {"cone that holds the true mean, 95 %", true},
-                 {"cone that holds 68 % of the poles", true}},
-                {}};
+                {"set", "poles"_number, "mean, dip/dip direction"_number, "K"_number, "95 % bounds of K"_number,
+                 "cone that holds the true mean, 95 %"_number, "cone that holds 68 % of the poles"_number}};
     for (const JointSetFeasibility& set : result.joint_set) {
         if (const auto& own = set.measured) {
             table.rows.push_back(
@@ -272,7 +257,7 @@ Table count_table(const PoleCounts& counts) {
                                         of > 0 ? share_shown(count / of) : "–"};
     };
     return {"Every measured pole, and every line along which two of the planes meet, counted once",
-            {{"what"}, {"number", true}, {"out of", true}, {"share", true}},
+            {"what", "number"_number, "out of"_number, "share"_number},
             {row("poles of planes that can slide", counts.planar_sliding, counts.count),
              row("poles of layers that can topple (flexural)", counts.flexural_toppling, counts.count),
              row("poles of planes that can be a base of direct toppling", counts.toppling_base, counts.count),
@@ -282,7 +267,7 @@ Table count_table(const PoleCounts& counts) {
 }
 
 Table number_of_sets_table(const std::vector<double>& criterion) {
-    Table table{"Evidence for the number of sets", {{"sets", true}, {"Bayesian information criterion", true}}, {}};
+    Table table{"Evidence for the number of sets", {"sets"_number, "Bayesian information criterion"_number}};
     const double least = *std::ranges::min_element(criterion);
     for (std::size_t sets = 0; sets < criterion.size(); ++sets) {
         const double above = criterion[sets] - least;
@@ -318,9 +303,9 @@ void append_measured(const Kinematics& model, const KinematicsResult& result, co
     if (!result.information_criterion.empty()) {
         report.blocks.emplace_back(number_of_sets_table(result.information_criterion));
     }
-    report.blocks.emplace_back(folder.draw(kamb_figure(drawing), "stereonet_kamb",
-                                           "Contours of the measured poles after Kamb: densities that uniform poles "
-                                           "would hardly give."));
+    report.blocks.emplace_back(
+        folder.draw(kamb_figure(drawing), "stereonet_kamb",
+                    "Contours of the measured poles after Kamb: densities that uniform poles would hardly give."));
     std::vector<Orientation> planes = drawing.without_set;
     std::vector<double> weights = drawing.weights_without_set;
     for (const DrawnJointSet& set : drawing.joint_set) {
@@ -377,8 +362,7 @@ HeadCard head_card(const KinematicsStudy&, const KinematicsResult& result) {
     }
     head.sentences.emplace_back(
         "This is so at the mean orientations; the tables say for which share of each set's spread, and cohesion, "
-        "water, "
-        "spacing, persistence and height play no part.");
+        "water, spacing, persistence and height play no part.");
     return head;
 }
 
@@ -389,18 +373,18 @@ void append_case_figures(const KinematicsStudy& study, const KinematicsResult& r
                                    ? " The zones are drawn for level ground behind the crest; the verdicts below know "
                                      "the ground that the case gives."
                                    : "";
-    report.blocks.emplace_back(folder.draw(
-        pole_figure(drawing), "stereonet_poles",
-        "Poles of the joint sets, their means and the zones in which a pole slides or topples. " +
-            std::string(result.poles ? "The poles are measured; shares of pairs are of planes drawn from both sets "
-                                       "independently of each other."
-                                     : "The poles are not measurements: they are sampled from what the case says of "
-                                       "each set, every set independently of the others.") +
-            ground));
+    report.blocks.emplace_back(
+        folder.draw(pole_figure(drawing), "stereonet_poles",
+                    "Poles of the joint sets, their means and the zones in which a pole slides or topples. " +
+                        std::string(result.poles ? "The poles are measured; shares of pairs are of planes drawn from "
+                                                   "both sets independently of each other."
+                                                 : "The poles are not measurements: they are sampled from what the "
+                                                   "case says of each set, every set independently of the others.") +
+                        ground));
     report.blocks.emplace_back(Heading{"Mean planes and zones"});
     report.blocks.emplace_back(folder.draw(plane_figure(drawing), "stereonet_planes",
-                                           "Mean planes and the lines along which they meet, numbered as the pairs "
-                                           "in the tables, with the zones of wedges and toppling columns." +
+                                           "Mean planes and the lines along which they meet, numbered as the pairs in "
+                                           "the tables, with the zones of wedges and toppling columns." +
                                                ground));
     report.blocks.emplace_back(zone_table(study.model));
     if (result.poles) {
@@ -425,58 +409,37 @@ void append_case_figures(const KinematicsStudy& study, const KinematicsResult& r
 void append_mechanism_figures(const KinematicsStudy&, const MechanismFit&, const FitProblem&, const ResultFolder&,
                               Report&) {}
 
-std::vector<std::string> blamed_keys(const KinematicsStudy&, std::string_view failure) {
+Impossibility impossibility(const KinematicsStudy&, std::string_view failure) {
     switch (value_of<KinematicsCheck>(failure).value_or(KinematicsCheck::valid)) {
     case KinematicsCheck::no_joint_set:
+        return {{"joint_set"}, "at least one [[joint_set]], or measured [[poles]], is required"};
     case KinematicsCheck::too_many_joint_sets:
+        return {{"joint_set"}, "at most " + std::to_string(most_joint_sets) + " joint sets"};
     case KinematicsCheck::joint_set_without_name:
+        return {{"joint_set"}, "every joint set needs a name"};
     case KinematicsCheck::joint_set_name_repeated:
+        return {{"joint_set"}, "two joint sets have the same name"};
     case KinematicsCheck::lower_dip_above_upper_dip:
-        return {"joint_set"};
+        return {{"joint_set"}, "a joint set has a lower_dip above its upper_dip"};
     case KinematicsCheck::survey_without_planes:
+        return {{"poles"}, "[[poles]] need a file or at least one plane"};
     case KinematicsCheck::too_many_poles:
-    case KinematicsCheck::no_set_found:
-        return {"poles"};
+        return {{"poles"}, "there may be at most " + std::to_string(most_poles) + " poles"};
     case KinematicsCheck::window_without_poles:
-        return {"joint_set"};
+        return {{"joint_set"},
+                "no measured pole lies in the window of a joint set: move it, or make window_radius larger"};
+    case KinematicsCheck::no_set_found:
+        return {
+            {"poles"},
+            "the poles are as likely to be scattered evenly as to form sets: give the sets as [[joint_set]], with a "
+            "window_dip, window_dip_direction and window_radius each"};
     case KinematicsCheck::setting_not_whole:
-        return {"sampling", "set_search"};
+        return {{"sampling", "set_search"}, "sample_count, seed and most_sets must be whole numbers"};
     case KinematicsCheck::input_out_of_range:
     case KinematicsCheck::valid:
         break;
     }
-    return {};
-}
-
-std::string explain_failure(const KinematicsStudy&, std::string_view failure, const std::string&) {
-    switch (value_of<KinematicsCheck>(failure).value_or(KinematicsCheck::valid)) {
-    case KinematicsCheck::no_joint_set:
-        return "at least one [[joint_set]], or measured [[poles]], is required";
-    case KinematicsCheck::too_many_joint_sets:
-        return "at most " + std::to_string(most_joint_sets) + " joint sets";
-    case KinematicsCheck::joint_set_without_name:
-        return "every joint set needs a name";
-    case KinematicsCheck::joint_set_name_repeated:
-        return "two joint sets have the same name";
-    case KinematicsCheck::lower_dip_above_upper_dip:
-        return "a joint set has a lower_dip above its upper_dip";
-    case KinematicsCheck::survey_without_planes:
-        return "[[poles]] need a file or at least one plane";
-    case KinematicsCheck::too_many_poles:
-        return "there may be at most " + std::to_string(most_poles) + " poles";
-    case KinematicsCheck::window_without_poles:
-        return "no measured pole lies in the window of a joint set: move it, or make window_radius larger";
-    case KinematicsCheck::no_set_found:
-        return "the poles are as likely to be scattered evenly as to form sets: give the sets as [[joint_set]], with a "
-               "window_dip, window_dip_direction and window_radius each";
-    case KinematicsCheck::setting_not_whole:
-        return "sample_count, seed and most_sets must be whole numbers";
-    case KinematicsCheck::input_out_of_range:
-        return "a number is outside its allowed range";
-    case KinematicsCheck::valid:
-        break;
-    }
-    return "";
+    return out_of_range();
 }
 
 }  // namespace delabole

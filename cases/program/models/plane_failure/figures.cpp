@@ -154,8 +154,8 @@ std::optional<WaterDepthCurves> water_depth_curves(const PlaneFailure<>& problem
     const double given = *cohesion;
     const double unit = given > 0 ? given : 50e3;
     for (const double value : {0.0, unit, 2 * unit}) {
-        NamedCurve curve;
-        curve.legend = "c = " + value_in_words(value, Dimension::stress) + (value == given ? " (as given)" : "");
+        NamedCurve curve{.legend =
+                             "c = " + value_in_words(value, Dimension::stress) + (value == given ? " (as given)" : "")};
         *cohesion = value;
         for (int index = 0; index < curve_points; ++index) {
             const double ratio = static_cast<double>(index) / (curve_points - 1);

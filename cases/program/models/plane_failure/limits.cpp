@@ -201,106 +201,71 @@ std::string broken_limit(const PlaneFailure<>& problem, std::string_view failure
 }
 
 // In general, where no number says more.
-std::string_view in_words(PlaneFailureCheck check) {
-    switch (check) {
+Impossibility in_general(std::string_view failure) {
+    const std::vector<std::string> crack_position = {"tension_crack.distance_behind_crest", "tension_crack.depth",
+                                                     "tension_crack.base_below_crest", "tension_crack.base_elevation"};
+    switch (value_of<PlaneFailureCheck>(failure).value_or(PlaneFailureCheck::valid)) {
     case PlaneFailureCheck::plane_does_not_daylight:
-        return "the failure plane is as steep as the face or steeper: failure_plane.dip must be less than "
-               "slope.face_dip";
+        return {{"failure_plane.dip"},
+                "the failure plane is as steep as the face or steeper: failure_plane.dip must be less than "
+                "slope.face_dip"};
     case PlaneFailureCheck::plane_daylights_above_crest:
-        return "failure_plane.daylight_height must be less than slope.height";
+        return {{"failure_plane.daylight_height"}, "failure_plane.daylight_height must be less than slope.height"};
     case PlaneFailureCheck::plane_never_surfaces:
-        return "the ground behind the crest is as steep as the failure plane, so the plane never meets it: give a "
-               "tension crack or a flatter upper surface";
+        return {{"slope.upper_surface_dip"},
+                "the ground behind the crest is as steep as the failure plane, so the plane never meets it: give a "
+                "tension crack or a flatter upper surface"};
     case PlaneFailureCheck::crack_flatter_than_plane:
-        return "tension_crack.dip must be more than failure_plane.dip";
+        return {{"tension_crack.dip"}, "tension_crack.dip must be more than failure_plane.dip"};
     case PlaneFailureCheck::crack_below_plane:
-        return "the tension crack lies behind the point where the failure plane meets the ground";
+        return {crack_position, "the tension crack lies behind the point where the failure plane meets the ground"};
     case PlaneFailureCheck::crack_base_below_daylight:
-        return "the bottom of the tension crack lies below the point where the plane daylights";
+        return {crack_position, "the bottom of the tension crack lies below the point where the plane daylights"};
     case PlaneFailureCheck::crack_deeper_than_mass:
-        return "nowhere behind the crest is the rock above the failure plane as thick as tension_crack.depth";
+        return {crack_position,
+                "nowhere behind the crest is the rock above the failure plane as thick as tension_crack.depth"};
     case PlaneFailureCheck::crack_never_surfaces:
-        return "the tension crack does not reach the ground";
+        return {{"tension_crack.dip"}, "the tension crack does not reach the ground"};
     case PlaneFailureCheck::mass_vanishes:
-        return "nothing lies between failure plane, crack and ground";
+        return {{"failure_plane.dip"}, "nothing lies between failure plane, crack and ground"};
     case PlaneFailureCheck::water_needs_crack:
-        return "this water form fills a tension crack, but the case has none";
+        return {{"water.kind"}, "this water form fills a tension crack, but the case has none"};
     case PlaneFailureCheck::water_above_crack:
-        return "the water stands above the top of the tension crack (or of the base)";
+        return {{"water.water_depth", "water.water_elevation", "water.kind"},
+                "the water stands above the top of the tension crack (or of the base)"};
     case PlaneFailureCheck::water_points_not_increasing:
-        return "the points of the water form must increase along the line, two at least for a piezometric line";
+        return {{"water.point", "water.base", "water.crack"},
+                "the points of the water form must increase along the line, two at least for a piezometric line"};
     case PlaneFailureCheck::water_below_pond:
-        return "the water states less pressure than the pond gives where the plane daylights or at the bottom of the "
-               "crack";
+        return {{"water.water_depth", "water.filled_ratio", "water.water_elevation", "water.point", "water.base",
+                 "water.crack", "pond.depth"},
+                "the water states less pressure than the pond gives where the plane daylights or at the bottom of the "
+                "crack"};
     case PlaneFailureCheck::pond_above_crest:
-        return "pond.depth must not exceed slope.height";
+        return {{"pond.depth"}, "pond.depth must not exceed slope.height"};
     case PlaneFailureCheck::elevation_without_datum:
-        return "an elevation is given, so slope.toe_elevation is needed";
+        return {{"tension_crack.base_elevation", "water.water_elevation"},
+                "an elevation is given, so slope.toe_elevation is needed"};
     case PlaneFailureCheck::friction_not_below_90_deg:
-        return "friction_angle plus roughness_angle must not exceed 89.9 deg";
+        return {{"strength.roughness_angle", "strength.friction_angle"},
+                "friction_angle plus roughness_angle must not exceed 89.9 deg"};
     case PlaneFailureCheck::bolt_head_above_crest:
-        return "a bolt's head_height must not exceed slope.height";
+        return {{"bolt"}, "a bolt's head_height must not exceed slope.height"};
     case PlaneFailureCheck::input_out_of_range:
-        return "a number is outside its allowed range";
     case PlaneFailureCheck::valid:
         break;
     }
-    return "";
+    return out_of_range();
 }
 
 }  // namespace
 
-std::vector<std::string> blamed_keys(const PlaneFailureStudy<>&, std::string_view failure) {
-    static const std::vector<std::string> crack_position = {"tension_crack.distance_behind_crest",
-                                                            "tension_crack.depth", "tension_crack.base_below_crest",
-                                                            "tension_crack.base_elevation"};
-    static const std::vector<std::string> water_level = {"water.water_depth", "water.water_elevation", "water.kind"};
-    switch (value_of<PlaneFailureCheck>(failure).value_or(PlaneFailureCheck::valid)) {
-    case PlaneFailureCheck::plane_does_not_daylight:
-    case PlaneFailureCheck::mass_vanishes:
-        return {"failure_plane.dip"};
-    case PlaneFailureCheck::plane_daylights_above_crest:
-        return {"failure_plane.daylight_height"};
-    case PlaneFailureCheck::plane_never_surfaces:
-        return {"slope.upper_surface_dip"};
-    case PlaneFailureCheck::crack_flatter_than_plane:
-    case PlaneFailureCheck::crack_never_surfaces:
-        return {"tension_crack.dip"};
-    case PlaneFailureCheck::crack_below_plane:
-    case PlaneFailureCheck::crack_base_below_daylight:
-    case PlaneFailureCheck::crack_deeper_than_mass:
-        return crack_position;
-    case PlaneFailureCheck::water_needs_crack:
-        return {"water.kind"};
-    case PlaneFailureCheck::water_above_crack:
-        return water_level;
-    case PlaneFailureCheck::water_points_not_increasing:
-        return {"water.point", "water.base", "water.crack"};
-    case PlaneFailureCheck::water_below_pond:
-        return {"water.water_depth", "water.filled_ratio", "water.water_elevation", "water.point", "water.base",
-                "water.crack",       "pond.depth"};
-    case PlaneFailureCheck::pond_above_crest:
-        return {"pond.depth"};
-    case PlaneFailureCheck::elevation_without_datum:
-        return {"tension_crack.base_elevation", "water.water_elevation"};
-    case PlaneFailureCheck::friction_not_below_90_deg:
-        return {"strength.roughness_angle", "strength.friction_angle"};
-    case PlaneFailureCheck::bolt_head_above_crest:
-        return {"bolt"};
-    case PlaneFailureCheck::input_out_of_range:
-    case PlaneFailureCheck::valid:
-        break;
-    }
-    return {};
-}
-
-std::string explain_failure(const PlaneFailureStudy<>& study, std::string_view failure, const std::string& key) {
+Impossibility impossibility(const PlaneFailureStudy<>& study, std::string_view failure) {
     const ResolvedStudy resolved = resolve(study);
-    const PlaneFailure<>& problem = resolved.check == PlaneFailureCheck::valid ? resolved.problem : study.model;
-    const std::string limit = key.empty() ? "" : broken_limit(problem, failure, key);
-    return limit.empty()
-               ? std::string(in_words(value_of<PlaneFailureCheck>(failure).value_or(PlaneFailureCheck::valid)))
-               : limit;
+    Impossibility found = in_general(failure);
+    found.limit = [failure, problem = resolved.check == PlaneFailureCheck::valid ? resolved.problem : study.model](
+                      const std::string& key) { return broken_limit(problem, failure, key); };
+    return found;
 }
 
 }  // namespace delabole

@@ -47,9 +47,7 @@ void warn(Analysis& analysis, const PlaneFailureResult& result, bool critical_at
 }
 
 Table sensitivity_table(const SensitivityResult& sensitivities, CsvTable& csv) {
-    Table table{"Exact derivatives of the factor of safety",
-                {{"input"}, {"value", true}, {"dFS per unit", true}, {"unit"}},
-                {}};
+    Table table{"Exact derivatives of the factor of safety", {"input", "value"_number, "dFS per unit"_number, "unit"}};
     for (const Sensitivity& input : sensitivities.derivatives) {
         const DisplayUnit unit = display_unit(input.dimension);
         const double per_unit = input.derivative * unit.si_per_unit;
@@ -188,8 +186,7 @@ void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAns
     annotate(problem, answer.result, section);
     report.blocks.emplace_back(
         folder.draw(section_figure(section), "section",
-                    "The slope and what slides. Lengths of arrows and water pressures are not to "
-                    "scale."));
+                    "The slope and what slides. Lengths of arrows and water pressures are not to scale."));
     if (const auto critical = critical_plane_drawing(study, answer.resolved)) {
         report.blocks.emplace_back(folder.draw(critical_figure(*critical), "critical_plane",
                                                "Least factor of safety for each dip of the failure plane."));
@@ -230,10 +227,10 @@ void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const Mechanis
                                            "predicted at the best point, with water pressures."));
     FailureLoci loci = failure_loci(slope);
     loci.laboratory = {prior_range(fit, slope)};
-    report.blocks.emplace_back(folder.draw(failure_locus_figure(loci), fit.name + "_failure_loci",
-                                           "Friction angle (of the mean plane) and cohesion at FS = 1 for the geometry "
-                                           "of the best point and several water levels, with what was known of the "
-                                           "strength beforehand."));
+    report.blocks.emplace_back(
+        folder.draw(failure_locus_figure(loci), fit.name + "_failure_loci",
+                    "Friction angle (of the mean plane) and cohesion at FS = 1 for the geometry of the best point and "
+                    "several water levels, with what was known of the strength beforehand."));
     if (const auto curves = water_depth_curves(slope)) {
         report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(*curves), fit.name + "_water",
                                                "Factor of safety against the filled ratio of the crack."));

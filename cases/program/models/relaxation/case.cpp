@@ -201,8 +201,7 @@ void check_critical(Checker& checker, const RelaxationStudy& study) {
     }
     if (plan.path.front() == LoadingPath::stages && !has_stages(study)) {
         checker.complain("critical.path",
-                         "needs stages of excavation: the case has neither [[scene.stage]] nor "
-                         "[[removal]]");
+                         "needs stages of excavation: the case has neither [[scene.stage]] nor [[removal]]");
     }
     if (const auto* reduction = std::get_if<ReductionSearch>(&*study.critical)) {
         const std::vector<std::string> names = joint_names(study.model.scene);

@@ -125,8 +125,7 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
     const Dimension dimension = dimension_of(plan.parameter);
     const std::string name = human_name(name_of_critical(plan.parameter));
     Table table{"The " + name + " on each loading path; headers of critical_request.hpp say what they are.",
-                {{"path"}, {name, true}, {"stands", true}, {"fails", true}, {"failing blocks", true}, {"runs", true}},
-                {}};
+                {"path", {name, true}, "stands"_number, "fails"_number, "failing blocks"_number, "runs"_number}};
     CsvTable csv({"path", "status", column_name(name_of_critical(plan.parameter), dimension),
                   column_name("stands", dimension), column_name("fails", dimension), "failing_blocks", "runs"});
     const auto add = [&](const PathValue& value) {
@@ -287,10 +286,9 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
         append("critical.failing_area", "their area", Dimension::area, failing.area, true);
     }
     if (found && critical.held_by_corners) {
-        analysis.warnings.push_back(
-            "at " + in_six_digits(critical.fails, dimension) +
-            " the blocks rest only because corners bear on corners, "
-            "which is not taken for standing: settings.corners_bear = \"on\" finds where they move in spite of that");
+        analysis.warnings.push_back("at " + in_six_digits(critical.fails, dimension) +
+                                    " the blocks rest only because corners bear on corners, which is not taken for "
+                                    "standing: settings.corners_bear = \"on\" finds where they move in spite of that");
     }
     append("critical.runs", "runs made", Dimension::ratio, static_cast<double>(critical.runs), true);
     append("critical.steps", "time steps of all runs", Dimension::ratio, static_cast<double>(critical.steps), true);

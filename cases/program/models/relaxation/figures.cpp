@@ -151,10 +151,8 @@ std::optional<Figure> velocity_figure(const RelaxationRun& made, const Bodies& b
 }
 
 Table block_table(const RelaxationRun& made) {
-    Table table{
-        "The blocks at the end; slip over the base is negative forward, towards the toe.",
-        {{"block", true}, {"movement"}, {"rotation, °", true}, {"displacement", true}, {"slip over the base", true}},
-        {}};
+    Table table{"The blocks at the end; slip over the base is negative forward, towards the toe.",
+                {"block"_number, "movement", "rotation, °"_number, "displacement"_number, "slip over the base"_number}};
     for (std::size_t block = 0; block < made.result.block.size() && table.rows.size() < most_rows; ++block) {
         const BlockOutcome& outcome = made.result.block[block];
         if (outcome.movement != BlockMovement::fixed) {

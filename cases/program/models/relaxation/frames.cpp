@@ -20,8 +20,7 @@ BlockAnimation animation_of(const RelaxationRun& made, const Bodies& bodies) {
     animation.colour = "speed";
     animation.unit = display_unit(Dimension::speed).symbol;
     animation.caption =
-        "The blocks in motion, gravity downwards. The same frames, with contact forces, are in frames/ "
-        "for ParaView.";
+        "The blocks in motion, gravity downwards. The same frames, with contact forces, are in frames/ for ParaView.";
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         const bool fixed = bodies.fixed[block] != 0;
         AnimatedBlock shown{{}, label_of(block, fixed), fixed};

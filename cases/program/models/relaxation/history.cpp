@@ -127,8 +127,7 @@ Table movement_table(const RelaxationRun& made) {
     Table table{
         "Intervals in which each block slid over its base: forward (F.S.), backward (B.S.), not at all (-). "
         "movements.csv has every interval.",
-        {{"block", true}, {"F.S.", true}, {"B.S.", true}, {"-", true}},
-        {}};
+        {"block"_number, "F.S."_number, "B.S."_number, "-"_number}};
     constexpr std::size_t most_rows = 60;
     for (const std::size_t block : free_blocks(made.scene)) {
         std::array<int, 3> count{};
@@ -151,13 +150,11 @@ constexpr std::array curve_colours{Colour::blue,   Colour::vermilion, Colour::gr
 
 Figure curves(const RelaxationHistory& history, const std::vector<Column>& columns, const std::string& title,
               const Axis& axis) {
-    Figure figure;
-    figure.title = title;
+    Figure figure{.title = title};
     figure.x = {.title = "time", .unit = "s"};
     figure.y = axis;
     for (std::size_t index = 0; index < columns.size(); ++index) {
-        Line line;
-        line.legend = human_name(columns[index].name);
+        Line line{.legend = human_name(columns[index].name)};
         const bool again = index >= curve_colours.size();
         line.colour = curve_colours[(again ? index - 1 : index) % curve_colours.size()];
         line.dash = again ? Dash::dashed : Dash::solid;
@@ -222,8 +219,7 @@ void append_history(const HistoryRequest& request, const RelaxationRun& made, co
                 {.title = "displacement", .unit = human_unit(display_unit(Dimension::length).symbol)}),
          "displacements",
          "How far the centroids of the blocks of [[history.block]] have moved along the axes of the scene, in which "
-         "gravity "
-         "is tilted.");
+         "gravity is tilted.");
     draw(curves(made.history, monitored(request, Dimension::force_per_length, "contact_"), "Contact forces",
                 {.title = "force on the first block",
                  .unit = human_unit(display_unit(Dimension::force_per_length).symbol)}),

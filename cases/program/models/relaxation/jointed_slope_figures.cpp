@@ -41,10 +41,8 @@ Polyline drawn_table(const RelaxationSlope& slope, const std::vector<RelaxationB
 
 Table cut_table(const RelaxationSlope& slope, const JointedSection& section) {
     Table table{
-        "The cuts in their order; not cut: blocks that a joint would have divided had it reached from side to "
-        "side.",
-        {{"cut"}, {"joint"}, {"blocks divided", true}, {"not cut", true}},
-        {}};
+        "The cuts in their order; not cut: blocks that a joint would have divided had it reached from side to side.",
+        {"cut", "joint", "blocks divided"_number, "not cut"_number}};
     for (std::size_t index = 0; index < section.cut.size(); ++index) {
         const SlopeCut& cut = slope.geometry.cut[index];
         table.rows.push_back(
@@ -125,8 +123,7 @@ void append_section_figure(const RelaxationSlope& slope, const SlopeScene& made,
         report.blocks.emplace_back(cutting);
         return;
     }
-    BlockDrawing drawing;
-    drawing.title = "The section";
+    BlockDrawing drawing{.title = "The section"};
     const Upright upright(slope.tilt.value_or(0));
     for (const SlopeRock& rock : slope.rock) {
         drawing.rocks.push_back(rock.name);

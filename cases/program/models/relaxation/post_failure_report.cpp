@@ -17,8 +17,7 @@ std::string in_degrees(double angle) {
 
 Table crack_table(const PostFailure& failure) {
     Table table{"Open joints at the ground behind the crest of the slope.",
-                {{"behind the crest", true}, {"joint"}, {"dip, °", true}, {"opening", true}},
-                {}};
+                {"behind the crest"_number, "joint", "dip, °"_number, "opening"_number}};
     for (const CrestCrack& crack : failure.crack) {
         table.rows.push_back({length_in_words(crack.position), failure.answer.joint[crack.joint].joint,
                               in_degrees(crack.dip), length_in_words(crack.opening)});
@@ -29,8 +28,7 @@ Table crack_table(const PostFailure& failure) {
 Table crest_table(const PostFailure& failure) {
     Table table{
         "Blocks at the ground behind the crest: into the slope, upwards, and turning out of the slope.",
-        {{"behind the crest", true}, {"block", true}, {"horizontal", true}, {"vertical", true}, {"rotation, °", true}},
-        {}};
+        {"behind the crest"_number, "block"_number, "horizontal"_number, "vertical"_number, "rotation, °"_number}};
     for (const CrestBlock& block : failure.block) {
         table.rows.push_back({length_in_words(block.position), std::to_string(block.block + 1),
                               length_in_words(block.movement.horizontal), length_in_words(block.movement.vertical),
@@ -80,13 +78,8 @@ Table stage_table(const RelaxationRun& made) {
     Table table{
         "Masses that failed one after the other, with the shares of their area in blocks that topple out of the "
         "slope, turn into it, and slide.",
-        {{"stage", true},
-         {"blocks", true},
-         {"area, m²", true},
-         {"topples, %", true},
-         {"turns back, %", true},
-         {"slides, %", true}},
-        {}};
+        {"stage"_number, "blocks"_number, "area, m²"_number, "topples, %"_number, "turns back, %"_number,
+         "slides, %"_number}};
     const RetrogressionAnswer answer = answer_of(make_bodies(made.scene), made.stage);
     constexpr double percent = 100;
     for (const RetrogressionStage& stage : answer.stage) {
@@ -103,9 +96,7 @@ BlockDrawing slope_drawing(const RelaxationRun& made, const std::vector<Motion>&
                            const std::function<bool(std::size_t block)>& gone) {
     const Bodies bodies = make_bodies(made.scene);
     const Upright upright(tilt);
-    BlockDrawing drawing;
-    drawing.title = title;
-    drawing.rocks = {"left standing"};
+    BlockDrawing drawing{.title = title, .rocks = {"left standing"}};
     const std::vector<std::size_t> stage = stages_of_blocks(made);
     const std::size_t stages = std::min(made.stage.size(), most_shades);
     for (std::size_t shade = 1; shade <= stages; ++shade) {

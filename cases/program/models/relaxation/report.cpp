@@ -376,70 +376,61 @@ void append_mechanism_figures(const RelaxationStudy& at_best, const MechanismFit
     append_block_figures(run(at_best), folder, report);
 }
 
-std::vector<std::string> blamed_keys(const RelaxationStudy& study, std::string_view) {
-    const SceneFault fault = check(study);
-    const std::string block = indexed("scene.block", fault.index);
-    switch (fault.check) {
-    case SceneCheck::outline_not_convex:
-    case SceneCheck::edge_too_short:
-    case SceneCheck::sizes_too_different:
-    case SceneCheck::overlap_at_start:
-        return {block + ".vertex", block + ".width", block + ".height", block, "scene.block"};
-    case SceneCheck::stiffness_too_soft:
-    case SceneCheck::stiffness_too_stiff:
-        return {"scene.base.normal_stiffness",
-                "scene.interface.normal_stiffness",
-                "scene.joint[1].normal_stiffness",
-                "settings.stiffness_ratio",
-                "settings.quality",
-                block};
-    case SceneCheck::stiffness_not_positive:
-        return {"gravity", joint_key(study, fault.index)};
-    case SceneCheck::friction_out_of_range:
-    case SceneCheck::strength_negative:
-        return {joint_key(study, fault.index) + ".friction_angle", joint_key(study, fault.index)};
-    case SceneCheck::density_not_positive:
-        return {block + ".density", "scene.density"};
-    case SceneCheck::setting_out_of_range:
-        return {"settings"};
-    case SceneCheck::no_free_block:
-        return {"scene.block[1].hold", "scene.block", "scene.fixed[1]", "scene.fixed"};
-    default:
-        return {"scene"};
-    }
-}
-
-std::string explain_failure(const RelaxationStudy& study, std::string_view, const std::string&) {
+Impossibility impossibility(const RelaxationStudy& study, std::string_view) {
     const SceneFault fault = check(study);
     const std::string block = block_name(fault.index);
+    const std::string key = indexed("scene.block", fault.index);
+    const std::string joint = joint_key(study, fault.index);
+    const std::vector<std::string> shape = {key + ".vertex", key + ".width", key + ".height", key, "scene.block"};
+    const std::vector<std::string> stiffness = {"scene.base.normal_stiffness",
+                                                "scene.interface.normal_stiffness",
+                                                "scene.joint[1].normal_stiffness",
+                                                "settings.stiffness_ratio",
+                                                "settings.quality",
+                                                key};
+    const std::string not_valid = "the scene is not valid: " + human_name(word_of(fault.check));
     switch (fault.check) {
     case SceneCheck::no_free_block:
-        return "every block is fixed: nothing can move";
+        return {{"scene.block[1].hold", "scene.block", "scene.fixed[1]", "scene.fixed"},
+                "every block is fixed: nothing can move"};
     case SceneCheck::stiffness_not_positive:
-        return "without gravity settings.stiffness_ratio gives no stiffness: every joint needs its normal_stiffness";
+        return {{"gravity", joint},
+                "without gravity settings.stiffness_ratio gives no stiffness: every joint needs its normal_stiffness"};
     case SceneCheck::outline_not_convex:
-        return block + " is not convex, or its corners run clockwise: list them anticlockwise, the first one once";
+        return {shape,
+                block + " is not convex, or its corners run clockwise: list them anticlockwise, the first one once"};
     case SceneCheck::edge_too_short:
-        return "a face of " + block + " is shorter than a millionth of the block";
+        return {shape, "a face of " + block + " is shorter than a millionth of the block"};
     case SceneCheck::sizes_too_different:
-        return "the blocks differ too much in size, see " + block +
-               ": the longest may be 100 000 times as long as the shortest face";
-    case SceneCheck::stiffness_too_soft:
-        return block + " would sink into its joint by more than a tenth of its size: raise the stiffness";
-    case SceneCheck::stiffness_too_stiff:
-        return "overlaps under the weight of " + block + " would drown in rounding: lower the stiffness";
+        return {shape, "the blocks differ too much in size, see " + block +
+                           ": the longest may be 100 000 times as long as the shortest face"};
     case SceneCheck::overlap_at_start:
-        return block + " and " + block_name(fault.other.value_or(0)) +
-               " overlap in the drawing by more than ten times what their weight would do: they would explode";
+        return {shape, block + " and " + block_name(fault.other.value_or(0)) +
+                           " overlap in the drawing by more than ten times what their weight would do: they would "
+                           "explode"};
+    case SceneCheck::stiffness_too_soft:
+        return {stiffness, block + " would sink into its joint by more than a tenth of its size: raise the stiffness"};
+    case SceneCheck::stiffness_too_stiff:
+        return {stiffness, "overlaps under the weight of " + block + " would drown in rounding: lower the stiffness"};
+    case SceneCheck::friction_out_of_range:
+    case SceneCheck::strength_negative:
+        return {{joint + ".friction_angle", joint}, not_valid};
+    case SceneCheck::density_not_positive:
+        return {{key + ".density", "scene.density"}, not_valid};
+    case SceneCheck::setting_out_of_range:
+        return {{"settings"}, not_valid};
     case SceneCheck::bond_without_face:
-        return "the two faces of bond " + std::to_string(fault.index + 1) + " do not lie on each other in the drawing";
+        return {
+            {"scene"},
+            "the two faces of bond " + std::to_string(fault.index + 1) + " do not lie on each other in the drawing"};
     case SceneCheck::unknown_edge:
-        return "a load is on a face that does not exist, or two blocks with water between them share none";
+        return {{"scene"}, "a load is on a face that does not exist, or two blocks with water between them share none"};
     case SceneCheck::unknown_block:
-        return "a load is on a block that does not exist: there are " +
-               std::to_string(relaxation_scene(study).block.size());
+        return {{"scene"},
+                "a load is on a block that does not exist: there are " +
+                    std::to_string(relaxation_scene(study).block.size())};
     default:
-        return "the scene is not valid: " + human_name(word_of(fault.check));
+        return {{"scene"}, not_valid};
     }
 }
 

@@ -35,10 +35,9 @@ BlockDrawing block_drawing(const SingleBlock<>& problem, const SingleBlockResult
     const Point up(-along.y(), along.x());
     const double width = problem.block.width;
     const double height = problem.block.height;
-    BlockDrawing drawing;
-    drawing.title = "The block: " + human_name(word_of(result.onset_mode));
-    drawing.blocks = {
-        {Polyline{Point(0, 0), width * along, width * along + height * up, height * up}, "", drawn(result.onset_mode)}};
+    BlockDrawing drawing{.title = "The block: " + human_name(word_of(result.onset_mode)),
+                         .blocks = {{Polyline{Point(0, 0), width * along, width * along + height * up, height * up}, "",
+                                     drawn(result.onset_mode)}}};
     // The figure is as wide as the picture of a slender block.
     const double reach = 0.6 * std::max(width, height);
     drawing.base = {-reach * along, (width + reach) * along};
@@ -89,10 +88,9 @@ HeadCard head_card(const SingleBlock<>&, const SingleBlockResult& result) {
 
 void append_case_figures(const SingleBlock<>& problem, const SingleBlockResult& result, const ResultFolder& folder,
                          Report& report) {
-    report.blocks.emplace_back(folder.draw(
-        block_figure(block_drawing(problem, result)), "block",
-        "Weight with the earthquake's inertia and, where the block stands, the effective force of the base; those of "
-        "water are not drawn."));
+    report.blocks.emplace_back(folder.draw(block_figure(block_drawing(problem, result)), "block",
+                                           "Weight with the earthquake's inertia and, where the block stands, the "
+                                           "effective force of the base; those of water are not drawn."));
     if (!dry_and_at_rest(problem)) {
         return;
     }
@@ -116,20 +114,14 @@ void append_mechanism_figures(const SingleBlock<>& at_best, const MechanismFit& 
     }
 }
 
-std::vector<std::string> blamed_keys(const SingleBlock<>& problem, std::string_view failure) {
+Impossibility impossibility(const SingleBlock<>& problem, std::string_view failure) {
     if (value_of<SingleBlockCheck>(failure) != SingleBlockCheck::water_above_block) {
-        return {};
+        return out_of_range();
     }
     const bool behind = problem.water && problem.water->depth_behind > problem.block.height;
-    return {behind ? "water.depth_behind" : "water.depth_in_front", "block.height"};
-}
-
-std::string explain_failure(const SingleBlock<>& problem, std::string_view failure, const std::string&) {
-    if (value_of<SingleBlockCheck>(failure) == SingleBlockCheck::water_above_block) {
-        return "a depth of water exceeds the height of the block, " +
-               readable_quantity(problem.block.height, Dimension::length);
-    }
-    return "a number is outside its allowed range";
+    return {{behind ? "water.depth_behind" : "water.depth_in_front", "block.height"},
+            "a depth of water exceeds the height of the block, " +
+                readable_quantity(problem.block.height, Dimension::length)};
 }
 
 }  // namespace delabole

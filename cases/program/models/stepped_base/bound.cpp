@@ -158,10 +158,7 @@ void append_bracket(const SteppedBaseAnswer& answer, double bound_upper_part, co
     const auto shown = [&](double factor) {
         return in_display_unit(reduced_friction(problem, factor), Dimension::angle);
     };
-    Line line;
-    line.legend = "linear programming";
-    line.colour = Colour::blue;
-    line.width = 4;
+    Line line{.legend = "linear programming", .colour = Colour::blue, .width = 4};
     for (int index = 0; index <= decades * steps; ++index) {
         const double exponent = -static_cast<double>(index) / steps;
         const double upper_part = std::pow(10, exponent);
@@ -171,18 +168,16 @@ void append_bracket(const SteppedBaseAnswer& answer, double bound_upper_part, co
                                                ? shown(result.factor_of_safety)
                                                : std::nan(""));
     }
-    Line limit;
-    limit.legend = "recursion: forces on the tops of the joints";
-    limit.colour = Colour::vermilion;
-    limit.dash = Dash::dashed;
-    limit.points = {Point(-decades, shown(recursion.factor_of_safety)), Point(0, shown(recursion.factor_of_safety))};
-    Figure figure;
-    figure.title = "Friction in limiting equilibrium against the part of the joints in contact";
-    figure.x.title = "upper part of each joint in contact";
-    figure.x.ticks = {{-4, "0.0001"}, {-3, "0.001"}, {-2, "0.01"}, {-1, "0.1"}, {0, "1"}};
-    figure.y.title = "friction angle of the joints";
-    figure.y.unit = "deg";
-    figure.series = {line, limit};
+    Line limit{
+        .points = {Point(-decades, shown(recursion.factor_of_safety)), Point(0, shown(recursion.factor_of_safety))},
+        .legend = "recursion: forces on the tops of the joints",
+        .colour = Colour::vermilion,
+        .dash = Dash::dashed};
+    Figure figure{.title = "Friction in limiting equilibrium against the part of the joints in contact",
+                  .x = {.title = "upper part of each joint in contact",
+                        .ticks = {{-4, "0.0001"}, {-3, "0.001"}, {-2, "0.01"}, {-1, "0.1"}, {0, "1"}}},
+                  .y = {.title = "friction angle of the joints", .unit = "deg"},
+                  .series = {line, limit}};
     report.blocks.emplace_back(folder.draw(
         figure, "bound_bracket",
         "All strength divided by one factor. The linear programme may choose where forces act and puts them low on the "

@@ -88,7 +88,7 @@ Table column_table(const std::string& caption, const std::vector<ColumnResult>& 
     const std::string unit = std::string(display_unit(Dimension::force_per_length).symbol);
     Table table{caption + (step > 1 ? " One column in " + std::to_string(step) + "; columns.csv has all." : ""),
                 {{"column", true},
-                 {"mode"},
+                 "mode",
                  {"height, m", true},
                  {"weight, " + unit, true},
                  {"P above, " + unit, true},
@@ -99,8 +99,7 @@ Table column_table(const std::string& caption, const std::vector<ColumnResult>& 
                  {"S, " + unit, true},
                  {"S / R", true},
                  {"R at / width", true},
-                 {"remark"}},
-                {}};
+                 "remark"}};
     for (std::size_t index = 0; index < columns.size(); ++index) {
         const ColumnResult& column = columns[index];
         if (index > 0 && (index + 1) % step != 0) {

@@ -159,8 +159,7 @@ DrawnMode drawn(ColumnMode mode) {
 
 BlockDrawing column_drawing(const SteppedBase<>& problem, const ColumnSlope<>& slope,
                             const std::vector<ColumnResult>& columns, double factor, const std::string& title) {
-    BlockDrawing drawing;
-    drawing.title = title;
+    BlockDrawing drawing{.title = title};
     const Axes axes(slope.base_dip);
     double end = 0;
     const std::vector<Polyline> outlines = column_outlines(problem.scene);
@@ -229,23 +228,14 @@ void add_profiles(Figure& figure, const Polyline& observed, const Polyline& pred
         return line;
     };
     if (!predicted.empty()) {
-        Line line;
-        line.points = raised(predicted);
-        line.legend = "predicted after the failure";
-        line.colour = Colour::green;
-        line.width = 6;
+        Line line{
+            .points = raised(predicted), .legend = "predicted after the failure", .colour = Colour::green, .width = 6};
         figure.series.emplace_back(line);
     }
     if (!observed.empty()) {
-        Line line;
-        line.points = raised(observed);
-        line.colour = Colour::black;
-        line.dash = Dash::dotted;
+        Line line{.points = raised(observed), .colour = Colour::black, .dash = Dash::dotted};
         figure.series.emplace_back(line);
-        Points points;
-        points.points = raised(observed);
-        points.legend = "observed after the failure";
-        points.marker = Marker::circle;
+        Points points{.points = raised(observed), .legend = "observed after the failure", .marker = Marker::circle};
         figure.series.emplace_back(points);
     }
 }

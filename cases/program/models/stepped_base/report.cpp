@@ -36,13 +36,12 @@ void append_required(Analysis& analysis, const SteppedBaseStudy<>& study, const 
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, cable.force});
         } else {
             analysis.outputs.push_back({name, meaning, Dimension::force_per_length, std::string(word_of(cable.state))});
-            analysis.warnings.push_back(
-                name + ": " +
-                (cable.state == CableState::not_needed
-                     ? "not_needed, for the slope has that factor of safety without it"
-                     : "cannot_hold, for other columns fail before any tension there would help: put the cable into a "
-                       "column nearer to the toe or higher up in it, ask for a smaller factor of safety, or drain the "
-                       "slope"));
+            analysis.warnings.push_back(name + ": " +
+                                        (cable.state == CableState::not_needed
+                                             ? "not_needed, for the slope has that factor of safety without it"
+                                             : "cannot_hold, for other columns fail before any tension there would "
+                                               "help: put the cable into a column nearer to the toe or higher up in "
+                                               "it, ask for a smaller factor of safety, or drain the slope"));
         }
     }
 }
@@ -110,14 +109,14 @@ void warn(Analysis& analysis, const SteppedBaseAnswer& answer) {
     }
     if (outside > 0) {
         analysis.warnings.emplace_back(
-            "column(s) that would turn as well, for the reaction falls outside their base, "
-            "which the recursion does not see: " +
+            "column(s) that would turn as well, for the reaction falls outside their base, which the recursion does "
+            "not see: " +
             std::to_string(outside));
     }
     if (lifted_or_slipping > 0) {
         analysis.warnings.emplace_back(
-            "column(s) whose base would be in tension, or would slip while they topple, "
-            "which the recursion does not see: " +
+            "column(s) whose base would be in tension, or would slip while they topple, which the recursion does not "
+            "see: " +
             std::to_string(lifted_or_slipping));
     }
     if (answer.slope.columns.size() > most_drawn_columns) {

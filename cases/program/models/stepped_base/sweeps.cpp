@@ -120,8 +120,7 @@ Line curve(SteppedBase<> problem, const std::string& input, Dimension x, const I
 }
 
 void mark_given(Figure& figure, double x, double y) {
-    Points given;
-    given.points = {Point(x, y)};
+    Points given{.points = {Point(x, y)}};
     given.legend = "as given";
     given.colour = Colour::black;
     given.marker = Marker::circle;

@@ -13,8 +13,8 @@ namespace delabole {
 namespace {
 
 Figure section_figure(const SteppedPath& path, const SteppedPathResult& result) {
-    BlockDrawing drawing;
-    drawing.title = "The surface that fails first, factor of safety " + number_in_words(result.factor_of_safety);
+    BlockDrawing drawing{.title = "The surface that fails first, factor of safety " +
+                                  number_in_words(result.factor_of_safety)};
     std::size_t number = 0;
     for (const SteppedPathResult::Part& part : result.parts) {
         const bool column = path.search.mechanism != SteppedPathMechanism::sliding && !part.wedge;
@@ -38,38 +38,6 @@ Figure section_figure(const SteppedPath& path, const SteppedPathResult& result) 
     }
     drawing.toe_elevation = path.slope.toe_elevation.value_or(0.0);
     return block_figure(drawing);
-}
-
-SteppedPathCheck path_check_of(std::string_view failure) {
-    return value_of<SteppedPathCheck>(failure).value_or(SteppedPathCheck::valid);
-}
-
-std::string_view in_words(SteppedPathCheck check) {
-    switch (check) {
-    case SteppedPathCheck::risers_needed:
-        return "the mechanism steps up along risers, and there are none";
-    case SteppedPathCheck::columns_needed:
-        return "the mechanism moves columns, and no joints cut them";
-    case SteppedPathCheck::bench_not_covered:
-        return "the ground is a face and an upper surface, without a bench";
-    case SteppedPathCheck::ground_too_steep:
-        return "the ground behind the crest is as steep as the face or the joints that should come out there";
-    case SteppedPathCheck::steps_steeper_than_face:
-        return "steps as steep as the face do not daylight in it";
-    case SteppedPathCheck::joints_too_close:
-        return "two joint sets have nearly the same direction: steps, risers and columns have to cross";
-    case SteppedPathCheck::elevation_without_datum:
-        return "an elevation is given, but slope.toe_elevation is not";
-    case SteppedPathCheck::no_path:
-        return "no surface along the joints is as wide as the least width and comes out within the greatest retreat";
-    case SteppedPathCheck::too_many_nodes:
-        return "the joints cross more than 100 000 times: larger spacings, or a smaller search.greatest_retreat";
-    case SteppedPathCheck::input_out_of_range:
-        return "a number is outside its allowed range";
-    case SteppedPathCheck::valid:
-        break;
-    }
-    return "";
 }
 
 }  // namespace
@@ -155,33 +123,35 @@ void append_mechanism_figures(const SteppedPath& at_best, const MechanismFit& fi
     }
 }
 
-std::vector<std::string> blamed_keys(const SteppedPath&, std::string_view failure) {
-    switch (path_check_of(failure)) {
+Impossibility impossibility(const SteppedPath&, std::string_view failure) {
+    switch (value_of<SteppedPathCheck>(failure).value_or(SteppedPathCheck::valid)) {
     case SteppedPathCheck::risers_needed:
+        return {{"search.mechanism"}, "the mechanism steps up along risers, and there are none"};
     case SteppedPathCheck::columns_needed:
-        return {"search.mechanism"};
+        return {{"search.mechanism"}, "the mechanism moves columns, and no joints cut them"};
     case SteppedPathCheck::bench_not_covered:
-        return {"slope.bench"};
+        return {{"slope.bench"}, "the ground is a face and an upper surface, without a bench"};
     case SteppedPathCheck::ground_too_steep:
-        return {"slope.upper_surface_dip"};
+        return {{"slope.upper_surface_dip"},
+                "the ground behind the crest is as steep as the face or the joints that should come out there"};
     case SteppedPathCheck::steps_steeper_than_face:
+        return {{"steps.dip"}, "steps as steep as the face do not daylight in it"};
     case SteppedPathCheck::joints_too_close:
-        return {"steps.dip"};
+        return {{"steps.dip"},
+                "two joint sets have nearly the same direction: steps, risers and columns have to cross"};
     case SteppedPathCheck::elevation_without_datum:
-        return {"water.water_elevation"};
+        return {{"water.water_elevation"}, "an elevation is given, but slope.toe_elevation is not"};
     case SteppedPathCheck::no_path:
-        return {"search.greatest_retreat", "search.least_width", "search.mechanism"};
+        return {{"search.greatest_retreat", "search.least_width", "search.mechanism"},
+                "no surface along the joints is as wide as the least width and comes out within the greatest retreat"};
     case SteppedPathCheck::too_many_nodes:
-        return {"steps.spacing"};
+        return {{"steps.spacing"},
+                "the joints cross more than 100 000 times: larger spacings, or a smaller search.greatest_retreat"};
     case SteppedPathCheck::input_out_of_range:
     case SteppedPathCheck::valid:
         break;
     }
-    return {};
-}
-
-std::string explain_failure(const SteppedPath&, std::string_view failure, const std::string&) {
-    return std::string(in_words(path_check_of(failure)));
+    return out_of_range();
 }
 
 }  // namespace delabole

@@ -26,12 +26,8 @@ void append_case_figures(const TiltedColumn<>&, const ColumnTilt&, const ResultF
 void append_mechanism_figures(const TiltedColumn<>&, const MechanismFit&, const FitProblem&, const ResultFolder&,
                               Report&) {}
 
-std::vector<std::string> blamed_keys(const TiltedColumn<>&, std::string_view) {
-    return {};
-}
-
-std::string explain_failure(const TiltedColumn<>&, std::string_view failure, const std::string&) {
-    return std::string(failure);
+Impossibility impossibility(const TiltedColumn<>&, std::string_view failure) {
+    return {{}, std::string(failure)};
 }
 
 }  // namespace delabole

@@ -25,61 +25,24 @@ void warn(Analysis& analysis, const WedgeFailureResult& result) {
 
 void append_drawings(const WedgeFailure<>& problem, const WedgeFailureResult& result, const std::string& prefix,
                      const ResultFolder& folder, Report& report) {
-    report.blocks.emplace_back(folder.draw(wedge_figure(wedge_drawing(problem, "The wedge in the slope")),
-                                           prefix + "wedge",
-                                           "The wedge, to scale, seen from above and from in front of the face; 1 and "
-                                           "2 mark the traces of the planes."));
+    report.blocks.emplace_back(folder.draw(
+        wedge_figure(wedge_drawing(problem, "The wedge in the slope")), prefix + "wedge",
+        "The wedge, to scale, seen from above and from in front of the face; 1 and 2 mark the traces of the planes."));
     if (result.contact != SlidingContact::none) {
-        report.blocks.emplace_back(folder.draw(slid_wedge_figure(wedge_drawing(problem, "The wedge slid out")),
-                                               prefix + "slid_wedge",
-                                               "The same wedge moved along its direction of sliding, and the surfaces "
-                                               "that it leaves."));
+        report.blocks.emplace_back(
+            folder.draw(slid_wedge_figure(wedge_drawing(problem, "The wedge slid out")), prefix + "slid_wedge",
+                        "The same wedge moved along its direction of sliding, and the surfaces that it leaves."));
     }
     report.blocks.emplace_back(folder.draw(wedge_net_figure(wedge_net(problem, result)), prefix + "stereonet",
                                            "The planes as great circles, and the line along which they meet."));
     if (const auto curve = filled_ratio_curve(problem)) {
-        report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(*curve), prefix + "water",
-                                               "Factor of safety against the greatest water pressure over that of "
-                                               "fissures filled to the ground."));
+        report.blocks.emplace_back(folder.draw(
+            factor_of_safety_against_water(*curve), prefix + "water",
+            "Factor of safety against the greatest water pressure over that of fissures filled to the ground."));
     }
     report.blocks.emplace_back(folder.draw(tornado_figure("Change of the factor of safety", sensitivity_bars(problem)),
                                            prefix + "sensitivity",
                                            "Each input changed by itself, by the step that stands beside it."));
-}
-
-std::string_view in_words(WedgeFailureCheck check) {
-    switch (check) {
-    case WedgeFailureCheck::planes_parallel:
-        return "planes 1 and 2 are parallel: they meet in no line, so there is no wedge; plane_failure may be meant";
-    case WedgeFailureCheck::line_does_not_daylight:
-        return "the line of intersection does not come out of the face: it is level, plunges into the slope, or more "
-               "steeply than the face. Without a steeper face or flatter planes no wedge can slide";
-    case WedgeFailureCheck::line_does_not_surface:
-        return "the line of intersection does not reach the ground behind the crest: the upper surface must be flatter";
-    case WedgeFailureCheck::upper_surface_steeper_than_face:
-        return "the upper surface is steeper than the face, so there is no crest";
-    case WedgeFailureCheck::crest_below_daylight:
-        return "plane 1 does not rise to the crest: call the other plane 1";
-    case WedgeFailureCheck::crack_misses_wedge:
-        return "the tension crack does not cut the wedge: it lies too far behind the crest, or dips too flat to cut "
-               "the "
-               "line of intersection";
-    case WedgeFailureCheck::crack_cuts_face:
-        return "the tension crack meets the crest between planes 1 and 2: it must lie behind the crest";
-    case WedgeFailureCheck::water_needs_crack:
-        return "a water pressure is given in a tension crack, but the case has none";
-    case WedgeFailureCheck::friction_not_below_90_deg:
-        return "friction_angle plus roughness_angle must not exceed 89.9 deg";
-    case WedgeFailureCheck::input_out_of_range:
-        return "a number is outside its allowed range";
-    case WedgeFailureCheck::valid:
-        break;
-    }
-    return "";
-}
-
-WedgeFailureCheck check_named(std::string_view failure) {
-    return value_of<WedgeFailureCheck>(failure).value_or(WedgeFailureCheck::valid);
 }
 
 }  // namespace
@@ -155,32 +118,40 @@ void append_mechanism_figures(const WedgeFailureStudy<>& at_best, const Mechanis
     }
 }
 
-std::vector<std::string> blamed_keys(const WedgeFailureStudy<>&, std::string_view failure) {
-    switch (check_named(failure)) {
+Impossibility impossibility(const WedgeFailureStudy<>&, std::string_view failure) {
+    switch (value_of<WedgeFailureCheck>(failure).value_or(WedgeFailureCheck::valid)) {
     case WedgeFailureCheck::planes_parallel:
+        return {{"plane_2.dip"},
+                "planes 1 and 2 are parallel: they meet in no line, so there is no wedge; plane_failure may be meant"};
     case WedgeFailureCheck::line_does_not_daylight:
-        return {"plane_2.dip"};
+        return {{"plane_2.dip"},
+                "the line of intersection does not come out of the face: it is level, plunges into the slope, or more "
+                "steeply than the face. Without a steeper face or flatter planes no wedge can slide"};
     case WedgeFailureCheck::line_does_not_surface:
+        return {
+            {"slope.upper_surface_dip"},
+            "the line of intersection does not reach the ground behind the crest: the upper surface must be flatter"};
     case WedgeFailureCheck::upper_surface_steeper_than_face:
-        return {"slope.upper_surface_dip"};
+        return {{"slope.upper_surface_dip"}, "the upper surface is steeper than the face, so there is no crest"};
     case WedgeFailureCheck::crest_below_daylight:
-        return {"plane_1.dip"};
+        return {{"plane_1.dip"}, "plane 1 does not rise to the crest: call the other plane 1"};
     case WedgeFailureCheck::crack_misses_wedge:
+        return {{"tension_crack.distance"},
+                "the tension crack does not cut the wedge: it lies too far behind the crest, or dips too flat to cut "
+                "the line of intersection"};
     case WedgeFailureCheck::crack_cuts_face:
-        return {"tension_crack.distance"};
+        return {{"tension_crack.distance"},
+                "the tension crack meets the crest between planes 1 and 2: it must lie behind the crest"};
     case WedgeFailureCheck::water_needs_crack:
-        return {"water.tension_crack"};
+        return {{"water.tension_crack"}, "a water pressure is given in a tension crack, but the case has none"};
     case WedgeFailureCheck::friction_not_below_90_deg:
-        return {"plane_1.strength.roughness_angle", "plane_2.strength.roughness_angle"};
+        return {{"plane_1.strength.roughness_angle", "plane_2.strength.roughness_angle"},
+                "friction_angle plus roughness_angle must not exceed 89.9 deg"};
     case WedgeFailureCheck::input_out_of_range:
     case WedgeFailureCheck::valid:
         break;
     }
-    return {};
-}
-
-std::string explain_failure(const WedgeFailureStudy<>&, std::string_view failure, const std::string&) {
-    return std::string(in_words(check_named(failure)));
+    return out_of_range();
 }
 
 }  // namespace delabole

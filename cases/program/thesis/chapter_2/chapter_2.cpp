@@ -15,16 +15,10 @@ namespace delabole {
 namespace {
 
 Table solutions_table(CsvTable& csv) {
-    Table table{"Crack depth z that makes the slope just fail, for plausible unit weights",
-                {{"reading of \"full\""},
-                 {"unit weight", true},
-                 {"z", true},
-                 {"depth of the crack", true},
-                 {"level of its bottom", true},
-                 {"it opens in"},
-                 {"FS half full, c = 0", true},
-                 {"restoring / overturning", true}},
-                {}};
+    Table table{
+        "Crack depth z that makes the slope just fail, for plausible unit weights",
+        {"reading of \"full\"", "unit weight"_number, "z"_number, "depth of the crack"_number,
+         "level of its bottom"_number, "it opens in", "FS half full, c = 0"_number, "restoring / overturning"_number}};
     for (const FilledFraction reading : {FilledFraction::of_z_below_crest, FilledFraction::of_the_crack_itself}) {
         const std::string words(word_of(reading));
         for (const double unit_weight : {24e3, 25e3, 26e3, 27e3, 28e3, 29e3}) {
@@ -54,9 +48,9 @@ WaterDepthCurves fig_2_8_curves(const Fig28Solution& solution) {
     curves.title = "Thesis Fig 2.8(b), recomputed";
     curves.ratio = "depth of water / z";
     for (const double share : {0.0, 0.5, 1.0}) {
-        NamedCurve curve;
-        curve.legend = "c = " + number_in_words(30 * share) + " lbf/in2";
-        curve.points = fig_2_8_curve(solution.reading, solution.unit_weight, *solution.z, share * fig_2_8_cohesion);
+        NamedCurve curve{
+            .legend = "c = " + number_in_words(30 * share) + " lbf/in2",
+            .points = fig_2_8_curve(solution.reading, solution.unit_weight, *solution.z, share * fig_2_8_cohesion)};
         curves.curves.push_back(std::move(curve));
     }
     curves.statements = {{"stable, half full, c = 0 (printed)", Point(0.5, solution.factor_half_full)},
@@ -78,21 +72,19 @@ Reproduction reproduce_fig_2_8(const ResultFolder& folder, Report& report) {
     report.blocks.emplace_back(Heading{"Fig 2.8: plane failure with a crack in the face"});
     report.blocks.emplace_back(
         Paragraph{"H, z and the unit weight are not printed. H is taken between the printed levels 575 and 350 ft; z "
-                  "follows from "
-                  "the printed statement that two thirds of the crack must be full for the slope to fail with 30 "
-                  "lbf/in2; the other "
-                  "statement, stable when half full without cohesion, is then a check."});
+                  "follows from the printed statement that two thirds of the crack must be full for the slope to fail "
+                  "with 30 lbf/in2; the other statement, stable when half full without cohesion, is then a check."});
     report.blocks.emplace_back(printed_table("Printed statements", result.rows));
     CsvTable csv({"full_means", "unit_weight_kN_per_m3", "z_m", "crack_depth_m", "crack_base_level_ft",
                   "crack_location", "factor_half_full", "overturning_factor"});
     report.blocks.emplace_back(solutions_table(csv));
-    report.blocks.emplace_back(Paragraph{
-        "z is measured from crest level in the printed formulas (A = (H - z) cosec psi_p), so a crack in the face is "
-        "shallower than z. Read as a fraction of z, every unit weight from 25 kN/m3 on gives a crack in the face whose "
-        "bottom lies within 11 ft of the level, 425 ft, at which the observed surfaces meet. Read as a fraction of the "
-        "crack's own depth there is no crack in the face that meets the statement. Restoring over overturning moment "
-        "about the toe is below 1: the mass would overturn before it slides, which the printed force balance does not "
-        "see."});
+    report.blocks.emplace_back(
+        Paragraph{"z is measured from crest level in the printed formulas (A = (H - z) cosec psi_p), so a crack in the "
+                  "face is shallower than z. Read as a fraction of z, every unit weight from 25 kN/m3 on gives a crack "
+                  "in the face whose bottom lies within 11 ft of the level, 425 ft, at which the observed surfaces "
+                  "meet. Read as a fraction of the crack's own depth there is no crack in the face that meets the "
+                  "statement. Restoring over overturning moment about the toe is below 1: the mass would overturn "
+                  "before it slides, which the printed force balance does not see."});
     report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(fig_2_8_curves(solution)), "fig_2_8b",
                                            "Factor of safety against the filled fraction of z, at 27 kN/m3."));
     folder.write("fig_2_8.csv", csv.text());

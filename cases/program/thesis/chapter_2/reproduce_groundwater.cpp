@@ -48,13 +48,8 @@ std::vector<GroundwaterTest> tests_with(std::string_view material, double rotati
 
 Table tests_table(const std::vector<GroundwaterTest>& tests) {
     Table table{"Forces on joint A over the weight of the column",
-                {{"material"},
-                 {"friction, deg", true},
-                 {"rotation, deg", true},
-                 {"normal force", true},
-                 {"driving force", true},
-                 {"plate"}},
-                {}};
+                {"material", "friction, deg"_number, "rotation, deg"_number, "normal force"_number,
+                 "driving force"_number, "plate"}};
     for (const GroundwaterTest& test : tests) {
         const bool leaves = leaves_joint(test.rotation);
         table.rows.push_back({test.material,
@@ -69,20 +64,16 @@ Table tests_table(const std::vector<GroundwaterTest>& tests) {
 
 Figure driving_figure(const std::vector<GroundwaterTest>& tests) {
     constexpr std::array colours{Colour::blue, Colour::vermilion, Colour::green, Colour::purple};
-    Figure figure;
-    figure.title = "What drives a joint-A column";
-    figure.x.title = "rotation of the model";
-    figure.x.unit = "deg";
-    figure.y.title = "driving force over weight";
+    Figure figure{.title = "What drives a joint-A column",
+                  .x = {.title = "rotation of the model", .unit = "deg"},
+                  .y = {.title = "driving force over weight"}};
     std::vector<double> frictions;
-    Points points;
-    points.legend = "tests";
+    Points points{.legend = "tests"};
     for (const GroundwaterTest& test : tests) {
         const double friction = test.friction();
         if (std::ranges::find(frictions, friction) == frictions.end()) {
-            Line line;
-            line.legend = test.material + ", friction " + human_number(friction / degrees(1), 3) + "°";
-            line.colour = colours[frictions.size() % colours.size()];
+            Line line{.legend = test.material + ", friction " + human_number(friction / degrees(1), 3) + "°",
+                      .colour = colours[frictions.size() % colours.size()]};
             for (int step = 0; step <= 100; ++step) {
                 const double rotation = (degrees(90) - joint_dip) * step / 100;
                 line.points.emplace_back(rotation / degrees(1), driving_force(rotation, friction));

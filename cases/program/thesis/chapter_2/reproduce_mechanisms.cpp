@@ -14,12 +14,9 @@ namespace delabole {
 
 namespace {
 
-constexpr double mixture_friction = degrees(40.5);  // 40 to 41 deg (2.3.3.1)
-
 Table verdict_table(const std::vector<MechanismVerdict>& verdicts) {
     Table table{"Verdicts of the thesis",
-                {{"plate"}, {"mode of failure"}, {"profile"}, {"crest cracks"}, {"block movements"}, {"what happened"}},
-                {}};
+                {"plate", "mode of failure", "profile", "crest cracks", "block movements", "what happened"}};
     for (const MechanismVerdict& verdict : verdicts) {
         table.rows.push_back({verdict.plate, human_name(verdict.mechanism), human_name(word_of(verdict.profile)),
                               human_name(word_of(verdict.cracks)), human_name(word_of(verdict.movements)),
@@ -30,8 +27,7 @@ Table verdict_table(const std::vector<MechanismVerdict>& verdicts) {
 
 Table trend_table() {
     Table table{"Conclusions of 2.3.4, from Figs 2.11 to 2.14",
-                {{"conclusion"}, {"as this grows"}, {"this"}, {"changes"}, {"doubt"}},
-                {}};
+                {"conclusion", "as this grows", "this", "changes", "doubt"}};
     for (const PrintedTrend& trend : printed_trends()) {
         table.rows.push_back({trend.conclusion, human_name(trend.parameter), human_name(trend.response),
                               human_name(word_of(trend.change)), trend.doubt});

@@ -29,10 +29,9 @@ Polyline surface(double lower, double upper) {
 
 // Figs 2.4 and 2.5: what the survey leaves open, between the gentlest and the steepest surfaces.
 Figure profile_figure() {
-    Figure figure;
-    figure.title = "The failure of 1967 (Figs 2.4 and 2.5)";
-    figure.x.title = "distance from the foot";
-    figure.y.title = "level";
+    Figure figure{.title = "The failure of 1967 (Figs 2.4 and 2.5)",
+                  .x = {.title = "distance from the foot"},
+                  .y = {.title = "level"}};
     figure.x.unit = figure.y.unit = "ft";
     figure.equal_scales = true;
     figure.series = {
@@ -55,8 +54,7 @@ Figure scene_figure(std::string_view name, const std::string& title) {
     const RelaxationStudy study = slope_model(name);
     const auto& slope = std::get<RelaxationSlope>(study.model.scene);
     const SlopeScene scene = slope_scene(slope);
-    BlockDrawing drawing;
-    drawing.title = title;
+    BlockDrawing drawing{.title = title};
     for (const SlopeRock& rock : slope.rock) {
         drawing.rocks.push_back(rock.name);
     }

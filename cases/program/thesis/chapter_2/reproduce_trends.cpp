@@ -211,19 +211,13 @@ Reproduction reproduce_trends(const ResultFolder& folder, Report& report) {
     });
     Reproduction result;
     Table table{"One dimension of the slope changed, after 16 cm of belt.",
-                {{"parameter"},
-                 {"value", true},
-                 {"failed columns of joint A", true},
-                 {"their width, mm", true},
-                 {"angle of the lower surface, °", true}},
-                {}};
+                {"parameter", "value"_number, "failed columns of joint A"_number, "their width, mm"_number,
+                 "angle of the lower surface, °"_number}};
     for (std::size_t index = 0; index < series.size(); ++index) {
         const Variation& one = series[index];
-        Figure figure;
-        figure.title = human_name(one.name);
-        figure.x.title = human_name(one.name);
-        figure.x.unit = one.unit;
-        figure.y.title = "failed columns of joint A";
+        Figure figure{.title = human_name(one.name),
+                      .x = {.title = human_name(one.name), .unit = one.unit},
+                      .y = {.title = "failed columns of joint A"}};
         Line line;
         Points points;
         for (std::size_t trial = 0; trial < one.trial.size(); ++trial) {

@@ -170,7 +170,7 @@ constexpr double belt_speed = 0.5;  // m/s
 
 ModelMixture model_mixture() {
     ModelMixture mixture{};
-    mixture.friction = degrees(40.5);  // 40 to 41 deg (3.2)
+    mixture.friction = mixture_friction;
     // Not printed. Oily mixtures slip on smooth steel at about two thirds of their own friction.
     mixture.frame_friction = degrees(27);
     mixture.tin_friction = degrees(18);  // of plaster, 17 to 19 deg (3.3.2.1)

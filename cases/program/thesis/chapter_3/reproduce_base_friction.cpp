@@ -57,8 +57,7 @@ constexpr std::array behaviours{SlopeBehaviour::stable, SlopeBehaviour::limiting
 
 Table behaviour_table(const States& states, Json& json) {
     Table table{"States by slope angle",
-                {{"slope angle, deg", true}, {"stable", true}, {"limiting", true}, {"unstable", true}},
-                {}};
+                {"slope angle, deg"_number, "stable"_number, "limiting"_number, "unstable"_number}};
     for (const double angle : slope_angles) {
         std::vector<std::string> row = {number_in_words(angle)};
         for (const SlopeBehaviour behaviour : behaviours) {
@@ -76,8 +75,6 @@ struct Guess {
     Selection fails;
 };
 
-constexpr double mixture_friction = degrees(40.5);  // 40 to 41 deg (3.2)
-
 // Columns slip past one another where the face is steeper than 90 deg - dip + phi (Goodman & Bray 1976).
 bool columns_slip(const BaseFrictionState& state) {
     return state.slope_angle > degrees(90) - state.joint_dip + mixture_friction;
@@ -89,14 +86,11 @@ std::vector<Guess> guesses() {
             {"slopes of 70 deg and more fail", is_steep},
             {"columns slip past one another: slope steeper than 90 deg - dip + 40.5 deg", columns_slip},
             {"slopes of 70 deg and more, on the frame, or with a changed toe fail (seen after the tests)",
-             [](const BaseFrictionState& state) {
-                 return is_steep(state) || state.foundation != SlopeFoundation::model_material ||
-                        state.toe != ToeChange::as_built;
-             }}};
+             steep_or_changed}};
 }
 
 Table guess_table(const States& states, Json& json) {
-    Table table{"What guessing scores", {{"rule"}, {"right", true}, {"of", true}}, {}};
+    Table table{"What guessing scores", {"rule", "right"_number, "of"_number}};
     // A limiting state is neither right nor wrong.
     const States decided =
         chosen(states, [](const BaseFrictionState& state) { return state.behaviour != SlopeBehaviour::limiting; });
@@ -111,7 +105,7 @@ Table guess_table(const States& states, Json& json) {
 }
 
 Table doubt_table(const States& states) {
-    Table table{"Doubtful rows of Table 3.2", {{"test"}, {"slope angle, deg", true}, {"doubt"}}, {}};
+    Table table{"Doubtful rows of Table 3.2", {"test", "slope angle, deg"_number, "doubt"}};
     for (const BaseFrictionState& state : states) {
         if (!state.doubt.empty()) {
             table.rows.push_back({state.test, number_in_words(state.slope_angle / degrees(1)), state.doubt});
@@ -122,17 +116,10 @@ Table doubt_table(const States& states) {
 
 // Every test at its place, those at the same place side by side.
 Figure behaviour_figure(const States& states) {
-    constexpr std::array legends{"stable", "limiting equilibrium", "unstable"};
-    constexpr std::array colours{Colour::blue, Colour::orange, Colour::vermilion};
-    constexpr std::array markers{Marker::filled_circle, Marker::filled_diamond, Marker::filled_square};
-    Figure figure;
-    figure.title = "Base friction tests (Table 3.2)";
-    figure.x.title = "slope angle";
-    figure.x.unit = "deg";
-    figure.x.range = {56, 84};
-    figure.y.title = "slope height / joint spacing";
-    figure.y.range = {10, 26};
-    std::array<Points, behaviours.size()> series;
+    Figure figure{.title = "Base friction tests (Table 3.2)",
+                  .x = {.title = "slope angle", .unit = "deg", .range = std::pair(56, 84)},
+                  .y = {.title = "slope height / joint spacing", .range = std::pair(10, 26)}};
+    std::array<Polyline, behaviours.size()> points;
     const auto place_of = [](const BaseFrictionState& state) {
         return Point(state.slope_angle / degrees(1), state.height_over_spacing);
     };
@@ -146,14 +133,9 @@ Figure behaviour_figure(const States& states) {
         const long in_line = std::min(6L, all - 6 * line);
         const double right = 0.6 * (static_cast<double>(before % 6) - static_cast<double>(in_line - 1) / 2);
         const double up = 0.8 * static_cast<double>(line);
-        series[static_cast<std::size_t>(state.behaviour)].points.emplace_back(place.x() + right, place.y() + up);
+        points[static_cast<std::size_t>(state.behaviour)].emplace_back(place.x() + right, place.y() + up);
     }
-    for (std::size_t index = 0; index < series.size(); ++index) {
-        series[index].legend = legends[index];
-        series[index].colour = colours[index];
-        series[index].marker = markers[index];
-        figure.series.emplace_back(series[index]);
-    }
+    add_by_behaviour(points, figure);
     return figure;
 }
 
@@ -215,9 +197,7 @@ void add_crack_angles(const States& states, Reproduction& result) {
 // One line of Fig 3.2: right or left slopes over the height, in inches.
 template <class Value>
 Line height_line(const std::string& legend, Colour colour, const Value& value) {
-    Line line;
-    line.legend = legend;
-    line.colour = colour;
+    Line line{.legend = legend, .colour = colour};
     for (const SlopeHeightVariation& row : slope_height_variations()) {
         if (const std::optional<double> at = value(row)) {
             line.points.emplace_back(row.slope_height / inch, *at);
@@ -238,6 +218,19 @@ void add_marks(Figure& figure) {
 }
 
 }  // namespace
+
+bool steep_or_changed(const BaseFrictionState& state) {
+    return is_steep(state) || state.foundation != SlopeFoundation::model_material || state.toe != ToeChange::as_built;
+}
+
+void add_by_behaviour(const std::array<Polyline, 3>& points, Figure& figure) {
+    constexpr std::array legends{"stable", "limiting equilibrium", "unstable"};
+    constexpr std::array colours{Colour::blue, Colour::orange, Colour::vermilion};
+    constexpr std::array markers{Marker::filled_circle, Marker::filled_diamond, Marker::filled_square};
+    for (std::size_t index = 0; index < points.size(); ++index) {
+        figure.series.emplace_back(Points{points[index], legends[index], colours[index], markers[index]});
+    }
+}
 
 Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report) {
     const States states = base_friction_states();
@@ -311,10 +304,7 @@ Reproduction reproduce_fig_3_2(const ResultFolder& folder, Report& report) {
     result.json["higher_fails_later"] = later;
     result.json["right_earlier"] = {{"pairs", right_earlier}, {"of", pairs}};
     result.json["left_steeper"] = {{"pairs", left_steeper}, {"of", pairs}};
-    Figure times;
-    times.title = "Time to the critical crack path (Table 3.3)";
-    times.x.title = "slope height";
-    times.x.unit = "in";
+    Figure times{.title = "Time to the critical crack path (Table 3.3)", .x = {.title = "slope height", .unit = "in"}};
     Figure angles = times;
     times.y.title = "time";
     times.y.unit = "min";

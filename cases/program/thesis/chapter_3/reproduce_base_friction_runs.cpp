@@ -83,17 +83,8 @@ std::string angle_in_words(std::optional<double> angle) {
 
 Table test_table(const Predictions& predictions) {
     Table table{"Test by test: strength needed, kPa, and crack path, deg",
-                {{"test"},
-                 {"slope, deg", true},
-                 {"toe, foundation"},
-                 {"half"},
-                 {"printed"},
-                 {"needs", true},
-                 {"predicted"},
-                 {""},
-                 {"path printed", true},
-                 {"computed", true}},
-                {}};
+                {"test", "slope, deg"_number, "toe, foundation", "half", "printed", "needs"_number, "predicted", "",
+                 "path printed"_number, "computed"_number}};
     for (const Prediction& prediction : predictions) {
         const BaseFrictionState& state = *prediction.state;
         table.rows.push_back({state.test, human_number(state.slope_angle / degrees(1), 3),
@@ -112,16 +103,9 @@ bool every_slope(const Prediction&) {
     return true;
 }
 
-bool steep_or_weak_toe(const Prediction& prediction) {
-    const BaseFrictionState& state = *prediction.state;
-    return state.slope_angle > degrees(69.5) || state.foundation != SlopeFoundation::model_material ||
-           state.toe != ToeChange::as_built;
-}
-
 Table score_table(const Predictions& predictions, Reproduction& result) {
     Table table{"Right out of the states that are stable or unstable",
-                {{"rule"}, {"fitted half", true}, {"predicted half", true}, {"all", true}},
-                {}};
+                {"rule", "fitted half"_number, "predicted half"_number, "all"_number}};
     const auto add = [&](const std::string& rule, const std::string& key,
                          const std::function<bool(const Prediction&)>& fails) {
         const auto right = [&](const Prediction& prediction) {
@@ -141,7 +125,7 @@ Table score_table(const Predictions& predictions, Reproduction& result) {
     };
     add("every slope fails", "every_slope", every_slope);
     add("70 deg and more, on the frame, or with a changed toe fails (seen after the tests)", "steep_or_weak_toe",
-        steep_or_weak_toe);
+        [](const Prediction& prediction) { return steep_or_changed(*prediction.state); });
     const Score runs = add("runs, one strength", "runs", [](const Prediction& prediction) { return prediction.fails; });
     result.rows.push_back({"behaviour of the half not fitted", "", runs.words(), "", "right"});
     return table;
@@ -206,31 +190,20 @@ std::string csv_of(const Predictions& predictions, double strength) {
 
 // Strength needed over slope angle and height, by what the tests did.
 Figure strength_figure(const Predictions& predictions, double strength) {
-    constexpr std::array legends{"stable", "limiting equilibrium", "unstable"};
-    constexpr std::array colours{Colour::blue, Colour::orange, Colour::vermilion};
-    constexpr std::array markers{Marker::filled_circle, Marker::filled_diamond, Marker::filled_square};
     constexpr double least = -2;  // powers of ten of kPa; what needs less or more is drawn at the edge
     constexpr double most = 2;
-    Figure figure;
-    figure.title = "Strength that the slopes of Table 3.2 need";
-    figure.x.title = "row of the table";
-    figure.y.title = "log10 of the tensile strength";
-    figure.y.unit = "kPa";
-    figure.y.range = {least - 0.3, most + 0.3};
-    std::array<Points, 3> series;
+    Figure figure{.title = "Strength that the slopes of Table 3.2 need",
+                  .x = {.title = "row of the table"},
+                  .y = {.title = "log10 of the tensile strength", .unit = "kPa", .range = std::pair(least - 0.3, most + 0.3)}};
+    std::array<Polyline, 3> points;
     for (std::size_t index = 0; index < predictions.size(); ++index) {
         const Prediction& prediction = predictions[index];
         if (prediction.need->known()) {
             const double height = std::clamp(std::log10(std::max(prediction.need->strength(), 1e-9)), least, most);
-            series[static_cast<std::size_t>(prediction.state->behaviour)].points.emplace_back(index + 1, height);
+            points[static_cast<std::size_t>(prediction.state->behaviour)].emplace_back(index + 1, height);
         }
     }
-    for (std::size_t index = 0; index < series.size(); ++index) {
-        series[index].legend = legends[index];
-        series[index].colour = colours[index];
-        series[index].marker = markers[index];
-        figure.series.emplace_back(series[index]);
-    }
+    add_by_behaviour(points, figure);
     Line fitted;
     fitted.legend = "fitted strength";
     fitted.points = {{0, std::log10(strength)}, {static_cast<double>(predictions.size() + 1), std::log10(strength)}};
@@ -241,8 +214,7 @@ Figure strength_figure(const Predictions& predictions, double strength) {
 // A slope where its run ended, with what has broken.
 Figure slope_figure(const std::string& title, const ReducedSlope& slope, const StrengthReduction& reduction) {
     const Bodies bodies = make_bodies(slope.scene);
-    BlockDrawing drawing;
-    drawing.title = title;
+    BlockDrawing drawing{.title = title};
     for (std::size_t index = 0; index < bodies.size(); ++index) {
         if (slope.state.removed[index] != 0) {
             continue;
@@ -323,9 +295,8 @@ Reproduction reproduce_base_friction_runs(const ResultFolder& folder, Report& re
     report.blocks.emplace_back(Heading{"Base friction tests as runs"});
     report.blocks.emplace_back(Paragraph{
         "Every state of Table 3.2 as a slope of columns that can break, on a belt. Its tensile strength is lowered "
-        "until "
-        "it fails: that is the strength it needs. One strength is fitted to every other scene, beginning with the "
-        "first; a slope that needs more fails. Not printed and taken: friction on the steel frame, " +
+        "until it fails: that is the strength it needs. One strength is fitted to every other scene, beginning with "
+        "the first; a slope that needs more fails. Not printed and taken: friction on the steel frame, " +
         value_in_words(mixture.frame_friction, Dimension::angle) + "; cohesion, " + human_number(mixture.cohesion, 2) +
         " times the tensile strength; weight, as under gravity; modulus, " +
         human_number(mixture.young_modulus / 1e6, 2) +
@@ -334,9 +305,9 @@ Reproduction reproduce_base_friction_runs(const ResultFolder& folder, Report& re
     add_angles(predictions, result);
     report.blocks.emplace_back(printed_table("Fit and prediction", result.rows));
     report.blocks.emplace_back(test_table(predictions));
-    report.blocks.emplace_back(folder.draw(strength_figure(predictions, fit.strength), "base_friction_strength",
-                                           "Slopes above the line fail. At the upper edge: fails however strong; at "
-                                           "the lower: stands however weak."));
+    report.blocks.emplace_back(folder.draw(
+        strength_figure(predictions, fit.strength), "base_friction_strength",
+        "Slopes above the line fail. At the upper edge: fails however strong; at the lower: stands however weak."));
     add_slope_figures(predictions, folder, report);
     folder.write("base_friction.csv", csv_of(predictions, fit.strength));
     return result;

@@ -82,14 +82,8 @@ struct EqualRows {
     std::array<Line, 4> pressed;  // deg over inches, one to four columns
     Line on_tin;                  // two columns
     Table table{"Critical tilt, deg: interfaces 20 deg, base 35 deg, on tin 18 deg",
-                {{"height, in", true},
-                 {"one", true},
-                 {"two or more, parted", true},
-                 {"two, pressed", true},
-                 {"three", true},
-                 {"four", true},
-                 {"two on tin, pressed", true}},
-                {}};
+                {"height, in"_number, "one"_number, "two or more, parted"_number, "two, pressed"_number, "three"_number,
+                 "four"_number, "two on tin, pressed"_number}};
     int steps = 0;    // one column more, at each height
     int stabler = 0;  // of these, with a greater tilt
     int less_stable = 0;
@@ -293,14 +287,9 @@ Tally even_numbers_stabler(const std::vector<RowOfHeights>& rows) {
 }
 
 Table heights_table(const std::vector<RowOfHeights>& rows, Json& json) {
-    Table table{"Critical tilt of rows, deg",
-                {{"columns", true},
-                 {"highest alone", true},
-                 {"average alone", true},
-                 {"row", true},
-                 {"mode"},
-                 {"crack between"}},
-                {}};
+    Table table{
+        "Critical tilt of rows, deg",
+        {"columns"_number, "highest alone"_number, "average alone"_number, "row"_number, "mode", "crack between"}};
     for (const RowOfHeights& row : rows) {
         const std::string number = std::to_string(row.columns);
         table.rows.push_back({number, human_number(row.highest_alone / degrees(1), 4),
@@ -317,10 +306,7 @@ Table heights_table(const std::vector<RowOfHeights>& rows, Json& json) {
 
 Line heights_line(const std::vector<RowOfHeights>& rows, const std::string& legend, Colour colour, Dash dash,
                   const std::function<double(const RowOfHeights&)>& value) {
-    Line line;
-    line.legend = legend;
-    line.colour = colour;
-    line.dash = dash;
+    Line line{.legend = legend, .colour = colour, .dash = dash};
     for (const RowOfHeights& row : rows) {
         line.points.emplace_back(row.columns, value(row) / degrees(1));
     }

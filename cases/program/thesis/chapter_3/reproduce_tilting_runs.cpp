@@ -85,12 +85,8 @@ std::vector<Sampled> places(int from, int to) {
 
 void draw_curves(Figure& figure, const std::vector<Curve>& curves) {
     for (const Curve& curve : curves) {
-        Line line;
-        line.legend = curve.legend;
-        line.colour = curve.colour;
-        Points points;
-        points.colour = curve.colour;
-        points.size = 0.7;
+        Line line{.legend = curve.legend, .colour = curve.colour};
+        Points points{.colour = curve.colour, .size = 0.7};
         for (const Sampled& at : curve.at) {
             line.points.emplace_back(at.x, at.mean() / degrees(1));
             for (const double value : at.value) {
@@ -259,8 +255,7 @@ double fastest(const MotionFrame& frame, std::size_t columns) {
 
 Figure frame_figure(const RelaxationRun& made, const MotionFrame& frame, const std::string& title) {
     const Bodies bodies = make_bodies(made.scene);
-    BlockDrawing drawing;
-    drawing.title = title;
+    BlockDrawing drawing{.title = title};
     for (std::size_t index = 0; index < bodies.size(); ++index) {
         DrawnBlock block;
         for (std::size_t corner = bodies.range[index].begin; corner < bodies.range[index].end; ++corner) {

@@ -69,12 +69,7 @@ PrintedRow angle_row(const std::string& what, double printed, double computed, c
 }
 
 Figure tilt_figure(const std::string& title, const std::string& x, const std::string& x_unit) {
-    Figure figure;
-    figure.title = title;
-    figure.x.title = x;
-    figure.x.unit = x_unit;
-    figure.y.title = "critical tilt θ";
-    figure.y.unit = "deg";
+    Figure figure{.title = title, .x = {.title = x, .unit = x_unit}, .y = {.title = "critical tilt θ", .unit = "deg"}};
     return figure;
 }
 
@@ -92,11 +87,7 @@ double tilt_or_gap(double tangent_of_tilt) {
 
 Line curve(double from, double to, const std::string& legend, Colour colour, Dash dash,
            const std::function<double(double)>& value, int steps) {
-    Line line;
-    line.legend = legend;
-    line.colour = colour;
-    line.dash = dash;
-    line.width = 3.5;
+    Line line{.legend = legend, .colour = colour, .dash = dash, .width = 3.5};
     for (int step = 0; step <= steps; ++step) {
         const double x = from + (to - from) * step / steps;
         line.points.emplace_back(x, value(x));

@@ -61,11 +61,9 @@ Figure mode_gallery(int count) {
         slips[index].legend = toe_motions[index].legend;
         slips[index].colour = toe_motions[index].colour;
     }
-    Points pivots;
-    pivots.legend = "P: toe does not slide";
-    BlockDrawing gallery;
-    gallery.displaced_legend = "turned by 15 deg";
-    gallery.title = number_in_words(count) + " blocks: every block turns";
+    Points pivots{.legend = "P: toe does not slide"};
+    BlockDrawing gallery{.title = number_in_words(count) + " blocks: every block turns",
+                         .displaced_legend = "turned by 15 deg"};
     int place = 0;
     for (const RowModeSummary& mode : whole_row_modes(count, slenderness, 20, 30)) {
         const int in_a_row = count == 3 ? 3 : 4;
@@ -120,8 +118,7 @@ Reproduction reproduce_fig_4_9(const ResultFolder& folder, Report& report) {
     constexpr std::array<std::string_view, 3> printed{"3", "5", "7"};
     Reproduction result;
     Table table{"Modes in which every block turns; a/b = 3, interface 20 deg, base 30 deg",
-                {{"blocks", true}, {"mode"}, {"begins at tilt, °", true}, {"what the model says of it"}},
-                {}};
+                {"blocks"_number, "mode", "begins at tilt, °"_number, "what the model says of it"}};
     for (int count = 2; count <= 4; ++count) {
         const std::vector<RowModeSummary> modes = whole_row_modes(count, 3, 20, 30);
         const std::string words = std::to_string(count);
@@ -136,11 +133,11 @@ Reproduction reproduce_fig_4_9(const ResultFolder& folder, Report& report) {
         }
     }
     report.blocks.emplace_back(Heading{"Fig 4.9: the modes of three and four blocks"});
-    report.blocks.emplace_back(Paragraph{
-        "The figure is lost, its counts are in the text. Blocks that turn by one angle with faces in contact need more "
-        "room along the plane, so their toes move apart: from below, first toes that slide forward (F), then at most "
-        "one that does not slide (P), then toes that slide backward (B). N blocks have N modes with a pivot and N - 1 "
-        "without, 2N - 1 in all: the counts of the text."});
+    report.blocks.emplace_back(
+        Paragraph{"The figure is lost, its counts are in the text. Blocks that turn by one angle with faces in contact "
+                  "need more room along the plane, so their toes move apart: from below, first toes that slide forward "
+                  "(F), then at most one that does not slide (P), then toes that slide backward (B). N blocks have N "
+                  "modes with a pivot and N - 1 without, 2N - 1 in all: the counts of the text."});
     report.blocks.emplace_back(printed_table("Counts", result.rows));
     report.blocks.emplace_back(
         folder.draw(mode_gallery(3), "fig_4_9_three",
@@ -157,8 +154,7 @@ Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report) {
     report.blocks.emplace_back(Heading{"Fig 4.10: three blocks, one friction angle"});
     report.blocks.emplace_back(Paragraph{
         "Mode (a) is FFP, (b) FPB, (c) PBB. The printed (14) is the formula of two blocks and lies below FFP as "
-        "derived; so (a) is the least stable one only up to a friction angle that falls as the "
-        "columns get taller."});
+        "derived; so (a) is the least stable one only up to a friction angle that falls as the columns get taller."});
     for (const int ratio : {3, 5, 7}) {
         const std::string words = std::to_string(ratio);
         Figure figure = tilt_figure("Three blocks, a/b = " + words, "friction φ = ψ", "deg");
@@ -245,13 +241,9 @@ Reproduction reproduce_equations_14_to_19(const ResultFolder&, Report& report) {
     row("(18) at μ = c against (19)", form::four_blocks_one_friction_printed(a, b, same),
         form::four_blocks_printed(a, b, same, same), "(18) reduces to another formula than (19)");
 
-    Table stability{"Equal blocks, a/b = 3, interface 20 deg, base 30 deg",
-                    {{"blocks", true},
-                     {"free: begins at, °", true},
-                     {"mode"},
-                     {"pressed together: stands up to, °", true},
-                     {"mode"}},
-                    {}};
+    Table stability{
+        "Equal blocks, a/b = 3, interface 20 deg, base 30 deg",
+        {"blocks"_number, "free: begins at, °"_number, "mode", "pressed together: stands up to, °"_number, "mode"}};
     for (int count = 1; count <= 5; ++count) {
         const RowAnswer answer = analyse(equal_row(count, a, 20, 30)).answer;
         stability.rows.push_back({std::to_string(count), tilt_shown(answer.critical_tilt), answer.mode,

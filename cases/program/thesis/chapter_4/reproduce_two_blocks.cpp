@@ -30,11 +30,10 @@ double boundary(double slenderness, double w, double phi) {
 }
 
 Line single_block_line(double slenderness, double from, double to) {
-    Line line;
-    line.points = {Point(from, in_degrees(1 / slenderness)), Point(to, in_degrees(1 / slenderness))};
-    line.legend = "single block, tan θ = b / a";
-    line.colour = Colour::grey;
-    line.dash = Dash::dotted;
+    Line line{.points = {Point(from, in_degrees(1 / slenderness)), Point(to, in_degrees(1 / slenderness))},
+              .legend = "single block, tan θ = b / a",
+              .colour = Colour::grey,
+              .dash = Dash::dotted};
     return line;
 }
 
@@ -121,10 +120,7 @@ Reproduction reproduce_fig_4_7(const ResultFolder& folder, Report& report) {
     result.json["weight_ratio_least_squares"] = best_ratio;
     Figure figure = modes_figure(slenderness, best);
     figure.title = "Two blocks, a/b = 9, W1/W2 = " + human_number(best_ratio, 4);
-    Points equal_weights;
-    equal_weights.legend = "boundaries with equal weights";
-    equal_weights.marker = Marker::circle;
-    equal_weights.size = 1.8;
+    Points equal_weights{.legend = "boundaries with equal weights", .marker = Marker::circle, .size = 1.8};
     for (std::size_t index = 0; index < frictions.size(); ++index) {
         const double phi = frictions[index];
         const double psi = boundary(slenderness, best, phi);
@@ -136,10 +132,9 @@ Reproduction reproduce_fig_4_7(const ResultFolder& folder, Report& report) {
     figure.series.emplace_back(equal_weights);
     mark_printed_boundaries(figure, best);
     report.blocks.emplace_back(Heading{"Fig 4.7: two blocks, a/b = 9"});
-    report.blocks.emplace_back(
-        Paragraph{"The boundary between the modes depends on the weights. Each printed boundary alone gives a ratio of "
-                  "the weights; the two agree to 0.001, so that an upper block 4 % heavier than the lower one "
-                  "explains both."});
+    report.blocks.emplace_back(Paragraph{
+        "The boundary between the modes depends on the weights. Each printed boundary alone gives a ratio of the "
+        "weights; the two agree to 0.001, so that an upper block 4 % heavier than the lower one explains both."});
     report.blocks.emplace_back(printed_table("Boundary between forward and backward mode", result.rows));
     report.blocks.emplace_back(folder.draw(figure, "fig_4_7", "The lower curve of each pair governs."));
     return result;

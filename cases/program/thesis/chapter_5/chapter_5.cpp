@@ -1,48 +1,47 @@
 // The thesis's chapter 5: what its items share, and single blocks. Rows of two in reproduce_double_blocks.cpp, the
 // blow-out in reproduce_blow_out.cpp, other rows and slopes in reproduce_block_rows.cpp.
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"
-#include "cases/program/terminal/interrupt.hpp"
-#include "cases/program/thesis/chapter_5/clean_chapter_5.hpp"
 #include "cases/program/thesis/chapter_5/relaxation_drawing.hpp"
 #include "fitting/work/words.hpp"
+#include "parameters/fields.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 namespace delabole {
 
 namespace {
 
-std::string pair_in_words(const SettledCycles& settled) {
-    return std::to_string(settled.x) + " / " + std::to_string(settled.y);
-}
+struct EngineWords {
+    std::string_view name;
+    std::string_view start;  // of the clean engine
+};
+
+constexpr std::array<EngineWords, 3> engine_words{
+    {{"re-created program", ""}, {"clean engine, dropped", "dropped"}, {"clean engine, preloaded", "preloaded"}}};
 
 std::string printed_in_words(const Chapter5Run& run) {
-    return run.printed_settled ? pair_in_words(*run.printed_settled) : in_words(run.printed);
+    return run.printed_settled ? in_words(*run.printed_settled) : in_words(run.printed);
 }
 
-std::string settled_in_words(const Chapter5Run& run, const HockingResult& result) {
-    if (result.outcome != HockingOutcome::settled) {
-        const auto turned = cycle_of_rotation(run, result, 0, degrees(1));
-        return outcome_in_words(result) + (turned ? ", 1 deg at " + std::to_string(*turned) : "");
-    }
-    return pair_in_words(settled_cycles(result, 0));
+std::string settled_or_turned(const Chapter5Run& run, const HockingResult& result) {
+    return result.outcome == HockingOutcome::stands ? settled_in_words(result) : outcome_with_rotation(run, result);
+}
+
+double x_of(const HockingPrint& print) {
+    return print.blocks.front().centroid.x();
 }
 
 HistoryOf history_of_x(const std::string& legend, const HockingResult& result, bool clean = false) {
-    const double start = result.prints.front().blocks.front().centroid.x();
-    return {legend, &result,
-            [start](const HockingPrint& print) { return (print.blocks.front().centroid.x() - start) * 1e6; }, clean};
+    const double start = x_of(result.prints.front());
+    return {legend, &result, [start](const HockingPrint& print) { return (x_of(print) - start) * 1e6; }, clean};
 }
 
 // Marks the printed cycles after which CX no longer changes.
 Figure with_printed_rest(const std::vector<Chapter5Run>& runs, Figure figure) {
-    Points printed;
-    printed.legend = "printed: CX at rest";
-    printed.marker = Marker::filled_diamond;
-    printed.size = 1.6;
+    Points printed{.legend = "printed: CX at rest", .marker = Marker::filled_diamond, .size = 1.6};
     for (const Chapter5Run& run : runs) {
         printed.points.emplace_back(run.printed_settled->x, 0);
     }
@@ -51,90 +50,68 @@ Figure with_printed_rest(const std::vector<Chapter5Run>& runs, Figure figure) {
 }
 
 // Every twenty cycles, for figures.
-Chapter5Run finely_printed(Chapter5Run run, int cycles) {
+HockingResult fine_history(Chapter5Run run, int cycles, Engine engine) {
     run.settings.print_interval = 20;
     run.settings.cycles = cycles;
-    return run;
+    return compute(run, engine);
 }
-
-HockingResult fine_history(const Chapter5Run& run, int cycles) {
-    return delabole::run(finely_printed(run, cycles));
-}
-
-HockingResult fine_clean_history(const Chapter5Run& run, int cycles) {
-    return clean_history(finely_printed(run, cycles));
-}
-
-// Outcomes and counts of one block over shifted starts.
-struct ShiftedStarts {
-    int stand = 0;
-    int fail = 0;
-    int least = std::numeric_limits<int>::max();
-    int greatest = 0;
-
-    void include(const HockingResult& result) {
-        fail += result.outcome == HockingOutcome::failed ? 1 : 0;
-        if (result.outcome == HockingOutcome::settled) {
-            ++stand;
-            least = std::min(least, settled_cycles(result, 0).x);
-            greatest = std::max(greatest, settled_cycles(result, 0).x);
-        }
-    }
-    std::vector<std::string> words() const {
-        return {std::to_string(stand), std::to_string(fail),
-                stand > 0 ? std::to_string(least) + " to " + std::to_string(greatest) : ""};
-    }
-};
 
 // What the last typed digit of the coordinates does.
 Table last_digit_table() {
-    constexpr unsigned starts = 50;
+    constexpr int starts = 50;
     Table table{"Single block, fixed inclination: coordinates shifted at random by one digit (1e-6 m), " +
                     std::to_string(starts) + " starts each",
-                {{"inclination"},
-                 {"re-created: stand", true},
-                 {"fail", true},
-                 {"CX at rest", true},
-                 {"clean, dropped: stand", true},
-                 {"fail", true},
-                 {"CX at rest", true}},
-                {}};
-    for (const Chapter5Run& run : fixed_inclination_runs()) {
-        const std::vector<HockingBlock> blocks = make_blocks(run.columns);
-        ShiftedStarts recreated;
-        ShiftedStarts clean;
-        for (unsigned seed = 1; seed <= starts; ++seed) {
-            const std::vector<HockingBlock> shifted = perturbed(blocks, typed_digit, seed);
-            recreated.include(run_hocking(shifted, run.settings));
-            clean.include(run_clean(run, shifted, RelaxationStart::dropped).history);
-        }
-        std::vector<std::string> row = {run.name};
-        for (const ShiftedStarts& one : {recreated, clean}) {
-            for (const std::string& word : one.words()) {
-                row.push_back(word);
+                {"inclination", "re-created: stand"_number, "fail"_number, "CX at rest"_number,
+                 "clean, dropped: stand"_number, "fail"_number, "CX at rest"_number}};
+    for (const Chapter5Run& run : chapter_5_runs("fixed_inclination")) {
+        std::vector<std::string>& row = table.rows.emplace_back(std::vector{run.name});
+        for (const Engine engine : {Engine::recreated, Engine::dropped}) {
+            CountRange rests;
+            long fail = 0;
+            for (const HockingResult& result : compute_shifted(run, engine, typed_digit, starts)) {
+                fail += result.outcome == HockingOutcome::fails ? 1 : 0;
+                if (result.outcome == HockingOutcome::stands) {
+                    rests.include(settled_cycles(result).x);
+                }
             }
+            row.insert(row.end(),
+                       {std::to_string(rests.count), std::to_string(fail), rests.count > 0 ? rests.words(" to ") : ""});
         }
-        table.rows.push_back(row);
     }
     return table;
 }
 
+// Of the first swing, downwards.
+double depth(const HockingResult& history) {
+    return x_of(history.prints.front()) - x_of(*std::ranges::min_element(history.prints, {}, x_of));
+}
+
+// The first landing: CX has a maximum there.
+int landing(const HockingResult& history) {
+    const auto& prints = history.prints;
+    for (std::size_t print = 1; print + 1 < prints.size(); ++print) {
+        if (x_of(prints[print]) > x_of(prints[print - 1]) && x_of(prints[print]) >= x_of(prints[print + 1])) {
+            return prints[print].cycle;
+        }
+    }
+    return prints.back().cycle;
+}
+
 Reproduction fixed_inclination(const ResultFolder& folder, Report& report) {
-    const std::vector<Chapter5Run> runs = fixed_inclination_runs();
+    const std::vector<Chapter5Run> runs = chapter_5_runs("fixed_inclination");
     Reproduction result;
     add_outcomes("single block", runs, result);
     int largest = 0;
     for (const Chapter5Run& run : runs) {
         if (run.printed_settled) {
-            const SettledCycles settled = settled_cycles(delabole::run(run), 0);
-            largest = std::max(
-                {largest, std::abs(settled.x - run.printed_settled->x), std::abs(settled.y - run.printed_settled->y)});
+            const SettledCycles settled = settled_cycles(compute(run, Engine::recreated));
+            const int x = settled.x - run.printed_settled->x;
+            const int y = settled.y - run.printed_settled->y;
+            largest = std::max({largest, std::abs(x), std::abs(y)});
             result.json["settled_cycles"][run.name] = {settled.x, settled.y};
             result.rows.push_back({"single block, " + run.name + ": cycles until CX / CY rest",
-                                   pair_in_words(*run.printed_settled), pair_in_words(settled),
-                                   std::to_string(settled.x - run.printed_settled->x) + " / " +
-                                       std::to_string(settled.y - run.printed_settled->y),
-                                   "", settled_in_words(run, clean_history(run))});
+                                   in_words(*run.printed_settled), in_words(settled), in_words(SettledCycles{x, y}), "",
+                                   settled_or_turned(run, compute(run, Engine::dropped))});
         }
     }
     result.json["largest_difference_of_settled_cycles"] = largest;
@@ -145,11 +122,11 @@ Reproduction fixed_inclination(const ResultFolder& folder, Report& report) {
         "end. With exact coordinates the counts change by up to 200 cycles; with blocks of one metre not even 17 deg "
         "comes to rest. Print edits are 100 cycles apart. The last table of this section shows what the last typed "
         "digit does to the counts."});
-    report.blocks.emplace_back(table_of(
-        {"Cycles after which CX / CY no longer change", "inclination", runs, printed_in_words, settled_in_words}));
-    const HockingResult a = fine_history(runs[4], 6000);
-    const HockingResult b = fine_history(runs[5], 6000);
-    const HockingResult clean = fine_clean_history(runs[4], 6000);
+    report.blocks.emplace_back(table_of("Cycles after which CX / CY no longer change", "inclination", runs,
+                                        printed_in_words, settled_or_turned));
+    const HockingResult a = fine_history(runs[4], 6000, Engine::recreated);
+    const HockingResult b = fine_history(runs[5], 6000, Engine::recreated);
+    const HockingResult clean = fine_history(runs[4], 6000, Engine::dropped);
     report.blocks.emplace_back(folder.draw(
         with_printed_rest(
             {runs[4], runs[5]},
@@ -157,27 +134,9 @@ Reproduction fixed_inclination(const ResultFolder& folder, Report& report) {
                            {history_of_x("18.1 deg", a), history_of_x("18.1 deg, clean engine", clean, true),
                             history_of_x("18.15 deg", b)})),
         "fig_5_7",
-        "The first swing grows without limit as the critical inclination is approached. The clean engine's "
-        "own limit, dropped, is nearer to 18.1 deg, so that it swings farther there; at 18.15 deg it "
-        "falls."));
-    const auto depth = [](const HockingResult& history) {
-        double lowest = 0;
-        for (const HockingPrint& print : history.prints) {
-            lowest = std::min(lowest, print.blocks[0].centroid.x() - history.prints[0].blocks[0].centroid.x());
-        }
-        return -lowest;
-    };
+        "The first swing grows without limit as the critical inclination is approached. The clean engine's own limit, "
+        "dropped, is nearer to 18.1 deg, so that it swings farther there; at 18.15 deg it falls."));
     const double ratio = depth(b) / depth(a);
-    // The first landing: CX has a maximum there.
-    const auto landing = [](const HockingResult& history) {
-        const auto x = [&](std::size_t print) { return history.prints[print].blocks[0].centroid.x(); };
-        for (std::size_t print = 1; print + 1 < history.prints.size(); ++print) {
-            if (x(print) > x(print - 1) && x(print) >= x(print + 1)) {
-                return history.prints[print].cycle;
-            }
-        }
-        return history.prints.back().cycle;
-    };
     const double period = static_cast<double>(landing(b)) / landing(a);
     result.json["amplitude_ratio_18.15_to_18.1"] = ratio;
     result.json["period_ratio_18.15_to_18.1"] = period;
@@ -186,10 +145,10 @@ Reproduction fixed_inclination(const ResultFolder& folder, Report& report) {
                            "cycles " + std::to_string(landing(b)) + " and " + std::to_string(landing(a))});
     result.rows.push_back(
         {"Fig 5.7: first swing at 18.15 deg over that at 18.1 deg", "almost twice", human_number(ratio, 3), "", ""});
-    const HockingResult half = fine_history(runs[2], 3000);
-    const HockingResult full = fine_history(runs[3], 3000);
-    const HockingResult clean_half = fine_clean_history(runs[2], 3000);
-    const HockingResult clean_full = fine_clean_history(runs[3], 3000);
+    const HockingResult half = fine_history(runs[2], 3000, Engine::recreated);
+    const HockingResult full = fine_history(runs[3], 3000, Engine::recreated);
+    const HockingResult clean_half = fine_history(runs[2], 3000, Engine::dropped);
+    const HockingResult clean_full = fine_history(runs[3], 3000, Engine::dropped);
     report.blocks.emplace_back(folder.draw(
         with_printed_rest(
             {runs[2], runs[3]},
@@ -201,158 +160,133 @@ Reproduction fixed_inclination(const ResultFolder& folder, Report& report) {
     return result;
 }
 
-}  // namespace
-
-const std::vector<Scheme>& schemes() {
-    static const std::vector<Scheme> all = {
-        {"re-created program", "", [](const Chapter5Run& one) { return delabole::run(one); }},
-        {"clean engine, dropped", "dropped", clean_history},
-        {"clean engine, preloaded", "preloaded",
-         [](const Chapter5Run& one) { return run_clean(one, exact_blocks(one), RelaxationStart::preloaded).history; }},
-    };
-    return all;
+Chapter5Run tilted_from_horizontal(TiltedPart part, int cycles_per_degree) {
+    constexpr int beyond_the_end = 5;  // deg
+    Chapter5Run run = chapter_5_runs("horizontal", part).front();
+    HockingTilting& tilting = *run.settings.tilting;
+    tilting.increment = degrees(1.0 / cycles_per_degree);
+    run.settings.cycles = tilting.begin + cycles_per_degree * (25 + beyond_the_end);
+    return run;
 }
 
-Table table_of(const RunTable& data) {
-    Table table{data.caption, {{data.heading}, {"printed", true}}, {}};
-    for (const Scheme& scheme : schemes()) {
-        table.columns.push_back({scheme.name, true});
-    }
-    for (const Chapter5Run& run : data.runs) {
-        std::vector<std::string> row = {run.name, data.printed(run)};
-        for (const Scheme& scheme : schemes()) {
-            row.push_back(data.computed(run, scheme.compute(run)));
+// Rows of the cycles until rest.
+void add_tilted_counts(TiltedPart part, const std::vector<Chapter5Run>& runs, Reproduction& result) {
+    for (const Chapter5Run& run : runs) {
+        if (!run.printed_settled) {
+            continue;
         }
-        table.rows.push_back(row);
+        const HockingTilting& tilting = *run.settings.tilting;
+        const int end =
+            tilting.begin + static_cast<int>(std::lround(tilting.total / tilting.increment)) * tilting.every;
+        result.rows.push_back(
+            {"single block, " + in_words(part) + ", " + run.name + ": cycles until CX / CY rest",
+             in_words(*run.printed_settled), settled_or_turned(run, compute(run, Engine::recreated)), "",
+             part == TiltedPart::gravity
+                 ? "the tilt ends at " + std::to_string(end) + ": turned gravity leaves nothing to come to rest from"
+                 : "grows with the thickness of the base, which is not printed; see 'tilted_blocks'",
+             settled_or_turned(run, compute(run, Engine::dropped))});
+    }
+}
+
+}  // namespace
+
+Table table_of(const std::string& caption, const std::string& heading, const std::vector<Chapter5Run>& runs,
+               const WordsOfRun& printed, const WordsOfResult& computed) {
+    Table table{caption, {{heading}, "printed"_number}};
+    for (const EngineWords& words : engine_words) {
+        table.columns.emplace_back(std::string(words.name), true);
+    }
+    for (const Chapter5Run& run : runs) {
+        std::vector<std::string>& row = table.rows.emplace_back(std::vector{run.name, printed(run)});
+        for (const Engine engine : engines) {
+            row.push_back(computed(run, compute(run, engine)));
+        }
     }
     return table;
 }
 
+std::string in_words(HockingOutcome outcome) {
+    return human_name(word_of(outcome));
+}
+
+std::string printed_outcome(const Chapter5Run& run) {
+    return in_words(run.printed);
+}
+
 std::string outcome_in_words(const HockingResult& result) {
-    switch (result.outcome) {
-    case HockingOutcome::settled:
-        return "stands";
-    case HockingOutcome::failed:
-        return "fails";
-    case HockingOutcome::blown_out:
-        return "blows out at cycle " + std::to_string(result.blow_out_cycle.value_or(0));
-    case HockingOutcome::impossible_input:
-        return "impossible input";
-    case HockingOutcome::undecided:
-        break;
-    }
-    return "undecided";
+    return in_words(result.outcome) + (result.outcome == HockingOutcome::blows_out
+                                           ? " at cycle " + std::to_string(result.blow_out_cycle.value_or(0))
+                                           : "");
 }
 
-std::string in_words(PrintedOutcome printed) {
-    switch (printed) {
-    case PrintedOutcome::stands:
-        return "stands";
-    case PrintedOutcome::fails:
-        return "fails";
-    case PrintedOutcome::blows_up:
-        return "blows out";
-    case PrintedOutcome::not_printed:
-        break;
-    }
-    return "";
+std::string outcome_with_rotation(const Chapter5Run& run, const HockingResult& result) {
+    const auto turned = cycle_of_rotation(run, result, degrees(1));
+    return outcome_in_words(result) + (turned ? ", 1 deg at " + std::to_string(*turned) : "");
 }
 
-bool agrees(PrintedOutcome printed, const HockingResult& result) {
-    switch (printed) {
-    case PrintedOutcome::stands:
-        return result.outcome == HockingOutcome::settled;
-    case PrintedOutcome::fails:
-        return result.outcome == HockingOutcome::failed;
-    case PrintedOutcome::blows_up:
-        return result.outcome == HockingOutcome::blown_out;
-    case PrintedOutcome::not_printed:
-        break;
-    }
-    return false;
-}
-
-int agreeing(PrintedOutcome printed, const OutcomeCount& count) {
-    switch (printed) {
-    case PrintedOutcome::stands:
-        return count.stand;
-    case PrintedOutcome::fails:
-        return count.fail;
-    case PrintedOutcome::blows_up:
-        return count.blow_out;
-    case PrintedOutcome::not_printed:
-        break;
-    }
-    return 0;
-}
-
-void OutcomeCount::include(HockingOutcome outcome) {
-    ++runs;
-    stand += outcome == HockingOutcome::settled ? 1 : 0;
-    fail += outcome == HockingOutcome::failed ? 1 : 0;
-    blow_out += outcome == HockingOutcome::blown_out ? 1 : 0;
-    undecided += outcome == HockingOutcome::undecided ? 1 : 0;
-}
-
-OutcomeCount count_outcomes(const Chapter5Run& run, double unit, int runs) {
-    const std::vector<HockingBlock> blocks = make_blocks(run.columns);
-    OutcomeCount count;
-    for (int seed = 1; seed <= runs; ++seed) {
-        stop_if_interrupted();
-        count.include(run_hocking(perturbed(blocks, unit, static_cast<unsigned>(seed)), run.settings).outcome);
-    }
-    return count;
-}
-
-OutcomeCount count_clean_outcomes(const Chapter5Run& run, RelaxationStart start, double unit, int runs) {
-    const std::vector<HockingBlock> blocks = make_blocks(run.columns);
-    OutcomeCount count;
-    for (int seed = 1; seed <= runs; ++seed) {
-        stop_if_interrupted();
-        count.include(run_clean(run, perturbed(blocks, unit, static_cast<unsigned>(seed)), start).history.outcome);
-    }
-    return count;
-}
-
-std::string in_words(const OutcomeCount& count) {
+std::string in_words(const std::vector<HockingResult>& results) {
     std::vector<std::string> parts;
-    const auto add = [&](int number, const std::string& what) {
-        if (number > 0) {
-            parts.push_back(std::to_string(number) + " " + what);
+    for (const auto& [outcome, word] :
+         {std::pair{HockingOutcome::stands, "stand"}, std::pair{HockingOutcome::fails, "fail"},
+          std::pair{HockingOutcome::blows_out, "blow out"}, std::pair{HockingOutcome::undecided, "undecided"}}) {
+        if (const auto count = std::ranges::count(results, outcome, &HockingResult::outcome); count > 0) {
+            parts.push_back(std::to_string(count) + " " + word);
         }
-    };
-    add(count.stand, "stand");
-    add(count.fail, "fail");
-    add(count.blow_out, "blow out");
-    add(count.undecided, "undecided");
-    return "of " + std::to_string(count.runs) + ": " + list_in_words(parts);
+    }
+    return "of " + std::to_string(results.size()) + ": " + list_in_words(parts);
+}
+
+std::string in_words(const SettledCycles& settled) {
+    return std::to_string(settled.x) + " / " + std::to_string(settled.y);
+}
+
+std::string settled_in_words(const HockingResult& result) {
+    return result.outcome == HockingOutcome::stands ? in_words(settled_cycles(result)) : outcome_in_words(result);
+}
+
+std::string in_words(TiltedPart part) {
+    return std::string(word_of(part)) + " turned";
+}
+
+void CountRange::include(int value) {
+    least = count == 0 ? value : std::min(least, value);
+    greatest = count == 0 ? value : std::max(greatest, value);
+    ++count;
+}
+
+std::string CountRange::words(const std::string& to) const {
+    return std::to_string(least) + to + std::to_string(greatest);
 }
 
 void add_outcomes(const std::string& what, const std::vector<Chapter5Run>& runs, Reproduction& result,
-                  const std::function<std::string(const Chapter5Run&)>& reason) {
+                  const WordsOfRun& reason) {
     constexpr int shifted_starts = 20;
     for (const Chapter5Run& run : runs) {
-        const HockingResult computed = delabole::run(run);
-        PrintedRow row = {what + ", " + run.name, in_words(run.printed), outcome_in_words(computed), "",
-                          statement(agrees(run.printed, computed))};
-        if (!agrees(run.printed, computed)) {
-            const OutcomeCount shifted = count_outcomes(run, typed_digit, shifted_starts);
-            row.remark += "; with the last typed digits shifted, " + in_words(shifted);
-            const std::string why = reason ? reason(run) : "";
-            row.remark += why.empty() ? "" : "; " + why;
-            result.json["shifted"][what][run.name] = {{"runs", shifted.runs},
-                                                      {"agree", agreeing(run.printed, shifted)}};
-        }
-        result.json["outcomes"][what][run.name] = {{"printed", in_words(run.printed)},
-                                                   {"computed", outcome_in_words(computed)},
-                                                   {"agrees", agrees(run.printed, computed)}};
-        for (const Scheme& scheme : schemes()) {
-            const HockingResult other = scheme.compute(run);
-            result.json["outcomes_by_scheme"][scheme.name][what][run.name] = {{"computed", outcome_in_words(other)},
-                                                                              {"agrees", agrees(run.printed, other)}};
-            if (&scheme != &schemes().front()) {
-                row.clean += (row.clean.empty() ? "" : "; ") + scheme.brief + " " + outcome_in_words(other);
+        PrintedRow row{what + ", " + run.name, in_words(run.printed), "", "", ""};
+        for (const Engine engine : engines) {
+            const HockingResult computed = compute(run, engine);
+            const std::string words = outcome_in_words(computed);
+            const bool agrees = computed.outcome == run.printed;
+            const auto& [name, start] = engine_words[static_cast<std::size_t>(engine)];
+            if (engine != Engine::recreated) {
+                row.clean += (row.clean.empty() ? "" : "; ") + std::string(start) + " " + words;
+            } else {
+                row.computed = words;
+                row.remark = statement(agrees);
+                if (!agrees) {
+                    const std::vector<HockingResult> shifted =
+                        compute_shifted(run, engine, typed_digit, shifted_starts);
+                    row.remark += "; with the last typed digits shifted, " + in_words(shifted);
+                    row.remark += reason ? "; " + reason(run) : "";
+                    result.json["shifted"][what][run.name] = {
+                        {"runs", shifted_starts},
+                        {"agree", std::ranges::count(shifted, run.printed, &HockingResult::outcome)}};
+                }
+                result.json["outcomes"][what][run.name] = {
+                    {"printed", in_words(run.printed)}, {"computed", words}, {"agrees", agrees}};
             }
+            result.json["outcomes_by_scheme"][std::string(name)][what][run.name] = {{"computed", words},
+                                                                                    {"agrees", agrees}};
         }
         result.rows.push_back(row);
     }
@@ -361,39 +295,28 @@ void add_outcomes(const std::string& what, const std::vector<Chapter5Run>& runs,
 Reproduction reproduce_fig_5_5(const ResultFolder& folder, Report& report) {
     Reproduction result;
     Table table{"Tilt at which the block has turned relative to its base, deg",
-                {{"cycles for a degree", true},
-                 {"gravity turned: by 1 deg", true},
-                 {"by 10 deg", true},
-                 {"clean: by 1 deg", true},
-                 {"by 10 deg", true},
-                 {"base turned: by 1 deg", true},
-                 {"by 10 deg", true},
-                 {"clean: by 1 deg", true},
-                 {"by 10 deg", true}},
-                {}};
+                {"cycles for a degree"_number, "gravity turned: by 1 deg"_number, "by 10 deg"_number,
+                 "clean: by 1 deg"_number, "by 10 deg"_number, "base turned: by 1 deg"_number, "by 10 deg"_number,
+                 "clean: by 1 deg"_number, "by 10 deg"_number}};
     for (const int cycles : {50, 100, 200, 500, 2000}) {
         std::vector<double> tilts;
+        std::vector<std::string>& row = table.rows.emplace_back(std::vector{std::to_string(cycles)});
         for (const TiltedPart part : {TiltedPart::gravity, TiltedPart::base}) {
-            const Chapter5Run run = horizontal_start_run(part, cycles);
-            for (const HockingResult& computed : {delabole::run(run), clean_history(run)}) {
+            const Chapter5Run run = tilted_from_horizontal(part, cycles);
+            for (const Engine engine : {Engine::recreated, Engine::dropped}) {
+                const HockingResult computed = compute(run, engine);
                 for (const double rotation : {1.0, 10.0}) {
-                    const auto cycle = cycle_of_rotation(run, computed, 0, degrees(rotation));
+                    const auto cycle = cycle_of_rotation(run, computed, degrees(rotation));
                     tilts.push_back(cycle ? print_at(computed, *cycle).tilt / degrees(1) : std::nan(""));
+                    row.push_back(human_number(tilts.back(), 4));
                 }
             }
         }
-        std::vector<std::string> row = {std::to_string(cycles)};
-        for (const double tilt : tilts) {
-            row.push_back(human_number(tilt, 4));
-        }
-        table.rows.push_back(row);
-        result.json["tilt_deg_at_1_deg"][std::to_string(cycles)] = {
+        result.json["tilt_deg_at_1_deg"][row[0]] = {
             {"gravity", tilts[0]}, {"base", tilts[4]}, {"clean_gravity", tilts[2]}, {"clean_base", tilts[6]}};
-        result.rows.push_back(
-            {"tilted from the horizontal, 1 deg in " + std::to_string(cycles) + " cycles: turned by 1 deg",
-             "very unstable", human_number(tilts[4], 4) + " deg (base turned)",
-             human_number(tilts[0], 4) + " deg (gravity turned)", "18.43 deg by equilibrium",
-             human_number(tilts[6], 4) + " deg (base turned)"});
+        result.rows.push_back({"tilted from the horizontal, 1 deg in " + row[0] + " cycles: turned by 1 deg",
+                               "very unstable", row[5] + " deg (base turned)", row[1] + " deg (gravity turned)",
+                               "18.43 deg by equilibrium", row[7] + " deg (base turned)"});
     }
     report.blocks.emplace_back(Heading{"Fig 5.5: tilting from the horizontal"});
     report.blocks.emplace_back(Paragraph{
@@ -402,9 +325,9 @@ Reproduction reproduce_fig_5_5(const ResultFolder& folder, Report& report) {
         "cycles the block first lags behind, then swings past it and is more than a degree ahead from 8 deg of tilt "
         "on: the printed \"very unstable situation\"."});
     report.blocks.emplace_back(table);
-    const Chapter5Run shown = horizontal_start_run(TiltedPart::base, 100);
-    const HockingResult computed = delabole::run(shown);
-    const HockingResult clean = clean_history(shown);
+    const Chapter5Run shown = tilted_from_horizontal(TiltedPart::base, 100);
+    const HockingResult computed = compute(shown, Engine::recreated);
+    const HockingResult clean = compute(shown, Engine::dropped);
     const auto rotation = [&](const HockingPrint& print) { return rotation_in(shown, print, 0) / degrees(1); };
     report.blocks.emplace_back(folder.draw(
         history_figure("Fig 5.5: base turned by 1 deg in 100 cycles", "rotation relative to the base", "deg",
@@ -416,29 +339,6 @@ Reproduction reproduce_fig_5_5(const ResultFolder& folder, Report& report) {
     return result;
 }
 
-namespace {
-
-// Rows of the cycles until rest.
-void add_tilted_counts(const std::string& turned, const std::vector<Chapter5Run>& runs, Reproduction& result) {
-    for (const Chapter5Run& run : runs) {
-        if (!run.printed_settled) {
-            continue;
-        }
-        const HockingTilting& tilting = *run.settings.tilting;
-        const int end =
-            tilting.begin + static_cast<int>(std::lround(tilting.total / tilting.increment)) * tilting.every;
-        result.rows.push_back(
-            {"single block, " + turned + ", " + run.name + ": cycles until CX / CY rest",
-             pair_in_words(*run.printed_settled), settled_in_words(run, delabole::run(run)), "",
-             tilting.part == TiltedPart::gravity
-                 ? "the tilt ends at " + std::to_string(end) + ": turned gravity leaves nothing to come to rest from"
-                 : "grows with the thickness of the base, which is not printed; see 'tilted_blocks'",
-             settled_in_words(run, clean_history(run))});
-    }
-}
-
-}  // namespace
-
 Reproduction reproduce_single_blocks(const ResultFolder& folder, Report& report) {
     Reproduction result = fixed_inclination(folder, report);
     report.blocks.emplace_back(Heading{"Single block tilted from a stable inclination (5.3.1 B)"});
@@ -446,19 +346,18 @@ Reproduction reproduce_single_blocks(const ResultFolder& folder, Report& report)
         "Gravity turned, which is the same as turning the whole model, lets the block stand up to its static limit. "
         "The base turned, an inch thick and about its centroid, gives every printed outcome, with smaller counts."});
     for (const TiltedPart part : {TiltedPart::gravity, TiltedPart::base}) {
-        const std::string turned = part == TiltedPart::gravity ? "gravity turned" : "base turned";
-        const std::vector<Chapter5Run> runs = single_tilting_runs(part);
-        add_outcomes("single block, " + turned, runs, result, [](const Chapter5Run&) {
+        const std::vector<Chapter5Run> runs = chapter_5_runs("single_tilting", part);
+        add_outcomes("single block, " + in_words(part), runs, result, [](const Chapter5Run&) {
             return "turned gravity pushes nothing, and no input tried in 'tilted_blocks' gives all five outcomes";
         });
-        add_tilted_counts(turned, runs, result);
-        report.blocks.emplace_back(
-            table_of({"Cycles after which CX / CY no longer change, " + turned, "tilted from, to", runs,
-                      [](const Chapter5Run& run) {
-                          return run.printed_cycle ? "fails, momentum after " + std::to_string(*run.printed_cycle)
-                                                   : printed_in_words(run);
-                      },
-                      settled_in_words}));
+        add_tilted_counts(part, runs, result);
+        report.blocks.emplace_back(table_of(
+            "Cycles after which CX / CY no longer change, " + in_words(part), "tilted from, to", runs,
+            [](const Chapter5Run& run) {
+                return run.printed_cycle ? "fails, momentum after " + std::to_string(*run.printed_cycle)
+                                         : printed_in_words(run);
+            },
+            settled_or_turned));
     }
     report.blocks.emplace_back(last_digit_table());
     return result;

@@ -1,61 +1,55 @@
-// The items of the thesis's chapter 5, dynamic relaxation.
+// The items of the thesis's chapter 5, dynamic relaxation, and what they share.
 #pragma once
 
-#include "cases/program/thesis/hocking/chapter_5.hpp"
+#include "cases/program/thesis/chapter_5/clean_chapter_5.hpp"
 #include "cases/program/thesis/reproduction.hpp"
-#include "dynamic_relaxation/scene/settings.hpp"
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace delabole {
 
-// How a run of chapter 5 is computed; every table has a column for each scheme.
-struct Scheme {
-    std::string name;
-    std::string brief;  // of the clean engine: how it starts
-    std::function<HockingResult(const Chapter5Run&)> compute;
-};
+using WordsOfRun = std::function<std::string(const Chapter5Run&)>;
+using WordsOfResult = std::function<std::string(const Chapter5Run&, const HockingResult&)>;
 
-const std::vector<Scheme>& schemes();
+// A row for each run: what is printed of it, and what each engine says to it. `heading` is that of the runs' names.
+Table table_of(const std::string& caption, const std::string& heading, const std::vector<Chapter5Run>& runs,
+               const WordsOfRun& printed, const WordsOfResult& computed);
 
-// Of one table: what of a run is printed, and what a scheme says to it.
-struct RunTable {
-    std::string caption;
-    std::string heading;  // of the first column
-    std::vector<Chapter5Run> runs;
-    std::function<std::string(const Chapter5Run&)> printed;
-    std::function<std::string(const Chapter5Run&, const HockingResult&)> computed;
-};
-
-Table table_of(const RunTable& data);
-
-// "stands", "fails at cycle 3000", "blows out at cycle 680", "undecided".
+// "blows out".
+std::string in_words(HockingOutcome outcome);
+std::string printed_outcome(const Chapter5Run& run);
+// "stands", "blows out at cycle 680".
 std::string outcome_in_words(const HockingResult& result);
-std::string in_words(PrintedOutcome printed);
-bool agrees(PrintedOutcome printed, const HockingResult& result);
+// With the cycle at which the first block has turned by a degree.
+std::string outcome_with_rotation(const Chapter5Run& run, const HockingResult& result);
+// "of 20: 3 stand and 17 fail".
+std::string in_words(const std::vector<HockingResult>& results);
 
-// Outcomes of a run with the free blocks' coordinates shifted at random by a unit.
-struct OutcomeCount {
-    int runs = 0;
-    int stand = 0;
-    int fail = 0;
-    int blow_out = 0;
-    int undecided = 0;
+// "800 / 900".
+std::string in_words(const SettledCycles& settled);
+// Cycles after which the first block rests, or how the run ends otherwise.
+std::string settled_in_words(const HockingResult& result);
 
-    void include(HockingOutcome outcome);
+std::string in_words(TiltedPart part);  // "base turned"
+
+// Least and greatest number over many starts.
+struct CountRange {
+    int least = 0;
+    int greatest = 0;
+    int count = 0;  // of the numbers
+
+    void include(int value);
+    bool holds(int value) const { return count > 0 && value >= least && value <= greatest; }
+    std::string words(const std::string& to) const;  // "3 to 8"
 };
-
-OutcomeCount count_outcomes(const Chapter5Run& run, double unit, int runs);
-OutcomeCount count_clean_outcomes(const Chapter5Run& run, RelaxationStart start, double unit, int runs);
-std::string in_words(const OutcomeCount& count);
-int agreeing(PrintedOutcome printed, const OutcomeCount& count);
 
 // Every run's outcome beside the printed one, also for result.json; where they differ, of shifted starts too, and the
 // reason, if one is known.
 void add_outcomes(const std::string& what, const std::vector<Chapter5Run>& runs, Reproduction& result,
-                  const std::function<std::string(const Chapter5Run&)>& reason = {});
+                  const WordsOfRun& reason = {});
 
 Reproduction reproduce_fig_5_5(const ResultFolder& folder, Report& report);
 Reproduction reproduce_single_blocks(const ResultFolder& folder, Report& report);

@@ -1,5 +1,6 @@
 #include "cases/program/thesis/chapter_5/clean_chapter_5.hpp"
 
+#include "cases/program/terminal/interrupt.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
 #include "parameters/fields.hpp"
@@ -61,7 +62,6 @@ class Recorder {
                 }
             }
         }
-        history().cycles = last;
         history().outcome = outcome();
         const EnergyLedger ledger = simulation_.ledger();
         result_.energy_error = ledger.turnover() > 0 ? std::abs(ledger.residual()) / ledger.turnover() : 0;
@@ -122,12 +122,12 @@ class Recorder {
 
     HockingOutcome outcome() const {
         if (blown_out()) {
-            return HockingOutcome::blown_out;
+            return HockingOutcome::blows_out;
         }
         if (farthest_turned_ > run_.settings.failure_rotation) {
-            return HockingOutcome::failed;
+            return HockingOutcome::fails;
         }
-        return fastest() <= run_.settings.settled_speed ? HockingOutcome::settled : HockingOutcome::undecided;
+        return fastest() <= run_.settings.settled_speed ? HockingOutcome::stands : HockingOutcome::undecided;
     }
 
     void print(int cycle, const std::vector<double>& slips_before) {
@@ -136,7 +136,6 @@ class Recorder {
         HockingPrint edit;
         edit.cycle = cycle;
         edit.tilt = tilt();
-        edit.kinetic_energy = simulation_.kinetic_energy();
         edit.largest_force = std::exchange(largest_force_, 0.0);
         for (std::size_t block = 0; block < blocks_.size(); ++block) {
             const Motion& motion = simulation_.state().motion[block];
@@ -233,8 +232,26 @@ CleanRun run_clean(const Chapter5Run& run, const std::vector<HockingBlock>& bloc
     return Recorder(run, blocks, start).record();
 }
 
-HockingResult clean_history(const Chapter5Run& run) {
-    return run_clean(run, exact_blocks(run), RelaxationStart::dropped).history;
+HockingResult compute(const Chapter5Run& run, Engine engine, const std::vector<HockingBlock>& blocks) {
+    if (engine == Engine::recreated) {
+        return run_hocking(blocks, run.settings);
+    }
+    const RelaxationStart start = engine == Engine::dropped ? RelaxationStart::dropped : RelaxationStart::preloaded;
+    return run_clean(run, blocks, start).history;
+}
+
+HockingResult compute(const Chapter5Run& run, Engine engine) {
+    return compute(run, engine, engine == Engine::recreated ? make_blocks(run.columns) : exact_blocks(run));
+}
+
+std::vector<HockingResult> compute_shifted(const Chapter5Run& run, Engine engine, double unit, int starts) {
+    const std::vector<HockingBlock> blocks = make_blocks(run.columns);
+    std::vector<HockingResult> results;
+    for (int seed = 1; seed <= starts; ++seed) {
+        stop_if_interrupted();
+        results.push_back(compute(run, engine, perturbed(blocks, unit, static_cast<unsigned>(seed))));
+    }
+    return results;
 }
 
 }  // namespace delabole

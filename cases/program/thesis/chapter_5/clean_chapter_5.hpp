@@ -10,6 +10,7 @@
 #include "dynamic_relaxation/scene/scene.hpp"
 #include "dynamic_relaxation/scene/settings.hpp"
 
+#include <array>
 #include <vector>
 
 namespace delabole {
@@ -26,12 +27,23 @@ struct CleanRun {
 // As typed by nobody: blocks and bases touch exactly.
 std::vector<HockingBlock> exact_blocks(const Chapter5Run& run);
 
-// Drawn along the base, gravity tilted. `blocks` as of make_blocks; their dip is that of the run.
+// Initial geometry along the base, gravity tilted. `blocks` as of make_blocks; their dip is that of the run.
 RelaxationScene clean_scene(const Chapter5Run& run, const std::vector<HockingBlock>& blocks);
 RelaxationSettings clean_settings(const Chapter5Run& run, RelaxationStart start);
 
 CleanRun run_clean(const Chapter5Run& run, const std::vector<HockingBlock>& blocks, RelaxationStart start);
-// Dropped, as the thesis's program starts.
-HockingResult clean_history(const Chapter5Run& run);
+
+// What computes a run: the re-created program, or the clean engine with its blocks dropped onto their springs, as the
+// thesis's are, or preloaded.
+enum class Engine { recreated, dropped, preloaded };
+
+inline constexpr std::array engines{Engine::recreated, Engine::dropped, Engine::preloaded};
+
+HockingResult compute(const Chapter5Run& run, Engine engine, const std::vector<HockingBlock>& blocks);
+// From typed coordinates by the re-created program, from exact ones by the clean engine.
+HockingResult compute(const Chapter5Run& run, Engine engine);
+// From so many starts, with the free blocks' typed coordinates shifted at random by a unit. Interrupted once the flag
+// of cases/program/terminal/interrupt.hpp is set.
+std::vector<HockingResult> compute_shifted(const Chapter5Run& run, Engine engine, double unit, int starts);
 
 }  // namespace delabole

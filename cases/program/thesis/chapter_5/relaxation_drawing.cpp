@@ -1,7 +1,7 @@
 #include "cases/program/thesis/chapter_5/relaxation_drawing.hpp"
 
 #include "cases/program/models/relaxation/figures.hpp"
-#include "plots/figures/block_figures.hpp"
+#include "plots/drawing/extent.hpp"
 
 #include <Eigen/Geometry>
 
@@ -14,18 +14,6 @@
 namespace delabole {
 
 namespace {
-
-DrawnMode drawn(ColumnBehaviour behaviour) {
-    switch (behaviour) {
-    case ColumnBehaviour::slides:
-        return DrawnMode::slides;
-    case ColumnBehaviour::topples:
-        return DrawnMode::topples;
-    case ColumnBehaviour::stays:
-        break;
-    }
-    return DrawnMode::stays;
-}
 
 // A long base is cut off near the columns; base blocks are drawn whole.
 Polyline outline_of(const Chapter5Run& run, const HockingBlock& block, const HockingBlockState& state) {
@@ -47,29 +35,20 @@ Polyline outline_of(const Chapter5Run& run, const HockingBlock& block, const Hoc
     return outline;
 }
 
-struct Span {
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -std::numeric_limits<double>::infinity();
-    void include(double value) {
-        lowest = std::min(lowest, value);
-        highest = std::max(highest, value);
-    }
-};
-
 }  // namespace
 
-ColumnBehaviour behaviour(const Chapter5Run& run, const HockingResult& result, const HockingPrint& print,
-                          std::size_t column) {
+DrawnMode behaviour(const Chapter5Run& run, const HockingResult& result, const HockingPrint& print,
+                    std::size_t column) {
     constexpr double turned = degrees(1);
     constexpr double moved = 0.02;  // of the width
     if (std::abs(rotation_in(run, print, column)) > turned) {
-        return ColumnBehaviour::topples;
+        return DrawnMode::topples;
     }
     // Where the block would be had it only turned with its base, about the origin.
     const double turn = print.blocks[column].angle - rotation_in(run, print, column);
     const Point carried = Eigen::Rotation2Dd(turn) * result.prints.front().blocks[column].centroid;
-    return (print.blocks[column].centroid - carried).norm() > moved * run.columns.width ? ColumnBehaviour::slides
-                                                                                        : ColumnBehaviour::stays;
+    return (print.blocks[column].centroid - carried).norm() > moved * run.columns.width ? DrawnMode::slides
+                                                                                        : DrawnMode::stays;
 }
 
 JointOpening widest_opening(const Chapter5Run& run, const HockingPrint& print) {
@@ -109,20 +88,19 @@ Figure frames_figure(const std::string& title, const Chapter5Run& run, const Hoc
                      const std::vector<int>& cycles) {
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);
     const double gap = 0.7;  // in
-    BlockDrawing drawing;
-    drawing.title = title;
+    BlockDrawing drawing{.title = title};
     std::vector<Point> captions;
     double offset = 0;
     for (const int cycle : cycles) {
         const HockingPrint& print = print_at(result, cycle);
         std::vector<DrawnBlock> frame;
-        Span x;
-        Span y;
+        Extent x;
+        Extent y;
         for (std::size_t index = 0; index < blocks.size(); ++index) {
-            DrawnBlock block;
-            block.outline = outline_of(run, blocks[index], print.blocks[index]);
-            block.mode = blocks[index].fixed ? DrawnMode::fixed : drawn(behaviour(run, result, print, index));
-            block.label = label_of(index, blocks[index].fixed);
+            const bool fixed = blocks[index].fixed;
+            DrawnBlock block{.outline = outline_of(run, blocks[index], print.blocks[index]),
+                             .label = label_of(index, fixed),
+                             .mode = fixed ? DrawnMode::fixed : behaviour(run, result, print, index)};
             for (const Point& corner : block.outline) {
                 x.include(corner.x());
                 y.include(corner.y());
@@ -136,15 +114,14 @@ Figure frames_figure(const std::string& title, const Chapter5Run& run, const Hoc
             }
             drawing.blocks.push_back(block);
         }
-        captions.emplace_back(offset + (x.highest - x.lowest) / 2, y.highest);
-        offset += x.highest - x.lowest + gap;
+        captions.emplace_back(offset + (x.size()) / 2, y.highest);
+        offset += x.size() + gap;
     }
     Figure figure = block_figure(drawing);
     figure.x.title = "distance";
-    figure.x.unit = "in";
     figure.y.title = "height";
-    figure.y.unit = "in";
-    Span top;
+    figure.x.unit = figure.y.unit = "in";
+    Extent top;
     for (std::size_t index = 0; index < captions.size(); ++index) {
         top.include(captions[index].y());
         figure.labels.push_back({.at = captions[index],
@@ -164,21 +141,14 @@ Figure history_figure(const std::string& title, const std::string& y_title, cons
                       const std::vector<HistoryOf>& histories) {
     constexpr std::array colours{Colour::blue,   Colour::vermilion, Colour::green, Colour::orange,
                                  Colour::purple, Colour::sky,       Colour::black};
-    Figure figure;
-    figure.title = title;
-    figure.x.title = "cycle";
-    figure.y.title = y_title;
-    figure.y.unit = y_unit;
+    Figure figure{.title = title, .x = {.title = "cycle"}, .y = {.title = y_title, .unit = y_unit}};
     std::size_t colour = 0;
     for (const HistoryOf& history : histories) {
-        Line line;
-        line.legend = history.legend;
-        if (history.clean && colour > 0) {
-            line.colour = colours[(colour - 1) % colours.size()];
-            line.dash = Dash::dashed;
-        } else {
-            line.colour = colours[colour++ % colours.size()];
-        }
+        const bool dashed = history.clean && colour > 0;
+        colour += dashed ? 0 : 1;
+        Line line{.legend = history.legend,
+                  .colour = colours[(colour - 1) % colours.size()],
+                  .dash = dashed ? Dash::dashed : Dash::solid};
         for (const HockingPrint& print : history.result->prints) {
             line.points.emplace_back(print.cycle, history.value(print));
         }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cases/program/thesis/hocking/chapter_5.hpp"
-#include "plots/drawing/figure.hpp"
+#include "plots/figures/block_figures.hpp"
 
 #include <functional>
 #include <string>
@@ -11,16 +11,9 @@
 
 namespace delabole {
 
-// What a column has done since the start: turned by more than a degree, else moved by more than a fiftieth of its
-// width, else nothing; or is held.
-enum class ColumnBehaviour { stays, slides, topples };
-
-constexpr std::array<std::string_view, 3> enum_names(ColumnBehaviour) {
-    return {"stays", "slides", "topples"};
-}
-
-ColumnBehaviour behaviour(const Chapter5Run& run, const HockingResult& result, const HockingPrint& print,
-                          std::size_t column);
+// What a column has done by a print: it topples where it has turned by more than a degree, else slides where it has
+// moved by more than a fiftieth of its width, else stays.
+DrawnMode behaviour(const Chapter5Run& run, const HockingResult& result, const HockingPrint& print, std::size_t column);
 
 // How far the facing sides of two neighbouring columns are apart, where that is most.
 struct JointOpening {

@@ -1,85 +1,60 @@
 // 5.3.3 and 5.3.4 of the thesis: three and four blocks, and columns of unequal height.
-#include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"
-#include "cases/program/thesis/chapter_5/clean_chapter_5.hpp"
 #include "cases/program/thesis/chapter_5/relaxation_drawing.hpp"
-#include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace delabole {
 
 namespace {
 
 std::string in_words(const SlidingTotals& totals) {
-    std::string text = "F " + std::to_string(totals.forward) + ", B " + std::to_string(totals.backward) + ", - " +
-                       std::to_string(totals.none);
+    const std::string text = "F " + std::to_string(totals.forward) + ", B " + std::to_string(totals.backward) + ", - " +
+                             std::to_string(totals.none);
     return totals.unclear > 0 ? text + ", ? " + std::to_string(totals.unclear) : text;
 }
 
 constexpr int shifted_starts = 40;
+constexpr std::array counted{&SlidingTotals::forward, &SlidingTotals::backward, &SlidingTotals::none};
 
-// Least and greatest number over many starts.
-struct Range {
-    int least = 0;
-    int greatest = 0;
-    bool empty = true;
-
-    void include(int value) {
-        least = empty ? value : std::min(least, value);
-        greatest = empty ? value : std::max(greatest, value);
-        empty = false;
-    }
-    bool holds(int value) const { return !empty && value >= least && value <= greatest; }
-    std::string words() const { return std::to_string(least) + "-" + std::to_string(greatest); }
-};
-
-struct TotalsRange {
-    Range forward, backward, none;
-};
+// Of what is counted, over the starts.
+using TotalsRange = std::array<CountRange, counted.size()>;
 
 std::string in_words(const TotalsRange& range) {
-    return range.forward.words() + ", " + range.backward.words() + ", " + range.none.words();
+    return range[0].words("-") + ", " + range[1].words("-") + ", " + range[2].words("-");
 }
 
-using ComputeFromBlocks = std::function<HockingResult(const Chapter5Run&, const std::vector<HockingBlock>&)>;
-
-HockingResult recreated(const Chapter5Run& run, const std::vector<HockingBlock>& blocks) {
-    return run_hocking(blocks, run.settings);
+std::vector<SlidingTotals> totals_of(const Chapter5Run& run, const HockingResult& result) {
+    return count_sliding(result, run.columns.heights.size(), run.first_print);
 }
 
-HockingResult clean(const Chapter5Run& run, const std::vector<HockingBlock>& blocks) {
-    return run_clean(run, blocks, RelaxationStart::dropped).history;
-}
-
-std::vector<TotalsRange> spread_of_totals(const Chapter5Run& run, const ComputeFromBlocks& compute, double unit,
-                                          int starts) {
-    const std::size_t columns = run.columns.heights.size();
-    std::vector<TotalsRange> ranges(columns);
-    const std::vector<HockingBlock> blocks = make_blocks(run.columns);
-    for (int seed = 1; seed <= starts; ++seed) {
-        stop_if_interrupted();
-        const HockingResult result = compute(run, perturbed(blocks, unit, static_cast<unsigned>(seed)));
-        if (result.outcome == HockingOutcome::blown_out) {
-            continue;
-        }
-        const std::vector<SlidingTotals> totals = count_sliding(result, columns, run.first_print);
-        for (std::size_t column = 0; column < columns; ++column) {
-            ranges[column].forward.include(totals[column].forward);
-            ranges[column].backward.include(totals[column].backward);
-            ranges[column].none.include(totals[column].none);
+// By column; runs that blow out are left out.
+std::vector<TotalsRange> spread_of_totals(const Chapter5Run& run, Engine engine, double unit) {
+    std::vector<TotalsRange> ranges(run.columns.heights.size());
+    for (const HockingResult& result : compute_shifted(run, engine, unit, shifted_starts)) {
+        if (result.outcome != HockingOutcome::blows_out) {
+            const std::vector<SlidingTotals> totals = totals_of(run, result);
+            for (std::size_t column = 0; column < totals.size(); ++column) {
+                for (std::size_t kind = 0; kind < counted.size(); ++kind) {
+                    ranges[column][kind].include(totals[column].*counted[kind]);
+                }
+            }
         }
     }
     return ranges;
 }
 
-// First print at which two histories name another sense of sliding for any column; 0 where they never do.
-int first_difference(const HockingResult& one, const HockingResult& other, std::size_t columns) {
+// First print at which a history from a start shifted by a unit names another sense of sliding for any column; 0 where
+// it never does.
+int first_difference(const Chapter5Run& run, Engine engine, const std::vector<HockingBlock>& start, double unit) {
+    const HockingResult one = compute(run, engine, start);
+    const HockingResult other = compute(run, engine, perturbed(start, unit, 1));
     for (std::size_t index = 0; index < std::min(one.prints.size(), other.prints.size()); ++index) {
-        for (std::size_t column = 0; column < columns; ++column) {
+        for (std::size_t column = 0; column < run.columns.heights.size(); ++column) {
             if (one.prints[index].blocks[column].sliding != other.prints[index].blocks[column].sliding) {
                 return one.prints[index].cycle;
             }
@@ -93,35 +68,20 @@ bool forward_prevails(const SlidingTotals& totals) {
     return totals.forward > totals.backward;
 }
 
-std::string behaviour_in_words(const Chapter5Run& run, const HockingResult& result) {
-    std::vector<std::string> parts;
-    const std::size_t columns = run.columns.heights.size();
-    for (std::size_t first = 0; first < columns;) {
-        const ColumnBehaviour kind = behaviour(run, result, result.prints.back(), first);
-        std::size_t last = first;
-        while (last + 1 < columns && behaviour(run, result, result.prints.back(), last + 1) == kind) {
-            ++last;
-        }
-        std::string word(enum_names(kind)[static_cast<std::size_t>(kind)]);
-        if (last > first) {
-            word.pop_back();  // "topple"
-        }
-        parts.push_back(
-            (first == last ? std::to_string(first + 1) : std::to_string(first + 1) + "-" + std::to_string(last + 1)) +
-            " " + word);
-        first = last + 1;
+std::vector<std::string_view> behaviour_at_end(const Chapter5Run& run, const HockingResult& result) {
+    std::vector<std::string_view> does;
+    for (std::size_t column = 0; column < run.columns.heights.size(); ++column) {
+        does.push_back(word_of(behaviour(run, result, result.prints.back(), column)));
     }
-    return list_in_words(parts);
+    return does;
+}
+
+std::string behaviour_in_words(const Chapter5Run& run, const HockingResult& result) {
+    return columns_in_words(behaviour_at_end(run, result), "-");
 }
 
 bool behaves_as_printed(const Chapter5Run& run, const HockingResult& result) {
-    for (std::size_t column = 0; column < run.columns.heights.size(); ++column) {
-        const ColumnBehaviour kind = behaviour(run, result, result.prints.back(), column);
-        if (run.printed_behaviour[column] != enum_names(kind)[static_cast<std::size_t>(kind)]) {
-            return false;
-        }
-    }
-    return true;
+    return std::ranges::equal(run.printed_behaviour, behaviour_at_end(run, result));
 }
 
 // Less is the give of the springs.
@@ -148,7 +108,7 @@ const HockingPrint& first_opening(const Chapter5Run& run, const HockingResult& r
 void add_crack(const Chapter5Run& run, const HockingResult& recreated, const HockingResult& clean,
                Reproduction& result) {
     constexpr std::size_t fifth = 4;
-    const bool fails = run.printed == PrintedOutcome::fails;
+    const bool fails = run.printed == HockingOutcome::fails;
     const auto shown = [&](const HockingResult& history) {
         return "first " + opening_in_words(run, first_opening(run, history)) + ", at the end " +
                opening_in_words(run, history.prints.back());
@@ -167,34 +127,32 @@ void add_crack(const Chapter5Run& run, const HockingResult& recreated, const Hoc
                                       {"clean_width_in", widest_opening(run, clean.prints.back()).width / inch}};
 }
 
+double rotation_at_end(const HockingResult& result, std::size_t column) {
+    return result.prints.back().blocks[column].angle / degrees(1);
+}
+
 }  // namespace
 
 Reproduction reproduce_triple_blocks(const ResultFolder& folder, Report& report) {
     Reproduction result;
     report.blocks.emplace_back(Heading{"Three blocks (5.3.3.1)"});
-    Table table{"Sliding on the base in print edits of 100 cycles: F forward, B backward, - none",
-                {{"run"},
-                 {"block", true},
-                 {"printed"},
-                 {"re-created program"},
-                 {"first F, B"},
-                 {"clean engine"},
-                 {"first F, B"},
-                 {"clean, range of " + std::to_string(shifted_starts) + " starts (F, B, -)"}},
-                {}};
-    for (const Chapter5Run& run : triple_runs()) {
-        const std::size_t columns = run.columns.heights.size();
-        const std::array results = {delabole::run(run), clean_history(run)};
-        const std::vector<TotalsRange> ranges = spread_of_totals(run, clean, typed_digit, shifted_starts);
-        for (std::size_t column = 0; column < columns; ++column) {
+    const std::string range = "clean, range of " + std::to_string(shifted_starts) + " starts (F, B, -)";
+    Table table{
+        "Sliding on the base in print edits of 100 cycles: F forward, B backward, - none",
+        {"run", "block"_number, "printed", "re-created program", "first F, B", "clean engine", "first F, B", range}};
+    const std::vector<Chapter5Run> runs = chapter_5_runs("triple");
+    for (const Chapter5Run& run : runs) {
+        const std::array results = {compute(run, Engine::recreated), compute(run, Engine::dropped)};
+        const std::vector<TotalsRange> ranges = spread_of_totals(run, Engine::dropped, typed_digit);
+        for (std::size_t column = 0; column < ranges.size(); ++column) {
             std::vector<std::string> row = {run.name, std::to_string(column + 1), run.printed_behaviour[column]};
             for (const HockingResult& computed : results) {
-                const auto cycle_in_words = [&](BaseSliding sense) {
+                const auto first = [&](BaseSliding sense) {
                     const auto cycle = first_sliding(computed, column, sense);
                     return cycle ? std::to_string(*cycle) : std::string("never");
                 };
-                row.push_back(in_words(count_sliding(computed, columns, run.first_print)[column]));
-                row.push_back(cycle_in_words(BaseSliding::forward) + ", " + cycle_in_words(BaseSliding::backward));
+                row.push_back(in_words(totals_of(run, computed)[column]));
+                row.push_back(first(BaseSliding::forward) + ", " + first(BaseSliding::backward));
             }
             row.push_back(in_words(ranges[column]));
             table.rows.push_back(row);
@@ -202,7 +160,7 @@ Reproduction reproduce_triple_blocks(const ResultFolder& folder, Report& report)
         std::vector<std::string> in_each;
         bool senses = true;
         for (std::size_t which = 0; which < results.size(); ++which) {
-            const std::vector<SlidingTotals> totals = count_sliding(results[which], columns, run.first_print);
+            const std::vector<SlidingTotals> totals = totals_of(run, results[which]);
             const bool first = forward_prevails(totals.front());
             const bool last = forward_prevails(totals.back());
             senses = senses && first && !last;
@@ -216,19 +174,18 @@ Reproduction reproduce_triple_blocks(const ResultFolder& folder, Report& report)
                                in_each[0], "", statement(senses), in_each[1]});
     }
     report.blocks.emplace_back(table);
-    report.blocks.emplace_back(Paragraph{
-        "The clean engine agrees on what blocks mostly do, and its blocks do not change their mind: block 1 slides "
-        "forward, block 3 backward. It does so with the time step divided or not, so that the alternating senses of "
-        "the "
-        "thesis's histories are no matter of the step. What is left is the law of contact: the re-created program "
-        "stores the dashpot's force in its shear springs, and what is stored pushes back. In (iv) block 2 neither "
-        "slides backward mostly, as printed, nor forward."});
-    const Chapter5Run shown = triple_runs()[1];
     report.blocks.emplace_back(
-        folder.draw(frames_figure("Fig 5.14: three blocks (ii)", shown, delabole::run(shown), {500, 1000, 1500, 2000}),
+        Paragraph{"The clean engine agrees on what blocks mostly do, and its blocks do not change their mind: block 1 "
+                  "slides forward, block 3 backward. It does so with the time step divided or not, so that the "
+                  "alternating senses of the thesis's histories are no matter of the step. What is left is the law of "
+                  "contact: the re-created program stores the dashpot's force in its shear springs, and what is stored "
+                  "pushes back. In (iv) block 2 neither slides backward mostly, as printed, nor forward."});
+    const std::vector<int> cycles = {500, 1000, 1500, 2000};
+    report.blocks.emplace_back(
+        folder.draw(frames_figure("Fig 5.14: three blocks (ii)", runs[1], compute(runs[1], Engine::recreated), cycles),
                     "fig_5_14", "Toppling of three blocks, a/b = 3, 35 deg. Re-created program."));
     report.blocks.emplace_back(
-        folder.draw(frames_figure("Fig 5.14, clean engine", shown, clean_history(shown), {500, 1000, 1500, 2000}),
+        folder.draw(frames_figure("Fig 5.14, clean engine", runs[1], compute(runs[1], Engine::dropped), cycles),
                     "fig_5_14_clean", "The same by the clean engine."));
     report.blocks.emplace_back(printed_table("Senses", result.rows));
     return result;
@@ -245,47 +202,34 @@ Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& repo
         "clean engine's histories do not part by the last bit; its blocks slide one way each, and its ranges are "
         "narrow, so that most printed totals, mixed as they are, lie outside."});
     Table table{"Totals, and their range over " + std::to_string(shifted_starts) + " starts (F, B, -)",
-                {{"table"},
-                 {"block", true},
-                 {"printed"},
-                 {"re-created program"},
-                 {"range, 1e-15 m"},
-                 {"range, 1e-6 m"},
-                 {"clean engine"},
-                 {"range, 1e-6 m"}},
-                {}};
+                {"table", "block"_number, "printed", "re-created program", "range, 1e-15 m", "range, 1e-6 m",
+                 "clean engine", "range, 1e-6 m"}};
     int within = 0;
     int count = 0;
     int senses = 0;
     int sensed = 0;
     int clean_within = 0;
     int clean_senses = 0;
-    for (const Chapter5Run& run : quadruple_runs()) {
-        const std::vector<TotalsRange> bit = spread_of_totals(run, recreated, last_bit, shifted_starts);
-        const std::vector<TotalsRange> digit = spread_of_totals(run, recreated, typed_digit, shifted_starts);
-        const std::vector<TotalsRange> of_clean = spread_of_totals(run, clean, typed_digit, shifted_starts);
-        const HockingResult reference = delabole::run(run);
-        const HockingResult clean_reference = clean_history(run);
-        const auto totals_of = [&](const HockingResult& history) {
-            return count_sliding(history, run.columns.heights.size(), run.first_print);
-        };
-        const std::vector<SlidingTotals> computed = totals_of(reference);
-        const std::vector<SlidingTotals> clean_totals = totals_of(clean_reference);
-        for (std::size_t column = 0; column < run.columns.heights.size(); ++column) {
+    const std::vector<Chapter5Run> runs = chapter_5_runs("quadruple");
+    for (const Chapter5Run& run : runs) {
+        const std::vector<TotalsRange> bit = spread_of_totals(run, Engine::recreated, last_bit);
+        const std::vector<TotalsRange> digit = spread_of_totals(run, Engine::recreated, typed_digit);
+        const std::vector<TotalsRange> of_clean = spread_of_totals(run, Engine::dropped, typed_digit);
+        const HockingResult reference = compute(run, Engine::recreated);
+        const HockingResult clean_reference = compute(run, Engine::dropped);
+        const std::vector<SlidingTotals> computed = totals_of(run, reference);
+        const std::vector<SlidingTotals> clean_totals = totals_of(run, clean_reference);
+        for (std::size_t column = 0; column < computed.size(); ++column) {
             const SlidingTotals& printed = run.printed_totals[column];
             table.rows.push_back({run.name, std::to_string(column + 1), in_words(printed), in_words(computed[column]),
                                   in_words(bit[column]), in_words(digit[column]), in_words(clean_totals[column]),
                                   in_words(of_clean[column])});
-            const auto inside = [&](int value, const Range& one, const Range& other) {
+            for (std::size_t kind = 0; kind < counted.size(); ++kind) {
+                const int value = printed.*counted[kind];
                 ++count;
-                within += one.holds(value) || other.holds(value) ? 1 : 0;
-            };
-            inside(printed.forward, bit[column].forward, digit[column].forward);
-            inside(printed.backward, bit[column].backward, digit[column].backward);
-            inside(printed.none, bit[column].none, digit[column].none);
-            clean_within += of_clean[column].forward.holds(printed.forward) ? 1 : 0;
-            clean_within += of_clean[column].backward.holds(printed.backward) ? 1 : 0;
-            clean_within += of_clean[column].none.holds(printed.none) ? 1 : 0;
+                within += bit[column][kind].holds(value) || digit[column][kind].holds(value) ? 1 : 0;
+                clean_within += of_clean[column][kind].holds(value) ? 1 : 0;
+            }
             if (printed.forward != printed.backward) {
                 ++sensed;
                 senses += forward_prevails(computed[column]) == forward_prevails(printed) ? 1 : 0;
@@ -298,19 +242,16 @@ Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& repo
                                              {"computed", as_json(computed[column])},
                                              {"clean", as_json(clean_totals[column])}});
         }
-        const HockingResult other = run_hocking(perturbed(make_blocks(run.columns), last_bit, 1), run.settings);
-        const int parted = first_difference(reference, other, run.columns.heights.size());
+        const int parted = first_difference(run, Engine::recreated, make_blocks(run.columns), last_bit);
         result.json["first_different_print"][run.name] = parted;
-        const HockingResult clean_other = clean(run, perturbed(exact_blocks(run), last_bit, 1));
-        const int clean_parted = first_difference(clean_reference, clean_other, run.columns.heights.size());
+        const int clean_parted = first_difference(run, Engine::dropped, exact_blocks(run), last_bit);
         result.json["first_different_print_of_clean"][run.name] = clean_parted;
         result.rows.push_back({run.name + ": first print that a shift of 1e-15 m changes", "",
                                "cycle " + std::to_string(parted), "", "",
                                clean_parted > 0 ? "cycle " + std::to_string(clean_parted) : std::string("none")});
         const auto rotations = [&](const HockingResult& history) {
-            const auto& blocks = history.prints.back().blocks;
-            return human_number(blocks.front().angle / degrees(1), 3) + " / " +
-                   human_number(blocks[run.columns.heights.size() - 1].angle / degrees(1), 3) + " deg";
+            return human_number(rotation_at_end(history, 0), 3) + " / " +
+                   human_number(rotation_at_end(history, computed.size() - 1), 3) + " deg";
         };
         result.rows.push_back({run.name + ": rotation of blocks 1 / 4 at the end", "", rotations(reference), "", "",
                                rotations(clean_reference)});
@@ -327,25 +268,25 @@ Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& repo
                            std::to_string(senses), "", "", std::to_string(clean_senses)});
     report.blocks.emplace_back(table);
     report.blocks.emplace_back(printed_table("How far the histories are reproducible", result.rows));
-    const Chapter5Run shown = quadruple_runs()[1];
+    const std::vector<int> cycles = {1000, 2000, 3000};
     report.blocks.emplace_back(
-        folder.draw(frames_figure("Fig 5.15: four blocks (ii)", shown, delabole::run(shown), {1000, 2000, 3000}),
+        folder.draw(frames_figure("Fig 5.15: four blocks (ii)", runs[1], compute(runs[1], Engine::recreated), cycles),
                     "fig_5_15", "Failure of four blocks, a/b = 5, 18.5 deg. Re-created program."));
     report.blocks.emplace_back(
-        folder.draw(frames_figure("Fig 5.15, clean engine", shown, clean_history(shown), {1000, 2000, 3000}),
+        folder.draw(frames_figure("Fig 5.15, clean engine", runs[1], compute(runs[1], Engine::dropped), cycles),
                     "fig_5_15_clean", "The same by the clean engine."));
     return result;
 }
 
 Reproduction reproduce_fig_5_16(const ResultFolder& folder, Report& report) {
     Reproduction result;
-    const Chapter5Run run = plane_base_run();
-    const HockingResult computed = delabole::run(run);
-    const HockingResult clean_computed = clean_history(run);
+    const Chapter5Run run = chapter_5_runs("plane_base").front();
+    const HockingResult computed = compute(run, Engine::recreated);
+    const HockingResult clean_computed = compute(run, Engine::dropped);
     report.blocks.emplace_back(Heading{"Fig 5.16: nine columns on a plane base"});
-    report.blocks.emplace_back(Paragraph{
-        "Heights are read off the drawing, friction (30 deg) is chosen. The tilting frame's crack at 16 deg lay "
-        "between columns 6 and 7; at 25 deg column 7 topples too."});
+    report.blocks.emplace_back(
+        Paragraph{"Heights are read off the drawing, friction (30 deg) is chosen. The tilting frame's crack at 16 deg "
+                  "lay between columns 6 and 7; at 25 deg column 7 topples too."});
     result.rows.push_back({"25 deg, cycle 2000", "1 slides, 2-7 topple, 8-9 stay", behaviour_in_words(run, computed),
                            "", statement(behaves_as_printed(run, computed)), behaviour_in_words(run, clean_computed)});
     Chapter5Run gentle = run;
@@ -353,13 +294,14 @@ Reproduction reproduce_fig_5_16(const ResultFolder& folder, Report& report) {
     gentle.settings.bases = gentle.settings.joints = {degrees(26), degrees(26)};
     std::vector<std::string> cracks;
     bool all_crack = true;
-    for (const bool by_clean : {false, true}) {
-        const HockingResult frame = by_clean ? clean_history(gentle) : delabole::run(gentle);
-        const auto rotation = [&](std::size_t column) { return frame.prints.back().blocks[column].angle / degrees(1); };
-        const bool crack = rotation(5) > 0.1 && std::abs(rotation(6)) < 0.1;
+    for (const Engine engine : {Engine::recreated, Engine::dropped}) {
+        const HockingResult frame = compute(gentle, engine);
+        const double sixth = rotation_at_end(frame, 5);
+        const double seventh = rotation_at_end(frame, 6);
+        const bool crack = sixth > 0.1 && std::abs(seventh) < 0.1;
         all_crack = all_crack && crack;
-        cracks.push_back("6 turned " + human_number(rotation(5), 2) + " deg, 7 " + human_number(rotation(6), 2));
-        result.json[by_clean ? "clean_crack_at_16_deg" : "crack_at_16_deg"] = crack;
+        cracks.push_back("6 turned " + human_number(sixth, 2) + " deg, 7 " + human_number(seventh, 2));
+        result.json[engine == Engine::recreated ? "crack_at_16_deg" : "clean_crack_at_16_deg"] = crack;
     }
     result.rows.push_back({"16 deg, friction 26 deg: tension crack (tilting frame)", "between 6 and 7", cracks[0], "",
                            statement(all_crack), cracks[1]});
@@ -379,30 +321,26 @@ Reproduction reproduce_fig_5_16(const ResultFolder& folder, Report& report) {
 
 Reproduction reproduce_fig_5_17(const ResultFolder& folder, Report& report) {
     Reproduction result;
-    const std::vector<Chapter5Run> runs = stepped_base_runs();
+    const std::vector<Chapter5Run> runs = chapter_5_runs("stepped_base");
     report.blocks.emplace_back(Heading{"Fig 5.17: eight columns on a stepped base"});
-    report.blocks.emplace_back(Paragraph{
-        "Columns that fail turn by some degrees and wedge again; so failure is here a rotation above 1 degree. "
-        "Equilibrium asks for 41.14 deg of friction. That 42 deg fails nevertheless, as printed, comes of the start: "
-        "dropped on springs as soft, it fails in the clean engine too; preloaded, it stands. Columns that have failed "
-        "wedge "
-        "again there as well."});
-    add_outcomes("stepped base, friction", runs, result);
     report.blocks.emplace_back(
-        table_of({"Friction angle", "friction", runs, [](const Chapter5Run& run) { return in_words(run.printed); },
-                  [](const Chapter5Run& run, const HockingResult& computed) {
-                      return outcome_in_words(computed) + ": " + behaviour_in_words(run, computed);
-                  }}));
+        Paragraph{"Columns that fail turn by some degrees and wedge again; so failure is here a rotation above 1 "
+                  "degree. Equilibrium asks for 41.14 deg of friction. That 42 deg fails nevertheless, as printed, "
+                  "comes of the start: dropped on springs as soft, it fails in the clean engine too; preloaded, it "
+                  "stands. Columns that have failed wedge again there as well."});
+    add_outcomes("stepped base, friction", runs, result);
+    report.blocks.emplace_back(table_of(
+        "Friction angle", "friction", runs, printed_outcome, [](const Chapter5Run& run, const HockingResult& computed) {
+            return outcome_in_words(computed) + ": " + behaviour_in_words(run, computed);
+        }));
     for (const Chapter5Run& run : runs) {
-        const HockingResult computed = delabole::run(run);
-        const auto rotation = [&](std::size_t column) {
-            return computed.prints.back().blocks[column].angle / degrees(1);
-        };
-        result.json["rotation_deg"][run.name] = {rotation(0), rotation(1), rotation(2), rotation(3),
-                                                 rotation(4), rotation(5), rotation(6), rotation(7)};
-        const HockingResult other = clean_history(run);
+        const HockingResult computed = compute(run, Engine::recreated);
+        const HockingResult other = compute(run, Engine::dropped);
+        for (std::size_t column = 0; column < run.columns.heights.size(); ++column) {
+            result.json["rotation_deg"][run.name].push_back(rotation_at_end(computed, column));
+        }
         add_crack(run, computed, other, result);
-        if (run.printed == PrintedOutcome::fails) {
+        if (run.printed == HockingOutcome::fails) {
             result.rows.push_back({"stepped base, " + run.name + ": behaviour", "1 slides, 2-5 topple, 6-8 stay",
                                    behaviour_in_words(run, computed), "", statement(behaves_as_printed(run, computed)),
                                    behaviour_in_words(run, other)});
@@ -411,7 +349,7 @@ Reproduction reproduce_fig_5_17(const ResultFolder& folder, Report& report) {
         }
     }
     const Chapter5Run& drawn = runs[1];
-    const HockingResult computed = delabole::run(drawn);
+    const HockingResult computed = compute(drawn, Engine::recreated);
     const auto widest_joint = [&](const HockingResult& history, int cycle) {
         return "The widest open joint: " + opening_in_words(drawn, print_at(history, cycle)) + ".";
     };
@@ -420,7 +358,7 @@ Reproduction reproduce_fig_5_17(const ResultFolder& folder, Report& report) {
             folder.draw(frames_figure("Fig 5.17: stepped base, friction " + drawn.name, drawn, computed, {cycle}),
                         "fig_5_17_" + std::to_string(cycle), widest_joint(computed, cycle)));
     }
-    const HockingResult drawn_clean = clean_history(drawn);
+    const HockingResult drawn_clean = compute(drawn, Engine::dropped);
     report.blocks.emplace_back(
         folder.draw(frames_figure("Fig 5.17, clean engine: friction " + drawn.name, drawn, drawn_clean, {13000}),
                     "fig_5_17_clean", "The same by the clean engine, dropped. " + widest_joint(drawn_clean, 13000)));

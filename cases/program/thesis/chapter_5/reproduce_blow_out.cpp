@@ -1,7 +1,6 @@
 // Fig 5.13 of the thesis: the run that blew out at cycle 677, and why.
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"
-#include "cases/program/thesis/chapter_5/clean_chapter_5.hpp"
 #include "cases/program/thesis/chapter_5/relaxation_drawing.hpp"
 #include "plots/drawing/text.hpp"
 
@@ -13,10 +12,6 @@
 namespace delabole {
 
 namespace {
-
-std::string face_in_words(HockingFace face) {
-    return human_name(enum_names(face)[static_cast<std::size_t>(face)]);
-}
 
 std::string in_inches(double metres, int digits) {
     return human_number(metres / inch, digits) + " in";
@@ -42,28 +37,15 @@ Chapter5Run varied(Chapter5Run run, const Variant& variant) {
     return run;
 }
 
-struct BlowOuts {
-    int count = 0;
-    int first = 0;
-    int last = 0;
+constexpr int starts = 50;
 
-    void include(const HockingResult& result) {
+// Cycles of the blow-outs of some runs.
+CountRange blow_outs(const std::vector<HockingResult>& results) {
+    CountRange found;
+    for (const HockingResult& result : results) {
         if (result.blow_out_cycle) {
-            first = count == 0 ? *result.blow_out_cycle : std::min(first, *result.blow_out_cycle);
-            last = std::max(last, *result.blow_out_cycle);
-            ++count;
+            found.include(*result.blow_out_cycle);
         }
-    }
-};
-
-constexpr unsigned starts = 50;
-
-BlowOuts of_shifted_starts(const Chapter5Run& run, double unit) {
-    const std::vector<HockingBlock> blocks = make_blocks(run.columns);
-    BlowOuts found;
-    for (unsigned seed = 1; seed <= starts; ++seed) {
-        stop_if_interrupted();
-        found.include(run_hocking(perturbed(blocks, unit, seed), run.settings));
     }
     return found;
 }
@@ -80,16 +62,16 @@ Chapter5Run of_slenderness(const Chapter5Run& run, double slenderness) {
     return other;
 }
 
-BlowOuts over_inclinations(const Chapter5Run& run, double slenderness, double coordinate_unit) {
-    BlowOuts found;
+int over_inclinations(const Chapter5Run& run, double slenderness, double coordinate_unit) {
+    std::vector<HockingResult> results;
     for (int step = 0; step < inclinations; ++step) {
         stop_if_interrupted();
         Chapter5Run other = of_slenderness(run, slenderness);
         other.columns.coordinate_unit = coordinate_unit;
         other.columns.dip = std::atan(1 / slenderness) + degrees(0.02) * (step - middle);
-        found.include(delabole::run(other));
+        results.push_back(compute(other, Engine::recreated));
     }
-    return found;
+    return blow_outs(results).count;
 }
 
 // `before`: the cycle before.
@@ -104,7 +86,7 @@ Table mechanism(const Chapter5Run& run, const HockingFaceChange& change, const H
     const auto small = [](double metres) { return human_number(metres * 1e6, 3) + " µm"; };
     const auto force = [](double value) { return human_number(value / 1000, 4) + " kN/m"; };
     return {"The slot of block 1's uphill foot against block 2 at cycle " + std::to_string(change.cycle),
-            {{"quantity"}, {"value", true}},
+            {"quantity", "value"_number},
             {
                 {"inclination of block 2's base, deg",
                  human_number((run.columns.dip + before.blocks[1].angle) / degrees(1), 6)},
@@ -129,13 +111,9 @@ constexpr unsigned random_starts = 400;
 
 Table clean_table(const Chapter5Run& run, Reproduction& result) {
     Table table{"Two blocks, " + std::to_string(random_starts) + " random starts for each a/b",
-                {{"a/b", true},
-                 {"blow-outs, re-created program", true},
-                 {"blow-outs, clean engine", true},
-                 {"greatest energy error, %", true},
-                 {"largest speed, m/s", true},
-                 {"speed of free fall from that height, m/s", true}},
-                {}};
+                {"a/b"_number, "blow-outs, re-created program"_number, "blow-outs, clean engine"_number,
+                 "greatest energy error, %"_number, "largest speed, m/s"_number,
+                 "speed of free fall from that height, m/s"_number}};
     int listed_blow_outs = 0;
     int clean_blow_outs = 0;
     double worst_error = 0;
@@ -143,8 +121,8 @@ Table clean_table(const Chapter5Run& run, Reproduction& result) {
         const Chapter5Run sized = of_slenderness(run, slenderness);
         std::mt19937 random(677);
         std::uniform_real_distribution<double> any(-0.5, 0.5);
-        BlowOuts listed;
-        BlowOuts clean;
+        std::vector<HockingResult> listed;
+        std::vector<HockingResult> clean;
         double error = 0;
         double speed = 0;
         for (unsigned seed = 1; seed <= random_starts; ++seed) {
@@ -153,21 +131,23 @@ Table clean_table(const Chapter5Run& run, Reproduction& result) {
             start.columns.coordinate_unit = 0;
             start.columns.dip = std::atan(1 / slenderness) + degrees(any(random));
             const std::vector<HockingBlock> blocks = perturbed(make_blocks(start.columns), typed_digit, seed);
-            listed.include(run_hocking(blocks, start.settings));
+            listed.push_back(compute(start, Engine::recreated, blocks));
             const CleanRun other = run_clean(start, blocks, RelaxationStart::dropped);
-            clean.include(other.history);
+            clean.push_back(other.history);
             error = std::max(error, other.energy_error);
             speed = std::max(speed, other.largest_speed);
         }
+        const int listed_count = blow_outs(listed).count;
+        const int clean_count = blow_outs(clean).count;
         const double fall = std::sqrt(2 * run.settings.gravity * slenderness * inch);
-        table.rows.push_back({human_number(slenderness, 2), std::to_string(listed.count), std::to_string(clean.count),
+        table.rows.push_back({human_number(slenderness, 2), std::to_string(listed_count), std::to_string(clean_count),
                               human_number(100 * error, 2), human_number(speed, 3), human_number(fall, 3)});
-        listed_blow_outs += listed.count;
-        clean_blow_outs += clean.count;
+        listed_blow_outs += listed_count;
+        clean_blow_outs += clean_count;
         worst_error = std::max(worst_error, error);
         result.json["random_starts"].push_back({{"slenderness", slenderness},
-                                                {"re-created", listed.count},
-                                                {"clean", clean.count},
+                                                {"re-created", listed_count},
+                                                {"clean", clean_count},
                                                 {"energy_error", error},
                                                 {"largest_speed_m_per_s", speed},
                                                 {"speed_of_fall_m_per_s", fall}});
@@ -183,8 +163,8 @@ Table clean_table(const Chapter5Run& run, Reproduction& result) {
 
 Reproduction reproduce_fig_5_13(const ResultFolder& folder, Report& report) {
     Reproduction result;
-    const Chapter5Run run = blow_out_run();
-    const HockingResult computed = delabole::run(run);
+    const Chapter5Run run = chapter_5_runs("blow_out").front();
+    const HockingResult computed = compute(run, Engine::recreated);
     const int cycle = computed.blow_out_cycle.value_or(0);
     report.blocks.emplace_back(Heading{"Fig 5.13: two blocks of a/b = 7 blow out"});
     result.rows.push_back({"a/b = 7: cycle at which the blocks blow out", std::to_string(run.printed_cycle.value_or(0)),
@@ -198,7 +178,7 @@ Reproduction reproduce_fig_5_13(const ResultFolder& folder, Report& report) {
         fine.settings.print_interval = 1;
         fine.settings.cycles = cycle + run.settings.cycles_after_blow_out;
         fine.settings.stop_rotation = std::numeric_limits<double>::infinity();
-        const HockingResult every_cycle = delabole::run(fine);
+        const HockingResult every_cycle = compute(fine, Engine::recreated);
         report.blocks.emplace_back(Paragraph{
             "The thesis wonders \"whether a particular statement in the program triggers off such a violent response "
             "when very specific conditions are met\". There is one. The blocks, dropped on their springs, rock forward "
@@ -208,7 +188,7 @@ Reproduction reproduce_fig_5_13(const ResultFolder& folder, Report& report) {
             "bearing of a crossing point from that centroid, and IF(GM.LE.1E-5) XF=1.E-5 moves a crossing point less "
             "than 1e-5 m left of the vertical to 1e-5 m right of it: past the toe. So the side is not found, and the "
             "base is (" +
-            face_in_words(change.from) + " before, " + face_in_words(change.to) + " now)."});
+            human_name(word_of(change.from)) + " before, " + human_name(word_of(change.to)) + " now)."});
         report.blocks.emplace_back(
             Paragraph{"What follows is the fault of the contact's memory. One slot serves this corner and this "
                       "neighbour. The distance from one axis, stored for the side, less the distance from the other "
@@ -216,53 +196,45 @@ Reproduction reproduce_fig_5_13(const ResultFolder& folder, Report& report) {
         report.blocks.emplace_back(mechanism(fine, change, print_at(every_cycle, cycle - 1)));
         result.json["jump_in"] = (change.stored_position - change.new_position) / inch;
         result.json["dashpot_force_N_per_m"] = change.dashpot_force;
-        result.json["from"] = std::string(enum_names(change.from)[static_cast<std::size_t>(change.from)]);
-        result.json["to"] = std::string(enum_names(change.to)[static_cast<std::size_t>(change.to)]);
+        result.json["from"] = std::string(word_of(change.from));
+        result.json["to"] = std::string(word_of(change.to));
         report.blocks.emplace_back(folder.draw(frames_figure("Fig 5.13: blow-out of the 7 inch blocks", fine,
                                                              every_cycle, {cycle - 1, cycle + 2, cycle + 6}),
                                                "fig_5_13", "Just before, and two and six cycles after."));
     }
     for (const Variant& variant : variants()) {
-        const HockingResult other = delabole::run(varied(run, variant));
+        const HockingResult other = compute(varied(run, variant), Engine::recreated);
         result.json["blows_out"][variant.name] = other.blow_out_cycle.has_value();
         result.rows.push_back({"the same, " + variant.name, "",
                                other.blow_out_cycle ? outcome_in_words(other) : "no blow-out", "",
                                std::to_string(other.face_change_count) + " changes of face"});
     }
-    std::vector<TableColumn> columns = {{"shift"}};
-    for (const Variant& variant : variants()) {
-        columns.push_back({variant.name, true});
-    }
-    columns.push_back({"first cycle, as listed", true});
-    columns.push_back({"last", true});
-    Table shifted{"Blow-outs of " + std::to_string(starts) + " starts, coordinates shifted at random", columns, {}};
+    Table shifted{"Blow-outs of " + std::to_string(starts) + " starts, coordinates shifted at random",
+                  {"shift", "as listed"_number, "without the guard"_number, "slots per face"_number,
+                   "first cycle, as listed"_number, "last"_number}};
     for (const double unit : {1e-12, 1e-9, 1e-8, 1e-7, 1e-6}) {
         std::vector<std::string> row = {human_number(unit, 2) + " m"};
-        BlowOuts listed;
+        CountRange listed;
         for (const Variant& variant : variants()) {
-            const BlowOuts found = of_shifted_starts(varied(run, variant), unit);
+            const CountRange found = blow_outs(compute_shifted(varied(run, variant), Engine::recreated, unit, starts));
             listed = row.size() == 1 ? found : listed;  // the first variant
             row.push_back(std::to_string(found.count));
             result.json["shifted_starts"][row.front()][variant.name] = found.count;
         }
-        row.push_back(std::to_string(listed.first));
-        row.push_back(std::to_string(listed.last));
+        row.push_back(std::to_string(listed.least));
+        row.push_back(std::to_string(listed.greatest));
         shifted.rows.push_back(row);
     }
     report.blocks.emplace_back(shifted);
-    columns = {{"a/b", true}, {"coordinates"}};
-    for (const Variant& variant : variants()) {
-        columns.push_back({variant.name, true});
-    }
-    Table others{"Blow-outs of " + std::to_string(inclinations) +
-                     " inclinations, from half a degree below atan(b/a) to half a degree above",
-                 columns,
-                 {}};
+    Table others{
+        "Blow-outs of " + std::to_string(inclinations) +
+            " inclinations, from half a degree below atan(b/a) to half a degree above",
+        {"a/b"_number, "coordinates", "as listed"_number, "without the guard"_number, "slots per face"_number}};
     for (const double slenderness : {3.0, 5.0, 7.0, 10.0}) {
         for (const double unit : {typed_digit / 10, 0.0}) {
             std::vector<std::string> row = {human_number(slenderness, 2), unit > 0 ? "typed to 1e-7 m" : "exact"};
             for (const Variant& variant : variants()) {
-                const int count = over_inclinations(varied(run, variant), slenderness, unit).count;
+                const int count = over_inclinations(varied(run, variant), slenderness, unit);
                 row.push_back(std::to_string(count));
                 result.json["over_inclinations"][variant.name].push_back(count);
             }

@@ -2,7 +2,6 @@
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/thesis/appendix_a.hpp"
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"
-#include "cases/program/thesis/chapter_5/clean_chapter_5.hpp"
 #include "dynamic_relaxation/scene/scenes.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
 #include "plots/drawing/text.hpp"
@@ -53,7 +52,7 @@ double onset_at(double stiffness_ratio) {
 // The thesis's inch blocks: onset is past 0.01 rad, collapse past the rotation that counts as failure.
 double limit_of_inches(RelaxationStart start, double rotation) {
     return limit([&](double friction) {
-        Chapter5Run run = stepped_base_runs().front();
+        Chapter5Run run = chapter_5_runs("stepped_base").front();
         run.settings.joints = run.settings.bases = {friction, friction};
         RelaxationSettings settings = clean_settings(run, start);
         settings.stop_at_equilibrium = true;
@@ -69,8 +68,7 @@ Reproduction reproduce_onset(const ResultFolder& folder, Report& report) {
     Reproduction result;
     report.blocks.emplace_back(Heading{"Stepped base, well resolved"});
     Table table{"Least friction that stands, clean engine, deg",
-                {{"blocks"}, {"k b/W", true}, {"start"}, {"counts as failed"}, {"friction", true}},
-                {}};
+                {"blocks", "k b/W"_number, "start", "counts as failed", "friction"_number}};
     const auto add = [&](const std::string& blocks, const std::string& ratio, const std::string& start,
                          const std::string& counts, double friction) {
         table.rows.push_back({blocks, ratio, start, counts, human_number(friction / degrees(1), 5)});
@@ -88,7 +86,7 @@ Reproduction reproduce_onset(const ResultFolder& folder, Report& report) {
         add("metres", human_number(std::pow(10, power), 2), "preloaded", "0.01 rad", degrees(finest));
         result.json["onset_deg"].push_back(finest);
     }
-    const Chapter5Run inches = stepped_base_runs().front();
+    const Chapter5Run inches = chapter_5_runs("stepped_base").front();
     const double ratio = inches.settings.stiffness * inches.columns.width /
                          (inches.settings.density * inches.settings.gravity * inches.columns.width * 4 * inch);
     const std::string in_words = human_number(ratio, 3);
@@ -100,8 +98,7 @@ Reproduction reproduce_onset(const ResultFolder& folder, Report& report) {
     result.json["inches_dropped_deg"] = dropped / degrees(1);
     result.json["inches_preloaded_deg"] = preloaded / degrees(1);
     const double logarithm = std::log10(ratio);
-    Figure figure;
-    figure.title = "Stepped base: friction at which columns begin to move";
+    Figure figure{.title = "Stepped base: friction at which columns begin to move"};
     figure.x = {.title = "stiffness k b / W of the tallest column",
                 .range = std::pair(2.8, 7.2),
                 .ticks = {{3, "1e3"}, {4, "1e4"}, {5, "1e5"}, {6, "1e6"}, {7, "1e7"}}};

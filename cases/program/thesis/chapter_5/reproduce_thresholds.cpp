@@ -2,7 +2,6 @@
 // friction the stepped base does, and how stiffness, time step, damping and start change that.
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"
-#include "cases/program/thesis/chapter_5/clean_chapter_5.hpp"
 #include "dynamic_relaxation/scene/scenes.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
 #include "limit_equilibrium/block_row/closed_forms.hpp"
@@ -21,7 +20,7 @@ constexpr double friction = degrees(20);
 constexpr double accuracy = degrees(0.002);
 
 Chapter5Run row_of(int count) {
-    return count == 1 ? fixed_inclination_runs().front() : double_fixed_runs().front();
+    return chapter_5_runs(count == 1 ? "fixed_inclination" : "double_fixed").front();
 }
 
 bool stands(const Chapter5Run& run, RelaxationStart start) {
@@ -96,8 +95,8 @@ Json json_of(const Thresholds& found) {
 }
 
 const std::vector<TableColumn>& threshold_columns() {
-    static const std::vector<TableColumn> columns = {
-        {"one, dropped", true}, {"one, preloaded", true}, {"two, dropped", true}, {"two, preloaded", true}};
+    static const std::vector<TableColumn> columns = {"one, dropped"_number, "one, preloaded"_number,
+                                                     "two, dropped"_number, "two, preloaded"_number};
     return columns;
 }
 
@@ -108,9 +107,9 @@ Polyline marks(const std::vector<double>& logarithms, double tilt) {
 constexpr std::array stiffnesses{1e6, 2e6, 6e6, 12e6, 1e8, 1e9};
 
 void stiffness_part(const ResultFolder& folder, Report& report, Reproduction& result) {
-    Table table{"Greatest tilt that stands against stiffness, clean engine, deg", {{"stiffness, N/m", true}}, {}};
+    Table table{"Greatest tilt that stands against stiffness, clean engine, deg", {"stiffness, N/m"_number}};
     table.columns.insert(table.columns.end(), threshold_columns().begin(), threshold_columns().end());
-    table.columns.push_back({"law of one, preloaded", true});
+    table.columns.emplace_back("law of one, preloaded", true);
     std::array<Line, 4> lines = {Line{.legend = "one, dropped", .colour = Colour::blue, .dash = Dash::dashed},
                                  Line{.legend = "one, preloaded", .colour = Colour::blue},
                                  Line{.legend = "two, dropped", .colour = Colour::vermilion, .dash = Dash::dashed},
@@ -148,8 +147,7 @@ void stiffness_part(const ResultFolder& folder, Report& report, Reproduction& re
     result.rows.push_back({"two blocks, dropped: stands up to, 1e6 and 1e9 N/m", "softer fails; stiffer fails faster",
                            "", "", "stiffer stands longer, without exception",
                            shown(softest) + " and " + shown(stiffest) + " deg"});
-    Figure figure;
-    figure.title = "Greatest tilt that stands, a/b = 3";
+    Figure figure{.title = "Greatest tilt that stands, a/b = 3"};
     figure.x = {.title = "stiffness of a corner",
                 .unit = "N/m",
                 .range = std::pair(5.8, 9.2),
@@ -186,8 +184,7 @@ void stiffness_part(const ResultFolder& folder, Report& report, Reproduction& re
 
 void step_and_damping_part(Report& report, Reproduction& result) {
     Table table{"Greatest tilt that stands against time step and damping, 6e6 N/m, clean engine, deg",
-                {{"time step, s"}, {"damping", true}},
-                {}};
+                {"time step, s", "damping"_number}};
     table.columns.insert(table.columns.end(), threshold_columns().begin(), threshold_columns().end());
     struct Setting {
         double step, damping;

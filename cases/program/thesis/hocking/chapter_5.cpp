@@ -5,9 +5,11 @@
 #include "cases/program/thesis/thesis_tables.hpp"
 #include "parameters/fields.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
+#include <span>
 #include <sstream>
 #include <utility>
 
@@ -49,14 +51,6 @@ HockingSettings settings_of(double stiffness, double joint_friction, double base
     return settings;
 }
 
-constexpr double longest_drawn = 80;  // deg, where runs that are drawn and counted end
-
-enum class Drawn { no, yes };
-
-constexpr std::array<std::string_view, 2> enum_names(Drawn) {
-    return {"no", "yes"};
-}
-
 // A row of cases/thesis/chapter_5/runs.csv, whose comments say what stands where.
 struct PrintedRun {
     std::string group;
@@ -75,8 +69,8 @@ struct PrintedRun {
     std::optional<double> tilt_begins;
     std::optional<double> tilt_every;
     std::optional<double> first_print;
-    Drawn drawn;
-    PrintedOutcome outcome;
+    std::optional<double> stop_rotation_degrees;
+    HockingOutcome outcome;
     std::optional<double> settled_x;
     std::optional<double> settled_y;
     std::optional<double> printed_cycle;
@@ -103,7 +97,8 @@ struct PrintedRun {
             number("tilt_begins", &R::tilt_begins, ratio, at_least(0), "cycle at which tilting begins"),
             number("tilt_every", &R::tilt_every, ratio, at_least(1), "cycles between increments of 0.001 deg"),
             number("first_print", &R::first_print, ratio, at_least(1), "print edit from which sliding is counted"),
-            section("drawn", &R::drawn, "whether the run goes on for drawings"),
+            number("stop_rotation_degrees", &R::stop_rotation_degrees, ratio, more_than(0),
+                   "rotation that ends it, deg"),
             section("outcome", &R::outcome, "printed outcome"),
             number("settled_x", &R::settled_x, ratio, at_least(0), "printed cycle at which x came to rest"),
             number("settled_y", &R::settled_y, ratio, at_least(0), "printed cycle at which y came to rest"),
@@ -112,11 +107,6 @@ struct PrintedRun {
             section("totals", &R::totals, "printed totals of sliding of each block")};
     }
 };
-
-const std::vector<PrintedRun>& printed_runs() {
-    static const std::vector<PrintedRun> rows = parse_table<PrintedRun>(thesis_runs, "cases/thesis/chapter_5/runs.csv");
-    return rows;
-}
 
 std::vector<std::string> parts_of(const std::string& list) {
     std::vector<std::string> parts;
@@ -168,15 +158,32 @@ HockingColumns columns_of(const PrintedRun& row) {
     return columns;
 }
 
-Chapter5Run run_of(const PrintedRun& row) {
+Chapter5Run run_of(const PrintedRun& row, TiltedPart tilted) {
     Chapter5Run made;
     made.name = row.name;
     made.columns = columns_of(row);
-    made.settings = settings_of(row.stiffness.value_or(stiffness_per_width * row.slenderness.value_or(1)),
-                                row.joints_degrees, row.bases_degrees, static_cast<int>(row.cycles));
-    made.settings.time_step = row.time_step.value_or(made.settings.time_step);
-    made.settings.damping = row.damping.value_or(made.settings.damping);
-    made.settings.stop_rotation = row.drawn == Drawn::yes ? degrees(longest_drawn) : made.settings.stop_rotation;
+    HockingSettings& settings = made.settings;
+    settings = settings_of(row.stiffness.value_or(stiffness_per_width * row.slenderness.value_or(1)),
+                           row.joints_degrees, row.bases_degrees, static_cast<int>(row.cycles));
+    settings.time_step = row.time_step.value_or(settings.time_step);
+    settings.damping = row.damping.value_or(settings.damping);
+    if (row.stop_rotation_degrees) {
+        settings.stop_rotation = degrees(*row.stop_rotation_degrees);
+    }
+    if (made.columns.step > 0) {
+        // Columns that stand turn by less than half a degree; those that fail wedge again after some degrees.
+        settings.failure_rotation = degrees(1);
+    }
+    if (row.outcome == HockingOutcome::blows_out) {
+        made.columns.coordinate_unit = typed_digit / 10;
+        settings.cycles_after_blow_out = 12;
+    }
+    if (row.tilted_to_degrees) {
+        made.columns.base_height = tilted == TiltedPart::base ? inch : made.columns.base_height;
+        // 0.1 deg in 1000 cycles for every 10, in 2000 for every 20.
+        settings.tilting = HockingTilting{tilted, whole(row.tilt_begins).value_or(0), whole(row.tilt_every).value_or(1),
+                                          degrees(1e-3), degrees(*row.tilted_to_degrees - row.inclination_degrees)};
+    }
     made.printed = row.outcome;
     if (row.settled_x && row.settled_y) {
         made.printed_settled = SettledCycles{static_cast<int>(*row.settled_x), static_cast<int>(*row.settled_y)};
@@ -188,104 +195,15 @@ Chapter5Run run_of(const PrintedRun& row) {
     return made;
 }
 
-std::vector<Chapter5Run> runs_of_group(std::string_view group) {
-    std::vector<Chapter5Run> runs;
-    for (const PrintedRun& row : printed_runs()) {
-        if (row.group == group) {
-            runs.push_back(run_of(row));
-        }
-    }
-    return runs;
-}
-
-std::vector<Chapter5Run> tilting_runs(std::string_view group, TiltedPart part) {
-    std::vector<Chapter5Run> runs;
-    for (const PrintedRun& row : printed_runs()) {
-        if (row.group == group) {
-            Chapter5Run& made = runs.emplace_back(run_of(row));
-            made.columns.base_height = part == TiltedPart::base ? inch : made.columns.base_height;
-            // 0.1 deg in 1000 cycles for every 10, in 2000 for every 20.
-            made.settings.tilting =
-                HockingTilting{part, whole(row.tilt_begins).value_or(0), whole(row.tilt_every).value_or(1),
-                               degrees(1e-3), degrees(row.tilted_to_degrees.value_or(0) - row.inclination_degrees)};
-        }
-    }
-    return runs;
-}
-
 }  // namespace
 
-std::vector<Chapter5Run> fixed_inclination_runs() {
-    return runs_of_group("fixed_inclination");
-}
-
-std::vector<Chapter5Run> single_tilting_runs(TiltedPart part) {
-    return tilting_runs("single_tilting", part);
-}
-
-Chapter5Run horizontal_start_run(TiltedPart part, int cycles_per_degree) {
-    constexpr int consolidation = 500;
-    constexpr int most_tilt = 25;  // deg
-    Chapter5Run made;
-    made.columns = equal_columns(1, 3, 0);
-    made.settings = settings_of(stiffness_per_width * 3, 20, 20, consolidation + cycles_per_degree * (most_tilt + 5));
-    made.columns.base_height = part == TiltedPart::base ? inch : made.columns.base_height;
-    made.name = std::to_string(cycles_per_degree) + " cycles for a degree";
-    made.settings.tilting =
-        HockingTilting{part, consolidation, 1, degrees(1.0 / cycles_per_degree), degrees(most_tilt)};
-    made.settings.stop_rotation = degrees(longest_drawn);
-    made.printed = PrintedOutcome::fails;
-    return made;
-}
-
-std::vector<Chapter5Run> double_fixed_runs() {
-    return runs_of_group("double_fixed");
-}
-
-std::vector<Chapter5Run> double_tilting_runs(TiltedPart part) {
-    return tilting_runs("double_tilting", part);
-}
-
-std::vector<Chapter5Run> slenderness_runs() {
-    return runs_of_group("slenderness");
-}
-
-Chapter5Run blow_out_run() {
-    Chapter5Run made = runs_of_group("blow_out").front();
-    made.columns.coordinate_unit = typed_digit / 10;
-    made.settings.cycles_after_blow_out = 12;
-    return made;
-}
-
-std::vector<Chapter5Run> stiffness_observation() {
-    return runs_of_group("stiffness");
-}
-
-std::vector<Chapter5Run> displacement_observations() {
-    return runs_of_group("displacement");
-}
-
-std::vector<Chapter5Run> damping_observation() {
-    return runs_of_group("damping");
-}
-
-std::vector<Chapter5Run> triple_runs() {
-    return runs_of_group("triple");
-}
-
-std::vector<Chapter5Run> quadruple_runs() {
-    return runs_of_group("quadruple");
-}
-
-Chapter5Run plane_base_run() {
-    return runs_of_group("plane_base").front();
-}
-
-std::vector<Chapter5Run> stepped_base_runs() {
-    std::vector<Chapter5Run> runs = runs_of_group("stepped_base");
-    for (Chapter5Run& one : runs) {
-        // Columns that stand turn by less than half a degree; those that fail wedge again after some degrees.
-        one.settings.failure_rotation = degrees(1);
+std::vector<Chapter5Run> chapter_5_runs(std::string_view group, TiltedPart tilted) {
+    static const std::vector<PrintedRun> rows = parse_table<PrintedRun>(thesis_runs, "cases/thesis/chapter_5/runs.csv");
+    std::vector<Chapter5Run> runs;
+    for (const PrintedRun& row : rows) {
+        if (row.group == group) {
+            runs.push_back(run_of(row, tilted));
+        }
     }
     return runs;
 }
@@ -302,15 +220,17 @@ std::vector<HockingBlock> perturbed(std::vector<HockingBlock> blocks, double uni
     return blocks;
 }
 
-HockingResult run(const Chapter5Run& run) {
-    return run_hocking(make_blocks(run.columns), run.settings);
+std::optional<int> first_cycle(const HockingResult& result, const std::function<bool(const HockingPrint&)>& holds) {
+    const auto found = std::ranges::find_if(result.prints, holds);
+    return found == result.prints.end() ? std::nullopt : std::optional(found->cycle);
 }
 
-SettledCycles settled_cycles(const HockingResult& result, std::size_t block, double tolerance) {
+SettledCycles settled_cycles(const HockingResult& result) {
+    constexpr double tolerance = 1e-8;  // m
     SettledCycles settled;
-    const Point& end = result.prints.back().blocks[block].centroid;
+    const Point& end = result.prints.back().blocks.front().centroid;
     for (const HockingPrint& print : result.prints) {
-        const Point& centroid = print.blocks[block].centroid;
+        const Point& centroid = print.blocks.front().centroid;
         settled.x = std::abs(centroid.x() - end.x()) > tolerance ? print.cycle : settled.x;
         settled.y = std::abs(centroid.y() - end.y()) > tolerance ? print.cycle : settled.y;
     }
@@ -322,76 +242,29 @@ double rotation_in(const Chapter5Run& run, const HockingPrint& print, std::size_
     return print.blocks[block].angle - (base_turned ? print.tilt : 0);
 }
 
-std::optional<int> cycle_of_rotation(const Chapter5Run& run, const HockingResult& result, std::size_t block,
-                                     double rotation) {
-    for (const HockingPrint& print : result.prints) {
-        if (rotation_in(run, print, block) > rotation) {
-            return print.cycle;
-        }
-    }
-    return std::nullopt;
+std::optional<int> cycle_of_rotation(const Chapter5Run& run, const HockingResult& result, double rotation) {
+    return first_cycle(result, [&](const HockingPrint& print) { return rotation_in(run, print, 0) > rotation; });
 }
 
-double displacement_at(const HockingResult& result, std::size_t block, int cycle) {
-    const Point& start = result.prints.front().blocks[block].centroid;
-    double displacement = 0;
-    for (const HockingPrint& print : result.prints) {
-        if (print.cycle <= cycle) {
-            displacement = (print.blocks[block].centroid - start).norm();
-        }
-    }
-    return displacement;
-}
-
-std::optional<int> cycle_of_displacement(const HockingResult& result, std::size_t block, double displacement) {
-    const Point& start = result.prints.front().blocks[block].centroid;
-    for (const HockingPrint& print : result.prints) {
-        if ((print.blocks[block].centroid - start).norm() >= displacement) {
-            return print.cycle;
-        }
-    }
-    return std::nullopt;
+std::optional<int> first_sliding(const HockingResult& result, std::size_t column, BaseSliding sense) {
+    return first_cycle(result, [&](const HockingPrint& print) { return print.blocks[column].sliding == sense; });
 }
 
 std::vector<SlidingTotals> count_sliding(const HockingResult& result, std::size_t columns, int first_print) {
     constexpr int table_interval = 100;
+    constexpr std::array total_of{&SlidingTotals::none, &SlidingTotals::forward, &SlidingTotals::backward,
+                                  &SlidingTotals::unclear};  // by BaseSliding
     std::vector<SlidingTotals> totals(columns);
     for (const HockingPrint& print : result.prints) {
-        bool any = false;
-        for (std::size_t column = 0; column < columns; ++column) {
-            any = any || print.blocks[column].sliding != BaseSliding::none;
-        }
-        if (!any || print.cycle < first_print || print.cycle % table_interval != 0) {
-            continue;
-        }
-        for (std::size_t column = 0; column < columns; ++column) {
-            SlidingTotals& total = totals[column];
-            switch (print.blocks[column].sliding) {
-            case BaseSliding::none:
-                ++total.none;
-                break;
-            case BaseSliding::forward:
-                ++total.forward;
-                break;
-            case BaseSliding::backward:
-                ++total.backward;
-                break;
-            case BaseSliding::both:
-                ++total.unclear;
-                break;
+        const std::span<const HockingBlockState> blocks(print.blocks.data(), columns);
+        const auto slides = [](const HockingBlockState& block) { return block.sliding != BaseSliding::none; };
+        if (std::ranges::any_of(blocks, slides) && print.cycle >= first_print && print.cycle % table_interval == 0) {
+            for (std::size_t column = 0; column < columns; ++column) {
+                ++(totals[column].*total_of[static_cast<std::size_t>(blocks[column].sliding)]);
             }
         }
     }
     return totals;
-}
-
-std::optional<int> first_sliding(const HockingResult& result, std::size_t column, BaseSliding sense) {
-    for (const HockingPrint& print : result.prints) {
-        if (print.blocks[column].sliding == sense) {
-            return print.cycle;
-        }
-    }
-    return std::nullopt;
 }
 
 }  // namespace delabole

@@ -125,12 +125,12 @@ class Program {
                 print();
                 const double rotation = largest_rotation();
                 if (!result_.blow_out_cycle && rotation > settings_.failure_rotation) {
-                    result_.outcome = HockingOutcome::failed;
+                    result_.outcome = HockingOutcome::fails;
                     last_cycle = rotation > settings_.stop_rotation ? cycle_ : last_cycle;
                 }
             }
             if (result_.blow_out_cycle == cycle_) {
-                result_.outcome = HockingOutcome::blown_out;
+                result_.outcome = HockingOutcome::blows_out;
                 last_cycle = std::min(last_cycle, cycle_ + settings_.cycles_after_blow_out);
             }
         }
@@ -138,9 +138,8 @@ class Program {
             print();
         }
         if (result_.outcome == HockingOutcome::undecided && at_rest()) {
-            result_.outcome = HockingOutcome::settled;
+            result_.outcome = HockingOutcome::stands;
         }
-        result_.cycles = cycle_;
         return std::move(result_);
     }
 
@@ -211,8 +210,7 @@ class Program {
         }
         const std::optional<HockingFace> face = crossed_face(touch, neighbour);
         if (!face) {
-            ++result_.search_failures;
-            return false;
+            return false;  // the listing's "ERROR IN BLOCK INTERACTION"
         }
         const bool side = *face == HockingFace::positive_side || *face == HockingFace::negative_side;
         const double sign = *face == HockingFace::positive_side || *face == HockingFace::positive_end ? 1 : -1;
@@ -360,16 +358,12 @@ class Program {
         if (old.normal == 0 || old.face == now.face) {
             return;
         }
-        const HockingFaceChange change{cycle_,          touch.block, static_cast<int>(touch.corner),
-                                       touch.neighbour, old.face,    now.face,
-                                       old.normal,      now.normal,  spring_force,
-                                       dashpot_force};
         ++result_.face_change_count;
-        if (result_.face_changes.size() < most_face_changes) {
-            result_.face_changes.push_back(change);
-        }
         if (blows_out) {
-            result_.blow_out = change;
+            result_.blow_out = HockingFaceChange{cycle_,          touch.block, static_cast<int>(touch.corner),
+                                                 touch.neighbour, old.face,    now.face,
+                                                 old.normal,      now.normal,  spring_force,
+                                                 dashpot_force};
         }
     }
 
@@ -417,8 +411,6 @@ class Program {
         largest_force_ = 0;
         for (std::size_t index = 0; index < bodies_.size(); ++index) {
             const Body& body = bodies_[index];
-            edit.kinetic_energy += 0.5 * body.mass * (body.vx * body.vx + body.vy * body.vy) +
-                                   0.5 * body.moment_of_inertia * body.omega * body.omega;
             edit.blocks.push_back({Point(body.x, body.y), body.angle - body.start_angle, Point(body.vx, body.vy),
                                    body.omega, sliding_[index]});
         }

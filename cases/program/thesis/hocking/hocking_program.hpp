@@ -109,10 +109,10 @@ struct HockingSettings {
     int cycles_after_blow_out = 0;  // to show where the blocks fly
 };
 
-enum class HockingOutcome { undecided, settled, failed, blown_out, impossible_input };
+enum class HockingOutcome { undecided, stands, fails, blows_out, impossible_input };
 
 constexpr std::array<std::string_view, 5> enum_names(HockingOutcome) {
-    return {"undecided", "settled", "failed", "blown_out", "impossible_input"};
+    return {"undecided", "stands", "fails", "blows_out", "impossible_input"};
 }
 
 // At a print edit, from the contacts between a free and a fixed block marked as sliding. `both`: corners of one base
@@ -133,9 +133,8 @@ struct HockingBlockState {
 
 struct HockingPrint {
     int cycle = 0;
-    double tilt = 0;            // rad, turned so far
-    double kinetic_energy = 0;  // J/m
-    double largest_force = 0;   // N/m, normal, of any contact since the last print
+    double tilt = 0;           // rad, turned so far
+    double largest_force = 0;  // N/m, normal, of any contact since the last print
     std::vector<HockingBlockState> blocks = {};
 };
 
@@ -162,16 +161,11 @@ struct HockingFaceChange {
 
 struct HockingResult {
     HockingOutcome outcome = HockingOutcome::impossible_input;
-    int cycles = 0;                                    // run
-    std::vector<HockingPrint> prints = {};             // the first is the start
-    std::vector<HockingFaceChange> face_changes = {};  // the first `most_face_changes` of them
+    std::vector<HockingPrint> prints = {};  // the first is the start
     int face_change_count = 0;
-    int search_failures = 0;                         // "ERROR IN BLOCK INTERACTION": no face was crossed
     std::optional<int> blow_out_cycle = {};          // the first contact force above the limit
     std::optional<HockingFaceChange> blow_out = {};  // by which, where it was a change of face
 };
-
-constexpr std::size_t most_face_changes = 1000;
 
 HockingResult run_hocking(const std::vector<HockingBlock>& blocks, const HockingSettings& settings);
 
