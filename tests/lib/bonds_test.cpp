@@ -279,6 +279,24 @@ TEST(Bonds, HandOverWhatTheyCarry) {
     EXPECT_GE(result.ledger.bonds, 0);
 }
 
+// What the rock has shortened counts on every edge of the two blocks: the block slides over a vertex of the plane onto
+// an edge that was not bonded, where it would lie a millimetre too deep, with a hundred times the energy that it has.
+TEST(Bonds, LeaveNothingToBearOnOtherEdges) {
+    for (const bool vertex_at_the_end : {true, false}) {
+        RelaxationScene scene = block_on_slope(100, 0, degrees(5), degrees(25));
+        Polygon<>& plane = scene.block[1].outline;
+        plane.insert(plane.begin() + 3, {vertex_at_the_end ? -0.05 : 0.6, 0.0});
+        scene.bond = find_bonds(scene);
+        ASSERT_EQ(scene.bond.size(), vertex_at_the_end ? 1U : 2U);
+        RelaxationSettings settings = unlimited(0.5);
+        const RelaxationResult result = relax(scene, settings);
+        EXPECT_EQ(result.broken_bonds, scene.bond.size());
+        EXPECT_GT(result.block[0].displacement, 0.3);
+        // Steps of 0.6 of the stable one, as above.
+        EXPECT_LT(energy_error(result, 0), 0.02) << vertex_at_the_end;
+    }
+}
+
 // Squares on a fixed row, weak enough to fall apart on a slope.
 RelaxationScene weak_wall(std::size_t columns, std::size_t rows) {
     RelaxationScene scene;

@@ -49,5 +49,33 @@ TEST(Contacts, CornerBearsOnTheSideOfATipThatItIsLessDeepInWhicheverEndIsNearer)
     }
 }
 
+// A corner that begins to bear, half its weight on the twin's, on a joint with cohesion.
+double shear_energy_of_new_contact(const PlanePoint<>& velocity) {
+    RelaxationContact contact{};
+    contact.along_x = -1;
+    contact.from_start = contact.to_end = 1;
+    ContactLaw law{};
+    law.start_weight = law.end_weight = 0.5;
+    law.inverse_blend = 100;
+    law.normal_stiffness = law.shear_stiffness = 1e9;
+    law.cohesion = law.residual_cohesion = 1e6;
+    constexpr double step = 1e-4;
+    Motion block;
+    block.y = -1e-9;
+    block.vx = velocity.x();
+    block.vy = velocity.y();
+    ContactMemory memory{};
+    double open_by = 0;
+    advance_contact(law, contact, TwinThatTouches{1e-9, 1e-5}, block, Motion{}, step, memory, open_by);
+    EXPECT_TRUE(memory.touching);
+    return elastic_energy(law, contact, memory, block, Motion{});
+}
+
+TEST(Contacts, TakeOverTheShearOfATwinWhereTheyComeAlongTheEdgeAlone) {
+    const double of_twin = 1e9 * 1e-5 * 1e-5 / 2;
+    EXPECT_NEAR(shear_energy_of_new_contact({0.01, 0}), of_twin, 1e-6 * of_twin);
+    EXPECT_LT(shear_energy_of_new_contact({0, -1e-4}), 1e-6 * of_twin);
+}
+
 }  // namespace
 }  // namespace delabole

@@ -40,8 +40,8 @@ bool same_bytes(const Array& one, const Array& other) {
 bool same_memory(const ContactList& one, const ContactList& other) {
     for (std::size_t index = 0; index < one.memory.size(); ++index) {
         const auto bits = [](const ContactMemory& memory) {
-            const std::array<double, 8> numbers{memory.shear,      memory.place, memory.damping,  memory.normal_drag,
-                                                memory.shear_drag, memory.slip,  memory.friction, memory.shortened};
+            const std::array<double, 7> numbers{memory.shear,      memory.place, memory.damping, memory.normal_drag,
+                                                memory.shear_drag, memory.slip,  memory.friction};
             return std::pair(numbers,
                              std::array{memory.touching, memory.sliding, memory.broken, memory.beneath, memory.yields});
         };

@@ -45,11 +45,10 @@ auto members_of(Object& object) {
 }
 template <IsMaybeConst<ContactMemory> Object>
 auto members_of(Object& object) {
-    return std::tuple_cat(bases_of<Object, ContactNumbersOf<double>, ContactFlagsOf<bool>>(object),
-                          std::tie(object.shortened));
+    return bases_of<Object, ContactNumbersOf<double>, ContactFlagsOf<bool>>(object);
 }
 static_assert(sizeof(RelaxationContact) == 9 * sizeof(double) + 8 * sizeof(std::uint32_t) &&
-                  sizeof(ContactMemory) == 9 * sizeof(double),
+                  sizeof(ContactMemory) == 8 * sizeof(double),
               "a member has come: it is to be saved, too");
 
 DELABOLE_MEMBERS(ForceOnCorner, x, y, moment, other_moment)
@@ -60,7 +59,8 @@ DELABOLE_MEMBERS(BlockOverlap, block, other, depth, share, area)
 DELABOLE_MEMBERS(WatchState, pair, travelled, due, neighbours_until, step_until, stable_step, step, searches,
                  pair_checks)
 DELABOLE_MEMBERS(NoticedMotion, moved, x, y, angle)
-DELABOLE_MEMBERS(BondMemory, state, time, damping, normal_drag, shear_drag, bending_drag)
+DELABOLE_MEMBERS(OutlineShift, x, y, angle)
+DELABOLE_MEMBERS(BondMemory, state, time, damping, normal_drag, shear_drag, bending_drag, shift)
 DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, bonds, dashpots, local_damping,
                  kinetic_damping, elastic_at_start)
 DELABOLE_MEMBERS(FirstCrack, time, tilt, block, other)

@@ -56,6 +56,7 @@ Bond make_bond(const SharedFace& face, const BondMaterial& material, const Joint
     bond.friction = std::tan(material.friction_angle);
     bond.of_joint = false;
     bond.stiffest = greater_of(bond, of_contacts(joint, face.length, mass, viscous_damping));
+    bond.contact_stiffness = joint.normal_stiffness;
     return bond;
 }
 
@@ -100,11 +101,39 @@ Bond make_joint_bond(const SharedFace& face, const JointMaterial& joint, const B
     bond.cohesion = joint.cohesion;
     bond.friction = std::tan(joint.friction_angle);
     bond.of_joint = true;
+    bond.contact_stiffness = joint.normal_stiffness;
     return bond;
 }
 
 bool has_strength_to_lose(const JointMaterial& joint) {
     return joint.tensile_strength > 0 || joint.cohesion > joint.residual_cohesion;
+}
+
+BlockPair blocks_of(const SharedFace& face) {
+    return {std::min(face.block, face.other), std::max(face.block, face.other)};
+}
+
+// What makes contacts at both ends of the face hold as much as the rock's linear stress amounts to there.
+OutlineShift shift_by(const Bond& bond, const FacePosition& at) {
+    const SharedFace& face = bond.face;
+    // At the start and the end of the other's edge.
+    const std::array<double, 2> opening{at.opening + at.turn * face.length / 2, at.opening - at.turn * face.length / 2};
+    const double even = -bond.normal_stiffness * at.opening / 2;
+    const double tilting = bond.normal_stiffness * at.turn * face.length / 12;
+    const std::array<double, 2> pressing{even - tilting, even + tilting};
+    std::array<double, 2> shift{};
+    for (std::size_t end = 0; end < 2; ++end) {
+        const double held = pressing[end] > 0 ? -pressing[end] / bond.contact_stiffness : std::max(opening[end], 0.0);
+        shift[end] = held - opening[end];
+    }
+    // Of the block that the face names first, about the middle of the face.
+    const double angle = (shift[0] - shift[1]) / face.length;
+    const PlanePoint<> out = (shift[0] + shift[1]) / 2 * PlanePoint<>(face.along.y(), -face.along.x());
+    const bool is_lower = face.block < face.other;
+    const PlanePoint<>& arm = is_lower ? face.arm : face.other_arm;
+    const PlanePoint<> of_centroid = out - angle * PlanePoint<>(-arm.y(), arm.x());
+    const double sense = is_lower ? 1 : -1;
+    return {sense * of_centroid.x(), sense * of_centroid.y(), sense * angle};
 }
 
 // What it breaks by, if it is overloaded.
@@ -243,12 +272,42 @@ std::vector<BlockPair> Bonds::joined(const std::vector<BondMemory>& memory) cons
     std::vector<BlockPair> pairs;
     for (std::size_t index = 0; index < bond_.size(); ++index) {
         if (memory[index].state == BondState::whole) {
-            const SharedFace& face = bond_[index].face;
-            pairs.emplace_back(std::min(face.block, face.other), std::max(face.block, face.other));
+            pairs.push_back(blocks_of(bond_[index].face));
         }
     }
     std::sort(pairs.begin(), pairs.end());
     return pairs;
+}
+
+std::vector<ShiftedPair> Bonds::shifted(const std::vector<BondMemory>& memory) const {
+    std::vector<ShiftedPair> pairs;
+    for (std::size_t index = 0; index < bond_.size(); ++index) {
+        if (memory[index].shift != OutlineShift{}) {
+            pairs.push_back({blocks_of(bond_[index].face), memory[index].shift});
+        }
+    }
+    std::ranges::sort(pairs, {}, &ShiftedPair::pair);
+    return pairs;
+}
+
+// All bonds of a pair see the same motion of one block against the other: the longest of those that broke last stands
+// for all.
+void Bonds::shift_outlines(const std::vector<std::size_t>& broken, const std::vector<Motion>& motion,
+                           std::vector<BondMemory>& memory) const {
+    for (const std::size_t index : broken) {
+        const Bond& bond = bond_[index];
+        const auto stands_for = [&](std::size_t other) {
+            return std::pair(bond.face.length, other) < std::pair(bond_[other].face.length, index);
+        };
+        const auto stands_before = [&](std::size_t other) {
+            return other != index && blocks_of(bond_[other].face) == blocks_of(bond.face) &&
+                   (memory[other].state == BondState::whole ||
+                    (std::ranges::binary_search(broken, other) && !bond_[other].of_joint && stands_for(other)));
+        };
+        if (!bond.of_joint && std::ranges::none_of(of_block(bond.face.block), stands_before)) {
+            memory[index].shift = shift_by(bond, locate(bond.face, motion[bond.face.block], motion[bond.face.other]));
+        }
+    }
 }
 
 std::vector<std::size_t> Bonds::stretch(const std::vector<Motion>& motion, double step, double time,
@@ -280,6 +339,7 @@ std::vector<std::size_t> Bonds::stretch(const std::vector<Motion>& motion, doubl
             broken.push_back(index);
         }
     }
+    shift_outlines(broken, motion, memory);
     return broken;
 }
 
@@ -333,17 +393,23 @@ std::vector<std::size_t> Bonds::break_at_rest(const std::vector<Motion>& motion,
         memory[*worst].state = state_under(bond, loading_of(bond, at));
         changed.push_back(*worst);
     }
+    shift_outlines(changed, motion, memory);
     return changed;
 }
 
-namespace {
-
-// Contacts as they were if they had borne all the time. The straight face of either block may have several edges.
-double hand_over_joint(const Bond& bond, BondState state, const Bodies& bodies, const std::vector<Motion>& motion,
-                       ContactList& list) {
+// Contacts along the face; the straight face of either block may have several edges. Those of a joint are as they were
+// if they had borne all the time. Those of rock share what it held in shear as they share its compression.
+double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const std::vector<Motion>& motion,
+                 ContactList& list) {
     const SharedFace& face = bond.face;
     const bool keeps_cohesion = state == BondState::handed_over;
-    double held = 0;
+    struct Taker {
+        std::size_t contact;
+        double pressing;  // N/m, without its weight
+        double weight;
+    };
+    std::vector<Taker> takers;
+    double pressed = 0;
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         const RelaxationContact contact = list.contact[index];
         constexpr double straight = 0.9999;  // cosine; faces that lie on each other lean by less
@@ -353,88 +419,29 @@ double hand_over_joint(const Bond& bond, BondState state, const Bodies& bodies, 
             continue;
         }
         const ContactLaw law = list.law_of(contact);
-        const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
-        ContactMemory memory = list.memory[index];
+        const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
+        takers.push_back(
+            {index, law.normal_stiffness * std::max(-at.gap, 0.0), contact_weight(law, contact, at, false)});
+        pressed += takers.back().weight * takers.back().pressing;
+    }
+    const double held_by_rock = -bond.shear_stiffness * locate(face, motion[face.block], motion[face.other]).slide;
+    double held = 0;
+    for (const Taker& taker : takers) {
+        const RelaxationContact contact = list.contact[taker.contact];
+        const ContactLaw law = list.law_of(contact);
+        const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
+        ContactMemory memory = list.memory[taker.contact];
         memory.beneath = false;
         memory.broken = !keeps_cohesion;
         // An end that has just lifted off opens with the next step, and loses its cohesion.
-        memory.touching = place.gap < 0 || keeps_cohesion;
-        memory.place = place.slide;
-        const double pressing = law.normal_stiffness * std::max(-place.gap, 0.0);
-        const double most = shear_strength(law, pressing, memory.broken);
-        memory.shear =
-            memory.touching ? std::clamp(place.slide, -most / law.shear_stiffness, most / law.shear_stiffness) : 0;
+        memory.touching = (taker.pressing > 0 && taker.weight > 0) || keeps_cohesion;
+        memory.place = at.slide;
+        const double most = shear_strength(law, taker.pressing, memory.broken) / law.shear_stiffness;
+        // Both ways of naming the pair reverse edge and force: the sign is the same.
+        const double slide =
+            bond.of_joint ? at.slide : -held_by_rock * taker.pressing / (pressed * law.shear_stiffness);
+        memory.shear = memory.touching ? std::clamp(slide, -most, most) : 0;
         held += elastic_energy(law, contact, memory, motion[contact.block], motion[contact.other]);
-        list.memory.set(index, memory);
-    }
-    return held;
-}
-
-}  // namespace
-
-double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const std::vector<Motion>& motion,
-                 ContactList& list) {
-    if (bond.of_joint) {
-        return hand_over_joint(bond, state, bodies, motion, list);
-    }
-    const SharedFace& face = bond.face;
-    const FacePosition at = locate(face, motion[face.block], motion[face.other]);
-    const PlanePoint<> along(at.along_x(), at.along_y());
-    const PlanePoint<> middle = bodies.centroid[face.block] + PlanePoint<>(motion[face.block].x, motion[face.block].y) +
-                                PlanePoint<>(at.arm_x, at.arm_y);
-    // Compression at the start and the end of the other's edge that the linear stress over the face amounts to.
-    const double even = -bond.normal_stiffness * at.opening / 2;
-    const double tilting = bond.normal_stiffness * at.turn * face.length / 12;
-    const std::array<double, 2> pressing{std::max(even - tilting, 0.0), std::max(even + tilting, 0.0)};
-    const double shear = -bond.shear_stiffness * at.slide;
-    std::array<double, 2> weights{0, 0};
-    struct Taker {
-        std::size_t contact;
-        std::size_t end;
-    };
-    std::vector<Taker> takers;
-    for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const std::size_t block = list.contact.blocks()[index].block;
-        const std::size_t edge = list.contact.corners()[index].edge;
-        const bool own = block == face.block && edge == face.other_edge;
-        if (!own && !(block == face.other && edge == face.edge)) {
-            continue;
-        }
-        const RelaxationContact contact = list.contact[index];
-        const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
-        ContactPosition level = place;
-        level.gap = 0;
-        const double weight = contact_weight(list.law_of(contact), contact, level, false);
-        if (weight > 0) {
-            const bool at_end = along.dot(moved_corner(bodies, motion, contact.corner) - middle) > 0;
-            takers.push_back({index, at_end ? std::size_t{1} : std::size_t{0}});
-            weights[takers.back().end] += weight;
-        }
-    }
-    double held = 0;
-    for (const Taker& taker : takers) {
-        RelaxationContact contact = list.contact[taker.contact];
-        const ContactLaw law = list.law_of(contact);
-        ContactMemory memory = list.memory[taker.contact];
-        const ContactPosition place = locate(contact, motion[contact.block], motion[contact.other]);
-        const double force = pressing[taker.end] / weights[taker.end];
-        const double overlap = force / law.normal_stiffness;
-        if (force == 0 && place.gap >= 0) {
-            continue;
-        }
-        memory.shortened = -overlap - place.gap;
-        contact.gap += memory.shortened;
-        memory.beneath = false;
-        memory.touching = force > 0;
-        memory.place = place.slide;
-        if (memory.touching) {
-            const double share = shear * pressing[taker.end] / (pressing[0] + pressing[1]) / weights[taker.end];
-            const double most = shear_strength(law, force, true);
-            // Both ways of naming the pair reverse edge and force: the sign is the same.
-            memory.shear = -std::clamp(share, -most, most) / law.shear_stiffness;
-            held += elastic_energy(law, contact, memory, motion[contact.block], motion[contact.other]);
-        }
-        list.contact.set_shape(taker.contact, contact);
         list.memory.set(taker.contact, memory);
     }
     return held;

@@ -13,9 +13,12 @@
 // + mean compression tan(friction). A bond breaks as a whole. Once its outermost fibre has gone, the same moment acts
 // on a section shorter by the crack, L', at stresses that grow as 1 / L'^2: under any load that does not fall off as
 // fast the crack runs through. (Pressed hard enough, it would stop: such a face goes on bearing through its contacts,
-// whose forces are at its ends.) From then on the ordinary contacts of the joint act. Each starts with the compression
-// and the shear (as far as friction holds it) that the bond had there: what the rock has shortened stays shortened. The
-// rest of the bond's energy is set free.
+// whose forces are at its ends.) From then on the ordinary contacts of the pair act. They start with the compression
+// and the shear (as far as friction holds it) that the bond had there: what the rock has shortened stays shortened. By
+// that the whole outline of one block is shifted as the other's contacts see it, a rigid shift by as much as makes the
+// joint's springs, stiffer than the rock, hold the same at both ends of the face; else corners that come to other edges
+// of the two blocks would lie there as deep as the rock has given way, on springs with many times its energy. The rest
+// of the bond's energy is set free.
 //
 // A joint with cohesion that a slip takes away, or with tensile strength, has a bond of its own where there is no rock
 // across it. It is as stiff as the two contacts in whose place it stands, so that they set its time step. At two
@@ -66,6 +69,7 @@ struct Bond : FaceStiffness {
     // Stiffness of the bond, or of the contacts that take its place, whichever is more: a time step too long for them
     // would throw the blocks apart in the moment of breaking.
     FaceStiffness stiffest;
+    double contact_stiffness;  // N/m, normal, of each of the two
 };
 
 // Handed over: only of a joint; its contacts bear in the bond's place, with all of the strength of theirs.
@@ -86,6 +90,8 @@ struct BondMemory {
     double normal_drag = 0;   // N/m, of the dashpots when last evaluated
     double shear_drag = 0;    // N/m
     double bending_drag = 0;  // N
+    // Of its pair, from when the last bonds of the pair broke; with one of these alone.
+    OutlineShift shift = {};
 };
 
 // The scene must be valid: one for each of its bonds.
@@ -120,6 +126,9 @@ class Bonds {
     // Pairs with a whole bond, in increasing order.
     std::vector<BlockPair> joined(const std::vector<BondMemory>& memory) const;
 
+    // Pairs whose rock has become shorter before it broke, in increasing order.
+    std::vector<ShiftedPair> shifted(const std::vector<BondMemory>& memory) const;
+
     // Forces of the whole bonds after a step that took blocks to `motion`; those overloaded break, and do nothing any
     // more. Returns which. The same bits come out however the work is divided: the forces on a block are added in the
     // order of the bonds.
@@ -137,6 +146,9 @@ class Bonds {
 
   private:
     void sum();
+    // Of those just broken.
+    void shift_outlines(const std::vector<std::size_t>& broken, const std::vector<Motion>& motion,
+                        std::vector<BondMemory>& memory) const;
 
     Team& team_;
     std::vector<Bond> bond_;

@@ -224,7 +224,7 @@ DELABOLE_INLINED void let_go(const JointLaw& law, double weight, double damping,
 // A twin that touches, as a contact finds it that begins to.
 struct TwinThatTouches {
     double overlap;  // decides whether the contact takes over
-    double shear;    // taken over
+    double shear;    // taken over by a corner that has come along the edge, not by one that has come down on it
 };
 
 // A corner that came beneath its edge bears once its twin, which touches, is about as deep.
@@ -268,7 +268,11 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
     const double force_before = law.shear_stiffness * std::abs(memory.shear);
     if (!memory.touching) {
         memory.touching = true;
-        memory.shear = twin ? twin->shear : 0;
+        // As the corner comes along the edge its weight grows from nothing while that of the twin falls: by handing
+        // over the sum stays. What comes down on the edge has a weight at once: its spring begins unstrained, or its
+        // energy would come from nothing.
+        const bool came_down = overlap + velocity.opening * step <= 0;
+        memory.shear = twin && !came_down ? twin->shear : 0;
     } else {
         memory.shear += at.slide - memory.place;
     }

@@ -117,6 +117,7 @@ bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const st
     }
     dropped_.clear();
     changed_blocks_.clear();
+    shifted_ = bonds.shifted(bond_memory);
     worst_overlap_ = 0;
     const bool new_neighbours = std::any_of(due_blocks_.begin(), due_blocks_.end(), [&](std::uint32_t block) {
         return state.travelled[block] > state.neighbours_until[block];
@@ -233,7 +234,8 @@ void ContactWatch::check_pair(std::size_t number, double margin, const MovingSce
                               const ContactList& list) {
     WatchedPair& pair = state.pair[number];
     const ContactRange before = contacts_of(number, state, list);
-    pair_search_.find({pair.first, pair.second}, scene.motion, margin, first_, list, before,
+    const BlockPair blocks(pair.first, pair.second);
+    pair_search_.find(blocks, scene.motion, {margin, first_, shift_of(blocks, shifted_)}, list, before,
                       pair.holds >= 0 ? std::optional(pair.pose) : std::nullopt, now_);
     ++state.pair_checks;
     const Motion& first = scene.motion[pair.first];

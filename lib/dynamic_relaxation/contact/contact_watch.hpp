@@ -125,6 +125,7 @@ class ContactWatch {
     std::vector<Replacement> replacement_ = {};
     std::vector<Dropped> dropped_ = {};
     std::vector<std::uint32_t> due_blocks_ = {};
+    std::vector<ShiftedPair> shifted_ = {};
     std::vector<std::uint32_t> changed_blocks_ = {};
     bool list_changed_ = false;
     double worst_overlap_ = 0;

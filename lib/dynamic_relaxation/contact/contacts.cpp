@@ -7,6 +7,11 @@
 
 namespace delabole {
 
+OutlineShift shift_of(const BlockPair& pair, std::span<const ShiftedPair> shifted) {
+    const auto found = std::ranges::lower_bound(shifted, pair, {}, &ShiftedPair::pair);
+    return found != shifted.end() && found->pair == pair ? found->shift : OutlineShift{};
+}
+
 ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, const std::vector<Motion>& motion,
                           const std::vector<char>& removed, const SearchOptions& options, const ContactList& previous) {
     ContactList list = list_like(previous);
@@ -20,7 +25,8 @@ ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, co
             continue;
         }
         before = next_of_pair(previous, before.end, pair);
-        search.find(pair, motion, options.margin, options.first, previous, before, {}, found);
+        search.find(pair, motion, {options.margin, options.first, shift_of(pair, options.shifted)}, previous, before,
+                    {}, found);
         append(found, {0, found.contact.size()}, laws, list);
     }
     return list;

@@ -136,10 +136,7 @@ struct ContactFlagsOf {
 template <class Number>
 struct ContactMemoryOf : ContactNumbersOf<Number>, ContactFlagsOf<MaskOf<Number>> {};
 
-struct ContactMemory : ContactMemoryOf<double> {
-    // m; a joint that was a bond is as much shorter as the rock was under its load when the bond broke (bonds.hpp).
-    double shortened = 0;
-};
+using ContactMemory = ContactMemoryOf<double>;
 
 template <class Number>
 struct ForceOnCornerOf {
@@ -184,22 +181,20 @@ class ContactArray {
 
 class MemoryArray {
   public:
-    std::size_t size() const { return shortened_.size(); }
-    ContactMemory operator[](std::size_t index) const { return {{numbers_[index], flags_[index]}, shortened_[index]}; }
+    std::size_t size() const { return size_; }
+    ContactMemory operator[](std::size_t index) const { return {numbers_[index], flags_[index]}; }
     void set(std::size_t index, const ContactMemory& memory) {
         numbers_.set(index, memory);
         flags_.set(index, memory);
-        shortened_[index] = memory.shortened;
     }
     void push_back(const ContactMemory& memory) {
-        numbers_.push_back(size(), memory);
-        flags_.push_back(size(), memory);
-        shortened_.push_back(memory.shortened);
+        numbers_.push_back(size_, memory);
+        flags_.push_back(size_, memory);
+        ++size_;
     }
     void reserve(std::size_t count) {
         numbers_.reserve(count);
         flags_.reserve(count);
-        shortened_.reserve(count);
     }
 
     ContactNumbersOf<NumberGroup>* numbers() { return numbers_.groups(); }
@@ -208,7 +203,7 @@ class MemoryArray {
   private:
     PackedArray<ContactNumbersOf, NumberGroup> numbers_ = {};
     PackedArray<ContactFlagsOf, FlagGroup> flags_ = {};
-    LargeArray<double> shortened_ = {};
+    std::size_t size_ = 0;
 };
 
 // Contacts in the order of their pairs.
@@ -225,6 +220,25 @@ struct ContactList {
     ContactLaw law_of(const ContactBlocks& one) const { return {ends[one.ends], joint[one.joint]}; }
 };
 
+// Displacement, in the initial geometry, of the outline of a pair's block with the lower number, from which on the
+// pair's contacts count: by it the rock between the two has become shorter for good (bonds.hpp). It moves with the
+// block.
+struct OutlineShift {
+    double x = 0;      // m, of the centroid
+    double y = 0;      // m
+    double angle = 0;  // rad, small
+
+    bool operator==(const OutlineShift&) const = default;
+};
+
+struct ShiftedPair {
+    BlockPair pair;
+    OutlineShift shift;
+};
+
+// That of a pair. `shifted`: pairs that have one, in increasing order.
+OutlineShift shift_of(const BlockPair& pair, std::span<const ShiftedPair> shifted);
+
 struct SearchOptions {
     double margin;
     double viscous_damping;
@@ -233,6 +247,7 @@ struct SearchOptions {
     bool first;
     // Pairs that have none, in increasing order.
     std::span<const BlockPair> bonded = {};
+    std::span<const ShiftedPair> shifted = {};  // likewise
 };
 
 // All contacts nearer than the margin, by a search of the whole scene. In an order that depends on positions alone.

@@ -103,17 +103,25 @@ PairSearch::PairSearch(const RelaxationScene& scene, const Bodies& bodies, doubl
     }
 }
 
-void PairSearch::place(std::uint32_t block, const std::vector<Motion>& motion, Side& side) const {
-    const CornerRange& range = bodies_.range[block];
-    side.block = block;
+PlanePoint<> PairSearch::corner_of(std::size_t corner) const {
+    const PlanePoint<>& arm = bodies_.corner[corner];
+    return is_shifted(corner) ? PlanePoint<>(shift_.turned(arm) + PlanePoint<>(shift_.x, shift_.y)) : arm;
+}
+
+PlanePoint<> PairSearch::along_of(std::size_t edge) const {
+    return is_shifted(edge) ? shift_.turned(bodies_.along[edge]) : bodies_.along[edge];
+}
+
+void PairSearch::place(const std::vector<Motion>& motion, Side& side) const {
+    const CornerRange& range = bodies_.range[side.block];
     side.begin = range.begin;
     side.corner.resize(range.size());
     side.along.resize(range.size());
-    const Motion& moved = motion[block];
-    const PlanePoint<> centroid = bodies_.centroid[block] + PlanePoint<>(moved.x, moved.y);
+    const Motion& moved = motion[side.block];
+    const PlanePoint<> centroid = bodies_.centroid[side.block] + PlanePoint<>(moved.x, moved.y);
     for (std::size_t corner = 0; corner < range.size(); ++corner) {
-        side.corner[corner] = centroid + moved.turned(bodies_.corner[range.begin + corner]);
-        side.along[corner] = moved.turned(bodies_.along[range.begin + corner]);
+        side.corner[corner] = centroid + moved.turned(corner_of(range.begin + corner));
+        side.along[corner] = moved.turned(along_of(range.begin + corner));
     }
 }
 
@@ -127,22 +135,26 @@ double PairSearch::measure(const Side& block, const Side& other, Gaps& gaps) {
         });
 }
 
-void PairSearch::find(const BlockPair& pair, const std::vector<Motion>& motion, double margin, bool first,
+void PairSearch::find(const BlockPair& pair, const std::vector<Motion>& motion, const PairQuery& query,
                       const ContactList& list, const ContactRange& before, const std::optional<PairPose>& then,
                       PairContacts& found) {
     found.clear();
-    margin_ = margin;
+    query_ = query;
+    shift_.x = query.shift.x;
+    shift_.y = query.shift.y;
+    shift_.set_angle(query.shift.angle);
     shortest_ = std::min(bodies_.shortest_edge[pair.first], bodies_.shortest_edge[pair.second]);
-    first_ = first;
+    side_[0].block = pair.first;
+    side_[1].block = pair.second;
     list_ = &list;
     before_ = before;
     then_ = then;
-    place(pair.first, motion, side_[0]);
-    place(pair.second, motion, side_[1]);
+    place(motion, side_[0]);
+    place(motion, side_[1]);
     const double distance = std::max(measure(side_[0], side_[1], gaps_[0]), measure(side_[1], side_[0], gaps_[1]));
     found.distance = distance;
     found.worst_overlap = std::max(0.0, -distance / shortest_);
-    if (distance > margin + 3 * blend_way * shortest_) {
+    if (distance > query.margin + 3 * blend_way * shortest_) {
         return;
     }
     for (std::size_t side = 0; side < 2; ++side) {
@@ -150,7 +162,8 @@ void PairSearch::find(const BlockPair& pair, const std::vector<Motion>& motion, 
         for (std::size_t corner = 0; corner < side_[side].corner.size(); ++corner) {
             for (std::size_t edge = 0; edge < side_[1 - side].corner.size(); ++edge) {
                 const bool too_deep = gaps(corner, edge) < -deepest * shortest_;
-                if (gaps(corner, edge) <= margin && (!too_deep || bears(side_[side], corner, side_[1 - side], edge))) {
+                if (gaps(corner, edge) <= query.margin &&
+                    (!too_deep || bears(side_[side], corner, side_[1 - side], edge))) {
                     add_corner(side, corner, edge, found);
                 }
             }
@@ -170,7 +183,7 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
     const double length = bodies_.length[edge_number];
     const PlanePoint<>& along = other.along[edge];
     const double position = along.dot(block.corner[corner] - other.corner[edge]);
-    const double reach = margin_ + 3 * blend_way * shortest_;
+    const double reach = query_.margin + 3 * blend_way * shortest_;
     if (position < -reach || position > length + reach || !can_bear(block, corner, other, edge)) {
         return;
     }
@@ -290,18 +303,18 @@ RelaxationContact PairSearch::contact_of(std::size_t corner, std::size_t edge) c
     contact.corner = static_cast<std::uint32_t>(corner);
     contact.edge = static_cast<std::uint32_t>(edge);
     contact.twin = no_twin;
-    const PlanePoint<> offset =
-        (bodies_.centroid[block] - bodies_.centroid[other]) + (bodies_.corner[corner] - bodies_.corner[edge]);
-    const PlanePoint<>& arm = bodies_.corner[corner];
-    const PlanePoint<> other_arm = bodies_.corner[edge] + offset;
-    const PlanePoint<>& along = bodies_.along[edge];
+    const PlanePoint<> arm = corner_of(corner);
+    const PlanePoint<> start = corner_of(edge);
+    const PlanePoint<> offset = (bodies_.centroid[block] - bodies_.centroid[other]) + (arm - start);
+    const PlanePoint<> other_arm = start + offset;
+    const PlanePoint<> along = along_of(edge);
     contact.arm_x = arm.x();
     contact.arm_y = arm.y();
     contact.other_arm_x = other_arm.x();
     contact.other_arm_y = other_arm.y();
     contact.along_x = along.x();
     contact.along_y = along.y();
-    contact.gap = bodies_.normal(edge).dot(offset);
+    contact.gap = PlanePoint<>(along.y(), -along.x()).dot(offset);
     contact.from_start = along.dot(offset);
     contact.to_end = bodies_.length[edge] - contact.from_start;
     return contact;
@@ -378,12 +391,12 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
         const std::size_t before = known(contact.corner, contact.edge);
         if (before != unknown) {
             memory = list_->memory[before];
-            contact.gap += memory.shortened;
         } else {
-            memory.broken = !(first_ && contact.gap <= closed * shortest_);
+            memory.broken = !(query_.first && contact.gap <= closed * shortest_);
             const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
-            memory.beneath = first_ ? beside(bodies_, contact, shortest_)
-                                    : law.rival == 0 && at.gap < -came_over * margin_ && !came_over_edge(contact, at);
+            memory.beneath =
+                query_.first ? beside(bodies_, contact, shortest_)
+                             : law.rival == 0 && at.gap < -came_over * query_.margin && !came_over_edge(contact, at);
             memory.touching = !memory.broken && !memory.beneath && (law.tension > 0 || contact.gap < 0);
         }
     }

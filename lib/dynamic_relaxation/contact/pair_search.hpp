@@ -37,16 +37,21 @@ struct PairPose {
 // displacement that ends an overlap.
 double distance_between(const Bodies& bodies, std::size_t first, std::size_t second);
 
+// What a pair is searched for.
+struct PairQuery {
+    double margin;
+    bool first;  // as in SearchOptions
+    OutlineShift shift = {};
+};
+
 class PairSearch {
   public:
     PairSearch(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping);
 
-    // Contacts of corners of the first block on edges of the second, then the other way round. `first` as in
-    // SearchOptions. Those that were contacts already, in this range of the list, keep their memory. `then`: the last
-    // time, if there was one.
-    void find(const BlockPair& pair, const std::vector<Motion>& motion, double margin, bool first,
-              const ContactList& list, const ContactRange& before, const std::optional<PairPose>& then,
-              PairContacts& found);
+    // Contacts of corners of the first block on edges of the second, then the other way round. Those that were contacts
+    // already, in this range of the list, keep their memory. `then`: the last time, if there was one.
+    void find(const BlockPair& pair, const std::vector<Motion>& motion, const PairQuery& query, const ContactList& list,
+              const ContactRange& before, const std::optional<PairPose>& then, PairContacts& found);
 
   private:
     // A block where it is now; its corners and edges counted from its first.
@@ -70,7 +75,11 @@ class PairSearch {
         double operator()(std::size_t corner, std::size_t edge) const { return gap[edge * corners + corner]; }
     };
 
-    void place(std::uint32_t block, const std::vector<Motion>& motion, Side& side) const;
+    // Of the pair's outlines in the initial geometry, about their centroids.
+    PlanePoint<> corner_of(std::size_t corner) const;
+    PlanePoint<> along_of(std::size_t edge) const;
+    bool is_shifted(std::size_t corner) const { return bodies_.block_of[corner] == side_[0].block; }
+    void place(const std::vector<Motion>& motion, Side& side) const;
     static double measure(const Side& block, const Side& other, Gaps& gaps);
     void add_corner(std::size_t side, std::size_t corner, std::size_t edge, PairContacts& found) const;
     void add_twin_as_rival(const Side& block, std::size_t corner, const Side& other, std::size_t edge, bool at_start,
@@ -96,9 +105,9 @@ class PairSearch {
     // The pair that is searched:
     std::array<Side, 2> side_ = {};
     std::array<Gaps, 2> gaps_ = {};
-    double margin_ = 0;
+    PairQuery query_{};
+    Motion shift_ = {};  // of the first block's outline
     double shortest_ = 0;
-    bool first_ = false;
     const ContactList* list_ = nullptr;
     ContactRange before_{0, 0};
     std::optional<PairPose> then_ = {};

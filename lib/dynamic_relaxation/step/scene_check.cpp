@@ -355,7 +355,7 @@ SceneFault check_start(const RelaxationScene& scene) {
     const ContactList none;
     PairContacts found;
     for (const BlockPair& pair : pairs) {
-        search.find(pair, unmoved, margin, true, none, {0, 0}, {}, found);
+        search.find(pair, unmoved, {margin, true}, none, {0, 0}, {}, found);
         for (std::size_t index = 0; index < found.contact.size(); ++index) {
             const RelaxationContact& contact = found.contact[index];
             const ContactLaw& law = found.law[index];
