@@ -17,11 +17,14 @@ Node tree_within(const py::handle& object, int depth) {
     Node node;
     if (py::isinstance<py::dict>(object)) {
         for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(object)) {
-            node.entries.push_back({py::cast<std::string>(key), tree_within(value, depth + 1)});
+            if (!py::isinstance<py::str>(key)) {
+                throw py::type_error("keys of a case are texts");
+            }
+            node.entries.push_back({std::string(py::reinterpret_borrow<py::str>(key)), tree_within(value, depth + 1)});
         }
     } else if (py::isinstance<py::str>(object)) {
         node.kind = Node::Kind::text;
-        node.text = py::cast<std::string>(object);
+        node.text = std::string(py::reinterpret_borrow<py::str>(object));
     } else if (py::isinstance<py::list>(object) || py::isinstance<py::tuple>(object)) {
         node.kind = Node::Kind::array;
         for (const py::handle element : object) {
@@ -32,7 +35,12 @@ Node tree_within(const py::handle& object, int depth) {
         node.boolean = py::cast<bool>(object);
     } else if (PyIndex_Check(object.ptr()) != 0) {
         node.kind = Node::Kind::integer;
-        node.integer = py::cast<std::int64_t>(object);
+        // Python's own errors: an array is no index, and a number of forty digits does not fit.
+        const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(object.ptr()));
+        node.integer = index ? PyLong_AsLongLong(index.ptr()) : -1;
+        if (PyErr_Occurred() != nullptr) {
+            throw py::error_already_set();
+        }
         node.real = static_cast<double>(node.integer);
     } else if (py::hasattr(object, "__float__")) {
         node.kind = Node::Kind::real;

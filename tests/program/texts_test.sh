@@ -25,7 +25,9 @@ CASE
 expect "the case was changed" refuse cmp -s good.toml wild.toml
 escape=$'\e'
 for arguments in "run wild.toml" "run wild.toml --json" "fit wild.toml" "fit wild.toml --json" "verify wild.toml" \
-    "verify wild.toml --json" "show wild.toml" "show wild.toml --json" "check wild.toml"; do
+    "verify wild.toml --json" "show wild.toml" "show wild.toml --json" "check wild.toml" "compare wild.toml good.toml" \
+    "compare good.toml wild.toml --json" "inputs wild.toml" "inputs wild.toml --json" "outputs wild.toml" \
+    "grid wild.toml --vary strength.cohesion=5kPa,9kPa" "grid wild.toml --vary strength.cohesion=5kPa,9kPa --json"; do
     # shellcheck disable=SC2086
     delabole $arguments
     expect_status 0
@@ -57,6 +59,18 @@ delabole fit formula.toml --out formula --quiet
 expect_status 0
 expect "the label is in a table" grep -qF '=1+2' formula/*.csv
 expect "and behind an apostrophe" refuse grep -qE "(^|,)\"?[=@]" formula/*.csv
+
+cat good.toml - >swept.toml <<'CASE'
+
+[[sweep]]
+name = "swept"
+vary = [{ input = "water.water_depth", values = ["0 m", "3 m"] }]
+curve = [{ label = "@safety", output = "factor_of_safety" }, { label = "-1+safety", output = "factor_of_safety" }]
+CASE
+delabole run swept.toml --out swept --quiet
+expect_status 0
+expect "labels of curves are in a table" grep -qF '@safety' swept/swept.csv
+expect "and behind an apostrophe" refuse grep -qE '(^|,)"?[=@-][^0-9]' swept/swept.csv
 
 title "a text that begins with a quote breaks no figure"
 sed -E "s/^title = .*/title = \"'quoted' ''\"/; s/it failed/'failed'/" good.toml >quoted.toml

@@ -2,8 +2,10 @@
 
 import copy
 import json
+import os
 import pickle
 import subprocess
+import sys
 
 import delabole
 import pytest
@@ -98,3 +100,21 @@ def test_what_the_case_has_not_is_said(cases):
         case.sensitivity()
     with pytest.raises(delabole.CaseError, match=r"no \[sensitivity\] section"):
         case.sample()
+
+
+def test_a_decimal_comma_of_the_process_changes_nothing(cases, tmp_path):
+    subprocess.run(["localedef", "--inputfile=de_DE", "--charmap=UTF-8", tmp_path / "de_DE.UTF-8"], check=True)
+    answer = """
+import locale, sys
+locale.setlocale(locale.LC_ALL, sys.argv[1])
+import delabole
+case = delabole.read(sys.argv[2])
+print(locale.str(1.5) if sys.argv[1] != "C" else "1,5", case.run().to_dict(), case.to_toml())
+"""
+    told = [
+        subprocess.run([sys.executable, "-c", answer, language, cases / "plane_failure/fig_2_8.toml"], check=True,
+                       capture_output=True, text=True, env={**os.environ, "LOCPATH": str(tmp_path)}).stdout
+        for language in ("de_DE.UTF-8", "C")
+    ]
+    assert told[0].startswith("1,5 ")
+    assert told[0] == told[1]

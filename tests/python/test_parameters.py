@@ -3,6 +3,7 @@
 import math
 
 import delabole
+import numpy as np
 import pytest
 
 
@@ -62,6 +63,14 @@ def test_what_is_wrong_is_said_in_the_words_of_the_reader():
         delabole.FailurePlane(dip=[1, 2])
     with pytest.raises(TypeError, match="not object"):
         delabole.FailurePlane(dip=object())
+    with pytest.raises(TypeError, match="array"):
+        delabole.FailurePlane(dip=np.array([0.1, 0.2]))
+    with pytest.raises(OverflowError):
+        delabole.FailurePlane(dip=10**40)
+    with pytest.raises(UnicodeEncodeError):
+        delabole.FailurePlane(dip="\ud800")
+    with pytest.raises(TypeError, match="keys of a case are texts"):
+        slope().case(fit={3: "starts"})
 
 
 def test_unknown_and_missing_keys_are_refused():

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # No program looks for shared libraries in the folder from which it is called: every element of every run path, of what is
-# built and of what is installed, is an absolute folder. The program itself, built as Release, is hardened: see the options
-# in CMakeLists.txt.
+# built and of what is installed, is an absolute folder. The program itself and the Python module, built as Release, are
+# hardened: see the options in CMakeLists.txt.
 set -euo pipefail
 export LC_ALL=C
 work=$(mktemp -d)
@@ -32,7 +32,9 @@ for path in '[/usr/lib/openmpi]' '[/a:/b]' '[$ORIGIN/../lib:/a]'; do
     fi
 done
 
-cmake --install "$DELABOLE_BUILD" --component program --prefix "$work/prefix" >"$work/install.log"
+for component in program python; do
+    cmake --install "$DELABOLE_BUILD" --component "$component" --prefix "$work/prefix" >"$work/install.log"
+done
 programs=0
 while IFS= read -r -d '' program; do
     readelf -d "$program" >"$work/dynamic" 2>/dev/null || continue  # not a program of the linker: a script, a list
@@ -42,14 +44,18 @@ while IFS= read -r -d '' program; do
         echo "$program: its run path has the element" $unsafe
         failed=1
     fi
-done < <(find "$DELABOLE_BUILD" "$work/prefix" -name CMakeFiles -prune -o -type f -executable -print0)
+done < <(find "$DELABOLE_BUILD" "$work/prefix" -name CMakeFiles -prune -o -type f '(' -executable -o -name '*.so' ')' -print0)
 if grep -q '^CMAKE_BUILD_TYPE:[A-Z]*=Release$' "$DELABOLE_BUILD/CMakeCache.txt"; then
-    readelf -hldW "$DELABOLE_BUILD/bin/delabole" >"$work/headers"
-    for mark in 'Type: +DYN' 'GNU_RELRO' '\(FLAGS\).*BIND_NOW|\(FLAGS_1\).*NOW'; do
-        if ! grep -qE "$mark" "$work/headers"; then
-            echo "delabole: its headers lack $mark"
-            failed=1
-        fi
+    for program in "$DELABOLE_BUILD/bin/delabole" "$DELABOLE_BUILD"/python/delabole/_delabole*.so; do
+        [[ -e $program ]] || continue  # there is no module without Python
+        { readelf -hldW "$program" && readelf -W --dyn-syms "$program"; } >"$work/headers"
+        for mark in 'Type: +DYN' 'GNU_RELRO' '\(FLAGS\).*BIND_NOW|\(FLAGS_1\).*NOW' \
+            __stack_chk_fail '[a-z]_chk@GLIBC' __glibcxx_assert_fail; do
+            if ! grep -qE "$mark" "$work/headers"; then
+                echo "$(basename "$program"): its headers and symbols lack $mark"
+                failed=1
+            fi
+        done
     done
 fi
 if [[ $programs -lt 2 ]]; then

@@ -1,11 +1,13 @@
 #include "cases/program/live/server.hpp"
 
 #include "cases/program/live/page.hpp"
+#include "cases/program/terminal/interrupt.hpp"
 
 #include <httplib.h>
 
 #include <array>
 #include <chrono>
+#include <future>
 #include <random>
 #include <string_view>
 #include <thread>
@@ -15,7 +17,9 @@ namespace delabole {
 namespace {
 
 constexpr std::size_t largest_request = std::size_t{256} << 10U;
-constexpr int patience = 5;  // s
+constexpr int patience = 1;                                 // s, with a connection that says nothing
+constexpr int longest_writing = 5;                          // s
+constexpr std::chrono::milliseconds end_of_patience{1800};  // after Ctrl-C
 constexpr std::size_t threads = 8;
 
 std::string new_token() {
@@ -54,6 +58,11 @@ void refuse(httplib::Response& response, int status, const std::string& why) {
     response.set_content(json_text({{"refused", why}}), "application/json");
 }
 
+// A folder's name need not be UTF-8.
+void send(httplib::Response& response, const Json& json) {
+    response.set_content(json.dump(-1, ' ', false, Json::error_handler_t::replace), "application/json");
+}
+
 }  // namespace
 
 struct LiveServer::Parts {
@@ -77,6 +86,17 @@ struct LiveServer::Parts {
             refuse(response, 403, "pages from elsewhere are not answered");
             return false;
         }
+        if (request.method == "POST" && !same(request.get_header_value("X-Delabole-Token"), token)) {
+            refuse(response, 401, "the address that delabole live has printed ends with a token: open that one");
+            return false;
+        }
+        // Only of a body whose length is said the library keeps to the limit.
+        for (const char* const header : {"Transfer-Encoding", "Content-Encoding", "Range"}) {
+            if (request.has_header(header)) {
+                refuse(response, 400, "a request is sent whole and as it is, and so is the answer");
+                return false;
+            }
+        }
         return true;
     }
 
@@ -84,10 +104,6 @@ struct LiveServer::Parts {
 
     void answer(const std::string& path, Answer with) {
         server.Post(path, [this, with = std::move(with)](const httplib::Request& request, httplib::Response& response) {
-            if (!same(request.get_header_value("X-Delabole-Token"), token)) {
-                refuse(response, 401, "the address that delabole live has printed ends with a token: open that one");
-                return;
-            }
             const Json json = Json::parse(request.body, nullptr, false);
             if (json.is_discarded()) {
                 refuse(response, 400, "the request is not JSON");
@@ -103,19 +119,19 @@ struct LiveServer::Parts {
 
     void answer_json(const std::string& path, Json (LiveSession::*function)(const Json&) const) {
         answer(path, [this, function](const Json& request, httplib::Response& response) {
-            response.set_content((session.*function)(request).dump(), "application/json");
+            send(response, (session.*function)(request));
         });
     }
     void answer_json(const std::string& path, Json (LiveSession::*function)(const Json&)) {
         answer(path, [this, function](const Json& request, httplib::Response& response) {
-            response.set_content((session.*function)(request).dump(), "application/json");
+            send(response, (session.*function)(request));
         });
     }
 
     void set_up() {
         server.set_payload_max_length(largest_request);
         server.set_read_timeout(patience);
-        server.set_write_timeout(patience);
+        server.set_write_timeout(longest_writing);
         server.set_keep_alive_timeout(patience);
         server.new_task_queue = [] { return new httplib::ThreadPool(threads); };
         server.set_default_headers({{"Cache-Control", "no-store"},
@@ -137,9 +153,7 @@ struct LiveServer::Parts {
         server.Get("/", [page = page_with(nonce)](const httplib::Request&, httplib::Response& response) {
             response.set_content(page, "text/html; charset=utf-8");
         });
-        answer("/open", [this](const Json&, httplib::Response& response) {
-            response.set_content(session.open().dump(), "application/json");
-        });
+        answer("/open", [this](const Json&, httplib::Response& response) { send(response, session.open()); });
         answer_json("/answer", &LiveSession::answer);
         answer_json("/drag", &LiveSession::drag);
         answer_json("/map", &LiveSession::map);
@@ -169,11 +183,18 @@ std::string LiveServer::address() const {
 
 void LiveServer::serve(const std::function<bool()>& ended) {
     using std::chrono_literals::operator""ms;
-    std::thread serving([this] { parts_->server.listen_after_bind(); });
+    std::promise<void> served;
+    std::thread serving([&] {
+        parts_->server.listen_after_bind();
+        served.set_value();
+    });
     while (!ended()) {
         std::this_thread::sleep_for(100ms);
     }
     parts_->server.stop();
+    if (served.get_future().wait_for(end_of_patience) != std::future_status::ready) {
+        end_work();
+    }
     serving.join();
 }
 

@@ -2,8 +2,9 @@
 //
 // What it refuses, each with a status of its own: a Host that is not this address (403: another name that leads here,
 // DNS rebinding), an Origin that is not this page (403: a page from elsewhere), a request without the token (401), a
-// body of more than 256 kB (413), what is not JSON or not what a request may ask (400), any other path (404). A
-// connection that says nothing for 5 s is closed, and at most eight are served at a time.
+// body of more than 256 kB (413), what is not JSON or not what a request may ask, a body or an answer in parts or
+// compressed (400), any other path (404). Who is not admitted is refused before the body is read. A connection that
+// says nothing for 1 s is closed, and at most eight are served at a time.
 #pragma once
 
 #include "cases/program/live/session.hpp"
@@ -16,6 +17,7 @@ namespace delabole {
 
 class LiveServer {
   public:
+    // OutputError where no port is free.
     explicit LiveServer(LiveSession& session);
     ~LiveServer();
     LiveServer(const LiveServer&) = delete;
@@ -24,7 +26,8 @@ class LiveServer {
     // http://127.0.0.1:43567/#<token>. The part behind # does not travel: no log and no other page sees the token.
     std::string address() const;
 
-    // Serves until `ended` says so, which is asked several times a second. OutputError where no port is free.
+    // Serves until `ended` says so, which is asked several times a second. Ends the program, as end_work() does, where
+    // an answer is still computed or a request still sent 1.8 s later.
     void serve(const std::function<bool()>& ended);
 
   private:

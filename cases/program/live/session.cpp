@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 namespace delabole {
 
@@ -31,10 +32,14 @@ Type member(const Json& json, const char* name) {
     if (!json.is_object() || found == json.end()) {
         throw LiveRefusal(std::string("the request has no '") + name + "'");
     }
+    const LiveRefusal wrong_kind(std::string("'") + name + "' of the request is of the wrong kind");
+    if (std::is_integral_v<Type> && !found->is_number_integer()) {
+        throw wrong_kind;  // 1e300 has no int that it could become
+    }
     try {
         return found->get<Type>();
     } catch (const Json::exception&) {
-        throw LiveRefusal(std::string("'") + name + "' of the request is of the wrong kind");
+        throw wrong_kind;
     }
 }
 

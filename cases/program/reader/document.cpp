@@ -203,7 +203,7 @@ Setting parse_setting(std::string_view text) {
                      .column = 0,
                      .key = {},
                      .value = {},
-                     .message = in_quotes(text) + " is not of the form key=value, e.g. slope.height=\"40 m\""}});
+                     .message = shown(text) + " is not of the form key=value, e.g. slope.height=\"40 m\""}});
     }
     return {.key = std::string(key), .value = std::string(trim(text.substr(equals + 1)))};
 }
@@ -264,15 +264,19 @@ std::string shown(const Node& node) {
     case Node::Kind::text:
         break;
     }
+    return shown(node.text);
+}
+
+std::string shown(std::string_view text) {
     constexpr std::size_t most_characters = 60;
-    if (node.text.size() <= most_characters) {
-        return in_quotes(node.text);
+    if (text.size() <= most_characters) {
+        return in_quotes(text);
     }
     std::size_t end = most_characters;
-    while (end > 0 && (static_cast<unsigned char>(node.text[end]) & 0xC0U) == 0x80U) {
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
         --end;
     }
-    return in_quotes(node.text.substr(0, end) + "...");
+    return in_quotes(std::string(text.substr(0, end)) + "...");
 }
 
 std::string in_quotes(std::string_view text) {

@@ -65,6 +65,7 @@ void apply_setting(Node& root, const Setting& setting, std::vector<Problem>& pro
 
 // How a value is shown in a message: "40 m" in quotes, 0.5 without, at most about 60 characters, no control characters.
 std::string shown(const Node& node);
+std::string shown(std::string_view text);
 
 // Text as it stands in a case file between double quotes, quotes included.
 std::string in_quotes(std::string_view text);

@@ -84,8 +84,9 @@ void for_each_flat_entry(const Node& table, const std::function<void(const std::
             visit(key, node);
             continue;
         }
-        for_each_flat_entry(node, [&](const std::string& inner, const Node& value) {
-            visit(std::string(key).append(1, '.').append(inner), value);
+        // clang 14 lets no lambda capture a part of a binding by its name.
+        for_each_flat_entry(node, [&visit, prefix = key + "."](const std::string& inner, const Node& value) {
+            visit(prefix + inner, value);
         });
     }
 }

@@ -18,13 +18,7 @@ std::string shown_key(std::string_view key) {
     const bool plain = key.size() <= longest && !key.empty() && std::ranges::all_of(key, [](char character) {
                            return character > ' ' && character != 0x7F && character != '"';
                        });
-    if (plain) {
-        return std::string(key);
-    }
-    Node text;
-    text.kind = Node::Kind::text;
-    text.text = std::string(key);
-    return shown(text);
+    return plain ? std::string(key) : shown(key);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <udunits2.h>
 
+#include <clocale>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -23,6 +24,22 @@ struct FreeConverter {
 using System = std::unique_ptr<ut_system, FreeSystem>;
 using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 using Converter = std::unique_ptr<cv_converter, FreeConverter>;
+
+// udunits2 reads the numbers of its database in the language that the process has set, as a program in Python may.
+class DecimalPoints {
+  public:
+    DecimalPoints() : points_(::newlocale(LC_NUMERIC_MASK, "C", nullptr)), before_(::uselocale(points_)) {}
+    ~DecimalPoints() {
+        ::uselocale(before_);
+        ::freelocale(points_);
+    }
+    DecimalPoints(const DecimalPoints&) = delete;
+    DecimalPoints& operator=(const DecimalPoints&) = delete;
+
+  private:
+    locale_t points_;
+    locale_t before_;  // of this thread
+};
 
 System read_database() {
     ut_set_error_message_handler(ut_ignore);
@@ -80,6 +97,7 @@ UnitFactor unit_factor(std::string_view unit, Dimension dimension) {
     // The parser of udunits2 keeps its state in globals.
     static std::mutex parsing;
     const std::lock_guard lock(parsing);
+    const DecimalPoints points;
     static const System system = read_database();
 
     const Unit from(ut_parse(system.get(), std::string(unit).c_str(), UT_UTF8));

@@ -36,10 +36,7 @@ void set_deadline(std::int64_t from_now) {
 }
 
 extern "C" void end_deaf_work(int) {
-    constexpr std::string_view message = "\ndelabole: interrupted: the work was ended where it was\n";
-    const std::string_view text = message.substr(on_terminal ? 0 : 1);  // there a bar may stand in the line
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
-    _exit(static_cast<int>(ExitCode::not_converged));
+    end_work();
 }
 
 std::int64_t time_now() {
@@ -82,6 +79,13 @@ void catch_interrupts() {
     if (std::signal(SIGHUP, note_interrupt) == SIG_IGN) {
         std::signal(SIGHUP, SIG_IGN);
     }
+}
+
+void end_work() {
+    constexpr std::string_view message = "\ndelabole: interrupted: the work was ended where it was\n";
+    const std::string_view text = message.substr(on_terminal ? 0 : 1);  // there a bar may stand in the line
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
+    _exit(static_cast<int>(ExitCode::not_converged));
 }
 
 const std::atomic<bool>& interrupt_flag() {

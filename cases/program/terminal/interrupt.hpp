@@ -17,6 +17,9 @@ void catch_interrupts();
 const std::atomic<bool>& interrupt_flag();
 void answer_interrupt();
 
+// Ends the program as that does.
+[[noreturn]] void end_work();
+
 // Seconds by the clock since the first interrupt; 0 before it.
 double seconds_since_interrupt();
 

@@ -53,11 +53,14 @@ def blocks(outlines: Sequence[npt.ArrayLike], *, joint: Any, density: Quantity, 
     joint: a RelaxationJoint or its keys, of all edges; fixed: indices of the blocks that do not move; further keys, as
     settings and force, are those of Relaxation.
     """
+    unknown = sorted(set(fixed) - set(range(len(outlines))))
+    if unknown:
+        raise ValueError(f"fixed = {unknown[0]}: there are {len(outlines)} blocks, counted from 0")
     made = []
     for index, outline in enumerate(outlines):
         corners = np.asarray(outline, dtype=np.float64)
         if corners.ndim != 2 or corners.shape[1] != 2:
             raise ValueError(f"outline {index} must be an array of corners, two numbers each")
         vertex = [{"x": x, "y": y} for x, y in corners.tolist()]
-        made.append(RelaxationPolygon(density=density, hold="fixed" if index in set(fixed) else None, vertex=vertex))
+        made.append(RelaxationPolygon(density=density, hold="fixed" if index in fixed else None, vertex=vertex))
     return Relaxation(scene=RelaxationPolygons(tilt=tilt, joint=[joint], block=made), **sections)

@@ -158,7 +158,7 @@ class PoleReader {
         double value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (error != std::errc{} || end != text.data() + text.size() || !(value >= lowest && value <= highest)) {
-            reading_.complain({.line = line, .column = cells[column].column}, what, in_quotes(text),
+            reading_.complain({.line = line, .column = cells[column].column}, what, shown(text),
                               "must be a number of degrees from " + std::to_string(static_cast<int>(lowest)) + " to " +
                                   std::to_string(static_cast<int>(highest)));
             return std::nullopt;

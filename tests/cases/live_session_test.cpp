@@ -1,0 +1,179 @@
+// What the page of `delabole live` may be asked: any JSON is answered or refused in words, and what is saved is a case
+// with the values that were asked for.
+#include "cases/program/live/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace delabole {
+namespace {
+
+std::string text_of(const std::string& name) {
+    std::ifstream file(DELABOLE_CASES "/" + name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+LiveSession session_of(const std::string& name) {
+    const std::string path = DELABOLE_CASES "/" + name;
+    return {read_case(path), text_of(name), [](const std::vector<std::string>&) { return "results"; }};
+}
+
+// Requests as the page makes them, with one or two of their parts replaced.
+class Requests {
+  public:
+    Requests(const Json& opened, const Json& answered, unsigned seed) : random_(seed) {
+        for (const Json& group : opened["groups"]) {
+            for (const Json& input : group["inputs"]) {
+                inputs_.push_back(input);
+            }
+        }
+        for (const Json& handle : answered["handles"]) {
+            handles_.push_back(handle["name"]);
+        }
+    }
+
+    Json next() {
+        Json request{{"values", values()},
+                     {"figures", below(4) == 0 ? "all" : "first"},
+                     {"handle", handles_.empty() ? Json("crest") : handles_[below(handles_.size())]},
+                     {"to", {uniform(-100, 100), uniform(-100, 100)}},
+                     {"x", axis()},
+                     {"y", axis()},
+                     {"output", "factor_of_safety"},
+                     {"columns", 3},
+                     {"rows", 2},
+                     {"milliseconds", 1},
+                     {"steps", 3}};
+        for (std::size_t changes = below(3); changes > 0; --changes) {
+            spoil(request);
+        }
+        return below(50) == 0 ? wrong() : request;
+    }
+
+  private:
+    std::size_t below(std::size_t count) { return random_() % count; }
+    double uniform(double lower, double upper) { return std::uniform_real_distribution(lower, upper)(random_); }
+
+    Json values() {
+        Json values = Json::object();
+        for (std::size_t number = below(4); number > 0; --number) {
+            const Json& input = inputs_[below(inputs_.size())];
+            constexpr std::array<double, 6> factors{0, -1, 0.5, 1.1, 10, 1e9};
+            values[input["name"].get<std::string>()] = input["value"].get<double>() * factors[below(factors.size())];
+        }
+        return values;
+    }
+
+    Json axis() {
+        const Json& input = inputs_[below(inputs_.size())];
+        const double value = input["value"];
+        return {{"name", input["name"]}, {"lower", 0.5 * value}, {"upper", 2 * value}};
+    }
+
+    Json wrong() {
+        const std::vector<Json> all{nullptr,
+                                    true,
+                                    "",
+                                    "\n",
+                                    -1,
+                                    0,
+                                    1e300,
+                                    -1e-300,
+                                    std::int64_t{1} << 62U,
+                                    Json::array(),
+                                    Json::object(),
+                                    Json::array({1}),
+                                    Json::array({"x", nullptr}),
+                                    Json::object({{"name", 3}}),
+                                    Json::object({{"", 1}})};
+        return all[below(all.size())];
+    }
+
+    // A member, or one within it.
+    void spoil(Json& request) {
+        Json* place = &*std::next(request.begin(), static_cast<std::ptrdiff_t>(below(request.size())));
+        if (place->is_structured() && !place->empty() && below(2) == 0) {
+            place = &*std::next(place->begin(), static_cast<std::ptrdiff_t>(below(place->size())));
+        }
+        *place = wrong();
+    }
+
+    std::minstd_rand random_;
+    std::vector<Json> inputs_;
+    std::vector<Json> handles_;
+};
+
+struct Counts {
+    int answered = 0;
+    int refused = 0;
+};
+
+// Anything else that is thrown fails the test.
+template <class Ask>
+void ask(Counts& counts, const Json& request, Ask&& function) {
+    SCOPED_TRACE(request.dump());
+    try {
+        function();
+        ++counts.answered;
+    } catch (const LiveRefusal& error) {
+        EXPECT_STRNE(error.what(), "");
+        ++counts.refused;
+    }
+}
+
+void expect_saved(const LiveSession& session, const std::string& name, const Json& request) {
+    const Json saved = session.save(request);
+    const CaseFile file = parse_case(saved["toml"].get<std::string>(), DELABOLE_CASES "/" + name);
+    const std::vector<Quantity> inputs = named_inputs(file.model);
+    for (const auto& [input, value] : request["values"].items()) {
+        const Quantity* found = find_quantity(inputs, input);
+        ASSERT_NE(found, nullptr);
+        EXPECT_DOUBLE_EQ(found->value / display_unit(found->dimension).si_per_unit, value.get<double>());
+    }
+}
+
+class AnyRequest : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(AnyRequest, IsAnsweredOrRefusedInWords) {
+    LiveSession session = session_of(GetParam());
+    const Json opened = session.open();
+    constexpr unsigned seed = 23;
+    Requests requests(opened, session.answer(Json::object()), seed);
+    Counts counts;
+    constexpr int number = 60;
+    for (int turn = 0; turn < number; ++turn) {
+        const Json request = requests.next();
+        ask(counts, request, [&] { session.answer(request); });
+        ask(counts, request, [&] { session.drag(request); });
+        ask(counts, request, [&] { session.map(request); });
+        ask(counts, request, [&] { session.report(request); });
+        ask(counts, request, [&] {
+            session.save(request);
+            expect_saved(
+                session, GetParam(),
+                request.is_object() && request.contains("values") ? request : Json{{"values", Json::object()}});
+        });
+        ask(counts, request, [&] { session.start_motion(request); });
+        ask(counts, request, [&] { session.step_motion(request); });
+        ask(counts, request, [&] { session.change_motion(request); });
+    }
+    // Of both kinds there are many.
+    EXPECT_GT(counts.answered, number);
+    EXPECT_GT(counts.refused, number);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfCases, AnyRequest,
+                         ::testing::Values("plane_failure/fig_2_8.toml", "wedge/hoek_bray_complete.toml",
+                                           "kinematics/road_cut_poles.toml", "stepped_base/appendix_a.toml",
+                                           "stepped_path/columns_and_wedge.toml", "relaxation/two_blocks_3.toml",
+                                           "relaxation/newmark_block.toml"));
+
+}  // namespace
+}  // namespace delabole
