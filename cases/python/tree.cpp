@@ -1,5 +1,7 @@
 #include "cases/python/tree.hpp"
 
+#include <pybind11/numpy.h>
+
 #include <string>
 
 namespace delabole {
@@ -10,9 +12,28 @@ namespace {
 
 constexpr int deepest = 32;
 
+// What a double holds only in part is read as a real number, and refused by the range of its field.
+bool is_small_integer(const py::handle& object) {
+    if (PyIndex_Check(object.ptr()) == 0) {
+        return false;
+    }
+    int overflow = 0;
+    PyLong_AsLongLongAndOverflow(py::int_(py::reinterpret_borrow<py::object>(object)).ptr(), &overflow);
+    return overflow == 0;
+}
+
 Node tree_within(const py::handle& object, int depth) {
     if (depth > deepest) {
         throw py::type_error("a case is not nested deeper than " + std::to_string(deepest) + " levels");
+    }
+    if (py::isinstance<py::array>(object)) {
+        // As an integer numpy would hand out the whole part of what it holds.
+        const py::array array = py::reinterpret_borrow<py::array>(object);
+        if (array.ndim() != 0) {
+            throw py::type_error("one number is needed, not an array of " + std::to_string(array.ndim()) +
+                                 " dimension(s)");
+        }
+        return tree_within(array.attr("item")(), depth);
     }
     Node node;
     if (py::isinstance<py::dict>(object)) {
@@ -33,7 +54,7 @@ Node tree_within(const py::handle& object, int depth) {
     } else if (py::isinstance<py::bool_>(object)) {
         node.kind = Node::Kind::boolean;
         node.boolean = py::cast<bool>(object);
-    } else if (PyIndex_Check(object.ptr()) != 0) {
+    } else if (is_small_integer(object)) {
         node.kind = Node::Kind::integer;
         // Python's own errors: an array is no index, and a number of forty digits does not fit.
         const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(object.ptr()));

@@ -94,6 +94,7 @@ ReliabilityResult reliability(const Evaluator& evaluator, const InputSpace& spac
         result.status = ReliabilityStatus::no_answer_at_medians;
         return result;
     }
+    result.medians_fail = at_medians.value < 0;
     const NearestPointSettings how{.step = settings.step, .tolerance = settings.tolerance};
     const CountedRandom random(seed, RandomPurpose::start);
     const auto starts = static_cast<std::size_t>(settings.starts);
@@ -110,7 +111,7 @@ ReliabilityResult reliability(const Evaluator& evaluator, const InputSpace& spac
         // Where a search gave up, well off the surface or not, is worth showing only where no other did better.
         const bool near_surface = !nearest.point.empty() && nearest.off_surface <= 10 * settings.tolerance;
         if (nearest.converged || (result.converged_starts == 0 && near_surface)) {
-            enter(result.points, design_point(nearest, space, at_medians.value < 0));
+            enter(result.points, design_point(nearest, space, result.medians_fail));
         }
     }
     std::stable_sort(result.points.begin(), result.points.end(), [](const DesignPoint& one, const DesignPoint& other) {

@@ -68,6 +68,7 @@ struct DesignPoint {
 
 struct ReliabilityResult {
     ReliabilityStatus status = ReliabilityStatus::limit_not_reached;
+    bool medians_fail = false;
     double reliability_index = 0;  // of the nearest design point; meaningful where there is one
     double probability_of_failure = 0;
     std::vector<DesignPoint> points;  // distinct ones, nearest first; further ones add to the probability

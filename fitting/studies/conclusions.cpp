@@ -48,11 +48,17 @@ TestFinding judge(const ConclusionTest& test, const ClaimOfMechanisms& claim, co
         return finding;
     }
     const double error = 2 * finding.standard_error;
-    const bool low = holds(finding.value - error, test);
-    const bool high = holds(finding.value + error, test);
-    finding.verdict = low && high     ? ConclusionVerdict::confirmed
-                      : !low && !high ? ConclusionVerdict::contradicted
-                                      : ConclusionVerdict::undecided;
+    // What the others together would have to have for the opposite to be as probable as what is claimed.
+    const double opposite = 1 - test.limit;
+    if (test.relation == Relation::at_least) {
+        finding.verdict = finding.value - error >= test.limit                      ? ConclusionVerdict::confirmed
+                          : finding.value + error < std::min(test.limit, opposite) ? ConclusionVerdict::contradicted
+                                                                                   : ConclusionVerdict::undecided;
+    } else {
+        finding.verdict = finding.value + error <= test.limit                      ? ConclusionVerdict::confirmed
+                          : finding.value - error > std::max(test.limit, opposite) ? ConclusionVerdict::contradicted
+                                                                                   : ConclusionVerdict::undecided;
+    }
     return finding;
 }
 

@@ -1,10 +1,11 @@
 // What others concluded, held against what a back-analysis found.
 //
 // A claim about mechanisms is confirmed where their probability together is on the claimed side of its limit by two
-// standard errors, contradicted where it is on the other side by as much. A claim about a quantity is asked at draws of
-// the mechanism's posterior (at the best point where none was sampled): it is confirmed where it holds in 95 % of those
-// that have an answer, contradicted where it does in no more than 5 %. A costly mechanism is asked at
-// most_runs_of_claim draws, so that the words say no more than "in all of them" and "in none".
+// standard errors, contradicted where the opposite is as probable as what is claimed: of at least 0.9, where it is less
+// than 0.1. A claim about a quantity is asked at draws of the mechanism's posterior (at the best point where none was
+// sampled): it is confirmed where it holds in 95 % of those that have an answer, contradicted where it does in no more
+// than 5 %. A costly mechanism is asked at most_runs_of_claim draws, so that the words say no more than "in all of
+// them" and "in none".
 #pragma once
 
 #include "fitting/mechanism/fit_result.hpp"

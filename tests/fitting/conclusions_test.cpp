@@ -53,13 +53,15 @@ std::vector<TestFinding> findings_of(FitProblem problem, std::vector<ConclusionT
 }
 
 TEST(Conclusions, ProbabilitiesOfMechanisms) {
-    const auto findings =
-        findings_of(two_mechanisms(), {probability_of({"likely"}, Relation::at_least, 0.9),
-                                       probability_of({"unlikely"}, Relation::at_least, 0.9),
-                                       probability_of({"unlikely"}, Relation::at_most, 0.05),
-                                       probability_of({"likely", "unlikely"}, Relation::at_least, 1 - 1e-9),
-                                       probability_of({"left_out"}, Relation::at_least, 0.5),
-                                       probability_of({"left_out", "likely"}, Relation::at_least, 0.5)});
+    const auto findings = findings_of(
+        two_mechanisms(),
+        {probability_of({"likely"}, Relation::at_least, 0.9), probability_of({"unlikely"}, Relation::at_least, 0.9),
+         probability_of({"unlikely"}, Relation::at_most, 0.05),
+         probability_of({"likely", "unlikely"}, Relation::at_least, 1 - 1e-9),
+         probability_of({"left_out"}, Relation::at_least, 0.5),
+         probability_of({"left_out", "likely"}, Relation::at_least, 0.5),
+         probability_of({"likely"}, Relation::at_least, 0.999), probability_of({"unlikely"}, Relation::at_most, 0.001),
+         probability_of({"likely"}, Relation::at_most, 0.05)});
     // Evidences are estimated to about a percent, so the probability of the unlikely one is too.
     EXPECT_NEAR(findings[0].value, 100.0 / 101, 5e-4);
     EXPECT_EQ(findings[0].verdict, Verdict::confirmed);
@@ -70,6 +72,10 @@ TEST(Conclusions, ProbabilitiesOfMechanisms) {
     EXPECT_EQ(findings[4].verdict, Verdict::not_tested);
     EXPECT_TRUE(std::isnan(findings[4].value));
     EXPECT_EQ(findings[5].verdict, Verdict::confirmed);
+    // Not as probable as claimed, which does not make the opposite so.
+    EXPECT_EQ(findings[6].verdict, Verdict::undecided);
+    EXPECT_EQ(findings[7].verdict, Verdict::undecided);
+    EXPECT_EQ(findings[8].verdict, Verdict::contradicted);
 }
 
 TEST(Conclusions, AProbabilityAtItsLimitIsUndecided) {

@@ -109,6 +109,11 @@ TEST(Reliability, LimitBeyondReachIsSaid) {
         found([](std::span<const double> u) { return 20 - u[0]; }, independent(2, Normal{0, 1}));
     EXPECT_EQ(result.status, ReliabilityStatus::limit_not_reached);
     EXPECT_TRUE(result.points.empty());
+    EXPECT_FALSE(result.medians_fail);
+    const ReliabilityResult failing =
+        found([](std::span<const double> u) { return u[0] - 20; }, independent(2, Normal{0, 1}));
+    EXPECT_EQ(failing.status, ReliabilityStatus::limit_not_reached);
+    EXPECT_TRUE(failing.medians_fail);
 }
 
 TEST(Reliability, FailuresOfTheModelAreWallsAndCounted) {

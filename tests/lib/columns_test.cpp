@@ -322,6 +322,56 @@ TEST(SlideHead, VerticalJointLeansOnTheColumnsOnly) {
     EXPECT_NEAR(lifted, wedge.weight, 1e-12 * wedge.weight);
 }
 
+// Lifted off its joint by water, or by columns that drag more than it weighs, a wedge still leans on the last of them.
+TEST(SlideHead, WedgeThatIsLiftedOffLeansOnTheColumns) {
+    ColumnScene<> scene = slide_head_scene(degrees(42), degrees(72));
+    const double weight = make_columns(scene).slide_head->weight;
+    int lifted = 0;
+    double last = -1;
+    for (const double water_weight : {0.0, 10e3, 20e3, 30e3, 60e3, 120e3}) {
+        for (const double friction : {0.1, 0.6, 40.0}) {
+            scene.slide_head->cohesion = 0;
+            scene.slide_head->water = HeadWater<>{.unit_weight = 1 + water_weight, .filled_ratio = 1};
+            const ColumnSlope<> slope = make_columns(scene);
+            const SlideHeadWedge<>& wedge = *slope.slide_head;
+            const SlideHeadThrust<> thrust = slide_head_thrust(wedge, slope.base_dip, friction, 1.0);
+            ASSERT_GE(thrust.normal_force, 0);
+            if (thrust.state != SlideHeadState::lifts_off) {
+                continue;
+            }
+            ++lifted;
+            EXPECT_GT(thrust.force, 0);
+            EXPECT_LE(std::abs(thrust.shear), friction * thrust.force * (1 + 1e-12));
+            if (std::abs(thrust.shear) < friction * thrust.force) {
+                const double into = wedge.force_x * std::sin(degrees(72)) - wedge.force_y * std::cos(degrees(72));
+                const double along = -wedge.force_x * std::cos(degrees(72)) - wedge.force_y * std::sin(degrees(72));
+                const double opening = degrees(72) - slope.base_dip;
+                // Nothing acts on the joint but its water: loads and reaction of the column along it and normal to it.
+                EXPECT_NEAR(thrust.force * std::cos(opening) + thrust.shear * std::sin(opening), along, 1e-9 * weight);
+                EXPECT_NEAR(thrust.force * std::sin(opening) - thrust.shear * std::cos(opening),
+                            wedge.water_force - into, 1e-9 * weight);
+            }
+        }
+    }
+    EXPECT_GT(lifted, 5);
+    // Without a jump where the joint's normal force vanishes.
+    int transitions = 0;
+    SlideHeadState state = SlideHeadState::pushes;
+    for (double water_weight = 1; water_weight < 60e3; water_weight += 10) {
+        scene.slide_head->water = HeadWater<>{.unit_weight = water_weight, .filled_ratio = 1};
+        const ColumnSlope<> slope = make_columns(scene);
+        const SlideHeadThrust<> thrust = slide_head_thrust(*slope.slide_head, slope.base_dip, 0.6, 1.0);
+        if (last >= 0) {
+            EXPECT_NEAR(thrust.force, last, 2e-3 * weight) << water_weight;
+        }
+        transitions += thrust.state != state ? 1 : 0;
+        state = thrust.state;
+        last = thrust.force;
+    }
+    EXPECT_EQ(transitions, 1);
+    EXPECT_EQ(state, SlideHeadState::lifts_off);
+}
+
 // All forces on the pushing wedge, and their moments about the end of the base, sum to nothing.
 TEST(SlideHead, WedgeIsInEquilibrium) {
     ColumnScene<> scene = slide_head_scene(degrees(42), degrees(70));

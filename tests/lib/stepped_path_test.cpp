@@ -4,6 +4,7 @@
 #include "geometry/polygon.hpp"
 #include "limit_equilibrium/stepped_base/stepped_base.hpp"
 #include "plane_failure/plane_failure.hpp"
+#include "tests/lib/west_face.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,19 +17,6 @@
 
 namespace delabole {
 namespace {
-
-// The west face of Old Delabole with the joints that the thesis describes.
-SteppedPath west_face(SteppedPathMechanism mechanism) {
-    SteppedPath path{};
-    path.search = {mechanism, std::nullopt, std::nullopt};
-    path.slope = {68.58, degrees(70), 0, std::nullopt, std::nullopt};
-    path.steps = {degrees(-6), 4, degrees(26.5), 100e3};
-    path.risers = PathRisers{degrees(72.5), 6, degrees(26.5), 100e3};
-    path.columns = PathColumns{degrees(-85), 10, degrees(26.5)};
-    path.rock = {27e3};
-    path.water = WaterTable<>{9.81e3, WaterDepth<>{40}};
-    return path;
-}
 
 // Small enough that every surface can be tried.
 SteppedPath random_path(std::mt19937& random, SteppedPathMechanism mechanism) {
@@ -389,6 +377,7 @@ TEST(SteppedPath, AWedgeSinksAndColumnsTurnForwards) {
     EXPECT_EQ(pushed.crest_turning, 0);
     SteppedPath thin = west_face(SteppedPathMechanism::toppling);
     thin.columns->spacing = 3;
+    thin.water = Dry{};
     const SteppedPathResult toppled = analyse(thin);
     ASSERT_EQ(toppled.toppling_share, 1);
     EXPECT_LT(toppled.crest_turning, -0.1);
@@ -429,6 +418,12 @@ TEST(SteppedPath, ImpossibleCasesSayWhy) {
               }),
               SteppedPathCheck::elevation_without_datum);
     EXPECT_EQ(check([](SteppedPath& path) { path.search.least_width = 100; }), SteppedPathCheck::no_path);
+    // Wedges alone come out so far behind the crest, and they end below every column.
+    EXPECT_EQ(check([](SteppedPath& path) {
+                  path.slope.face_dip = degrees(49.5), path.steps.dip = degrees(47), path.risers->dip = degrees(88);
+                  path.columns->dip = degrees(-59), path.columns->spacing = path.risers->spacing = 25;
+              }),
+              SteppedPathCheck::no_path);
     EXPECT_EQ(check([](SteppedPath& path) { path.steps.spacing = 1e-3; }), SteppedPathCheck::too_many_nodes);
     EXPECT_EQ(check([](SteppedPath& path) { path.rock.unit_weight = -1; }), SteppedPathCheck::input_out_of_range);
 }

@@ -108,6 +108,11 @@ expect_status 0
 expect_output 'strength.cohesion'
 expect_output 'factor_of_safety'
 expect "nothing that is the same" refuse grep -q crack_depth "$scratch/out"
+sed 's/kind = "crack_and_base"/kind = "crack_only"/' good.toml >drained.toml
+expect "the kind of water was changed" refuse cmp -s good.toml drained.toml
+delabole compare good.toml drained.toml
+expect_status 0
+expect_output 'water.kind'
 delabole compare good.toml good.toml --json
 expect_status 0
 expect "no input differs" grep -q '"inputs": \[\]' "$scratch/out"

@@ -38,6 +38,20 @@ def test_si_numbers_keep_every_bit():
     assert model.case().inputs["failure_plane.dip"] == dip
 
 
+def test_arrays_of_one_number_are_that_number():
+    # As an integer numpy hands out the whole part of an array.
+    model = slope(failure_plane={"dip": np.array(0.6457)}, rock={"unit_weight": np.float64(25.5e3)})
+    assert model.failure_plane.dip == 0.6457
+    assert model.rock.unit_weight == 25.5e3
+    model.slope.height = np.array(12.75)
+    assert model.case().inputs["slope.height"] == 12.75
+    for given in (np.array([12.75]), np.array([12, 13]), np.array([])):
+        with pytest.raises(TypeError, match="one number is needed, not an array"):
+            model.slope.height = given
+    with pytest.raises(delabole.CaseError, match="height"):
+        model.slope.height = 10**30
+
+
 def test_attributes_can_be_changed():
     model = slope()
     before = model.run().factor_of_safety

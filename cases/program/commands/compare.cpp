@@ -1,6 +1,9 @@
 // delabole compare
+#include "cases/program/case/case_writer.hpp"
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/case_error.hpp"
+#include "cases/program/reader/document.hpp"
+#include "cases/program/reader/section.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/result_folder.hpp"
@@ -10,6 +13,7 @@
 #include <iostream>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -61,6 +65,44 @@ std::vector<Compared> pair_up(const List& first, const List& second, const Value
     return pairs;
 }
 
+struct CaseInput {
+    std::string name;
+    Dimension dimension;
+    std::variant<double, std::string> value;
+};
+
+// Texts and switches of a tree that are no numbers with a unit.
+void add_words(const Node& node, const std::string& name, const std::set<std::string>& numbers,
+               std::vector<CaseInput>& inputs) {
+    for (const auto& [key, value] : node.entries) {
+        add_words(value, name.empty() ? key : name + "." + key, numbers, inputs);
+    }
+    for (std::size_t index = 0; index < node.elements.size(); ++index) {
+        add_words(node.elements[index], indexed(name, index), numbers, inputs);
+    }
+    if (numbers.count(name) == 0) {
+        if (node.kind == Node::Kind::text) {
+            inputs.push_back({name, Dimension::ratio, node.text});
+        } else if (node.kind == Node::Kind::boolean) {
+            inputs.push_back({name, Dimension::ratio, node.boolean ? "true" : "false"});
+        }
+    }
+}
+
+// Words before numbers: of which kind something is says what its numbers mean.
+std::vector<CaseInput> inputs_of_case(const CaseFile& file) {
+    std::vector<CaseInput> inputs;
+    std::set<std::string> numbers;
+    for (const Quantity& number : named_inputs(file.model)) {
+        numbers.insert(number.name);
+    }
+    add_words(parse_document(resolved_model(file.model), file.name), {}, numbers, inputs);
+    for (const Quantity& number : named_inputs(file.model)) {
+        inputs.push_back({number.name, number.dimension, number.value});
+    }
+    return inputs;
+}
+
 Analysis analysis_of_case(const CaseFile& file, const Options& options) {
     AnalysisWork work;
     work.watch = [](double, const std::string&, bool) { return !interrupt_flag(); };
@@ -101,16 +143,9 @@ ExitCode compare_command(const Paths& cases, const Options& options) {
     const Analysis other = analysis_of_case(second, options);
     std::vector<std::vector<std::string>> rows = {{"what differs", stem_of(first), stem_of(second), "difference"}};
     Json json = {{"first", first.name}, {"second", second.name}};
-    if (model_name(first.model) != model_name(second.model)) {
-        rows.push_back({"model", std::string(model_name(first.model)), std::string(model_name(second.model))});
-    }
-    using Value = std::variant<double, std::string>;
-    add("inputs",
-        pair_up(named_inputs(first.model), named_inputs(second.model),
-                [](const Quantity& input) { return Value(input.value); }),
-        rows, json);
-    add("outputs", pair_up(one.outputs, other.outputs, [](const NamedOutput& output) { return output.value; }), rows,
-        json);
+    const auto value_of = [](const auto& one_of_them) { return one_of_them.value; };
+    add("inputs", pair_up(inputs_of_case(first), inputs_of_case(second), value_of), rows, json);
+    add("outputs", pair_up(one.outputs, other.outputs, value_of), rows, json);
     if (options.json) {
         std::cout << json_text(json);
     } else if (!options.quiet) {

@@ -177,7 +177,9 @@ std::string reliability_in_words(const ReliabilityResult& result) {
         return "the search for the design point did not converge: the reliability index is near " +
                number_in_words(result.reliability_index) + ", if the limit surface is smooth there";
     case ReliabilityStatus::limit_not_reached:
-        return "no combination of parameters within 8 standard deviations was found to fail";
+        return result.medians_fail ? "the medians fail, and no combination of parameters within 8 standard deviations "
+                                     "was found that does not"
+                                   : "no combination of parameters within 8 standard deviations was found to fail";
     case ReliabilityStatus::no_answer_at_medians:
         return "the quantity has no value at the medians of the parameters: there is nowhere to start from";
     case ReliabilityStatus::interrupted:

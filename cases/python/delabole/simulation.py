@@ -53,9 +53,9 @@ def blocks(outlines: Sequence[npt.ArrayLike], *, joint: Any, density: Quantity, 
     joint: a RelaxationJoint or its keys, of all edges; fixed: indices of the blocks that do not move; further keys, as
     settings and force, are those of Relaxation.
     """
-    unknown = sorted(set(fixed) - set(range(len(outlines))))
+    unknown = [index for index in fixed if index not in range(len(outlines))]
     if unknown:
-        raise ValueError(f"fixed = {unknown[0]}: there are {len(outlines)} blocks, counted from 0")
+        raise ValueError(f"fixed: there is no block {unknown[0]}; blocks are counted from 0 to {len(outlines) - 1}")
     made = []
     for index, outline in enumerate(outlines):
         corners = np.asarray(outline, dtype=np.float64)

@@ -14,6 +14,12 @@
 // The right side is what the wedge lacks to stand by itself. The bracket is cos(d - phi_A - phi) / (cos phi_A cos phi):
 // positive unless phi_A + phi >= 90 deg + d, where the wedge jams.
 //
+// Cohesion holds the wedge also where water takes its weight off the joint, B < U, as it does in plane failure. Where
+// it does not and R would be negative, water or the columns' friction lifts the wedge off: it rests on the last column
+// alone and pushes it all the same. With R = 0 and a shear force S on the joint
+//   Q = (A - S) cos d - (B - U) sin d,   on the column's face T = (A - S) sin d + (B - U) cos d, at most m Q,
+// S being all of the cohesion, or as much of it as keeps the wedge from dragging the column upwards.
+//
 // No cohesion acts between wedge and column: the crack between them opens first. Three unknowns (Q, R and their two
 // places are four) exceed the wedge's three equations, so one assumption is needed: the joint's reaction acts where the
 // resultant of the loads meets it, which is exact when Q = 0. Equilibrium of moments then puts Q on the line through
@@ -36,15 +42,15 @@ constexpr std::array<std::string_view, 4> enum_names(SlideHeadState) {
 template <class T = double>
 struct SlideHeadThrust {
     SlideHeadState state;
-    T force;                 // on the last column, towards the toe along its base; 0 unless the wedge pushes
-    T shear;                 // on its upper face, downwards
-    T height;                // above the base of the last column
-    T normal_force;          // effective, on the wedge's joint; negative where water lifts it off
+    T force;         // on the last column, towards the toe along its base; 0 where the wedge stands or jams
+    T shear;         // on its upper face, downwards; negative where the wedge is held down by it
+    T height;        // above the base of the last column
+    T normal_force;  // effective, on the wedge's joint; 0 where it is lifted off, negative where cohesion holds it
     T own_factor_of_safety;  // of the wedge without columns, at the given strength; infinite where nothing drives it
 };
 
 // joint_friction: tangent of the friction angle of the columns' joints. strength_reduction divides it, the friction of
-// the wedge's own joint and its cohesion. A wedge that jams or is lifted off gives no thrust, and says so.
+// the wedge's own joint and its cohesion. A wedge that jams gives no thrust, and says so.
 template <class T>
 SlideHeadThrust<T> slide_head_thrust(const SlideHeadWedge<T>& wedge, const T& base_dip, const T& joint_friction,
                                      const T& strength_reduction) {
@@ -61,25 +67,36 @@ SlideHeadThrust<T> slide_head_thrust(const SlideHeadWedge<T>& wedge, const T& ba
     const T resisting = cohesive + (into_joint > 0 ? T(own_friction * into_joint) : T(0));
     thrust.own_factor_of_safety = driving > 0 ? T(resisting / driving) : T(std::numeric_limits<double>::infinity());
     const T missing = driving - own_friction * into_joint - cohesive;
+    const T bracket = opening.cosine * (1 - own_friction * friction) + opening.sine * (own_friction + friction);
     if (!(missing > 0)) {
         return thrust;
     }
-    const T bracket = opening.cosine * (1 - own_friction * friction) + opening.sine * (own_friction + friction);
-    if (!(bracket > 0)) {
+    if (!(bracket > 0) && !(into_joint < 0)) {
         thrust.state = SlideHeadState::jams;
         return thrust;
     }
-    const T force = missing / bracket;
-    const T arm = opening.sine - friction * opening.cosine;
-    thrust.normal_force = into_joint + force * arm;
+    thrust.state = SlideHeadState::pushes;
+    thrust.force = bracket > 0 ? T(missing / bracket) : T(0);
+    thrust.shear = friction * thrust.force;
+    thrust.normal_force = into_joint + thrust.force * (opening.sine - friction * opening.cosine);
     if (thrust.normal_force < 0) {
         thrust.state = SlideHeadState::lifts_off;
-        return thrust;
+        thrust.normal_force = T(0);
+        T along = driving - cohesive;
+        if (opening.sine > 0 && along * opening.sine < -into_joint * opening.cosine) {
+            const T without_drag = -into_joint * opening.cosine / opening.sine;
+            along = driving < without_drag ? driving : without_drag;
+        }
+        thrust.force = along * opening.cosine - into_joint * opening.sine;
+        const T most = friction * thrust.force;
+        const T shear = along * opening.sine + into_joint * opening.cosine;
+        thrust.shear = shear > most ? most : shear < -most ? T(-most) : shear;
+        if (!(thrust.force > 0)) {
+            thrust.force = thrust.shear = T(0);
+            return thrust;
+        }
     }
-    thrust.state = SlideHeadState::pushes;
-    thrust.force = force;
-    thrust.shear = friction * force;
-    T height = wedge.reaction_position * arm;
+    T height = wedge.reaction_position * (opening.sine - thrust.shear / thrust.force * opening.cosine);
     height = height > 0 ? (height < wedge.face_length ? height : wedge.face_length) : T(0);
     thrust.height = wedge.face_base + height;
     return thrust;

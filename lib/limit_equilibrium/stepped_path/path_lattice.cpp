@@ -125,9 +125,12 @@ bool PathLattice::has_surface() const {
         }
     }
     for (std::size_t column = 0; column < cells.size(); ++column) {
-        if ((retreat(column_outcrop[column]) >= least_width || !wedges[column].empty()) &&
-            std::ranges::any_of(cells[column], &PathCell::exists)) {
-            return true;
+        const bool crack = retreat(column_outcrop[column]) >= least_width;
+        for (const PathCell& cell : cells[column]) {
+            const auto closes = [&](const PathWedge& wedge) { return wedge.depth <= cell.upper_reach; };
+            if (cell.exists && (crack || std::ranges::any_of(wedges[column], closes))) {
+                return true;
+            }
         }
     }
     return false;
@@ -215,10 +218,6 @@ void PathLattice::set_water(const SteppedPath& path) {
     }
     if (!level) {
         check = SteppedPathCheck::elevation_without_datum;
-        return;
-    }
-    if (!(*level > 0)) {
-        water_weight_ = 0;
         return;
     }
     const auto surface = [&](double x) {

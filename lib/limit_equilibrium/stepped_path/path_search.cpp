@@ -17,43 +17,59 @@ constexpr int most_searches = 200;
 // Strength is divided by at most this, and multiplied.
 constexpr double widest_factor = 1e8;
 
+// On a column from above: its normal part, how much friction drags with it, as a tangent, and how deep below the
+// ground, along the joint, it acts.
+struct Push {
+    double force = 0;
+    double drag = 0;
+    double depth = 0;
+};
+
 // At one strength.
 struct ColumnLaw {
     double joint, base, cohesion;  // tangents; Pa
+    double sine, cosine;           // of the sum of the dips of joints and steps
     double push_effect;
 
     ColumnLaw(const SteppedPath& problem, const SurfaceStrength& strength, double factor)
         : joint(std::tan(problem.columns->friction_angle) / factor),
           base(strength.step_friction / factor),
-          cohesion(strength.step_cohesion / factor) {
-        const double sum = problem.steps.dip - problem.columns->dip;
-        push_effect = std::sin(sum) - (joint + base) * std::cos(sum) - joint * base * std::sin(sum);
-    }
+          cohesion(strength.step_cohesion / factor),
+          sine(std::sin(problem.steps.dip - problem.columns->dip)),
+          cosine(std::cos(problem.steps.dip - problem.columns->dip)),
+          push_effect(effect(joint)) {}
 
-    double overturning(const PathCell& cell, double push, double depth) const {
-        return cell.overturning + push * (cell.push_arm + joint * cell.drag_arm - depth);
+    // What a push with this drag takes from sliding.
+    double effect(double drag) const { return sine - (drag + base) * cosine - drag * base * sine; }
+    Push from(double needed) const { return {needed, joint, 0}; }
+    double overturning(const PathCell& cell, const Push& push) const {
+        return cell.overturning + push.force * (cell.push_arm + push.drag * cell.drag_arm - push.depth);
     }
-    double unresisted(const PathCell& cell, double push) const {
-        return cell.down_dip - base * cell.normal - cohesion * cell.base_length + push * push_effect;
+    double unresisted(const PathCell& cell, const Push& push) const {
+        return cell.down_dip - base * cell.normal - cohesion * cell.base_length + push.force * effect(push.drag);
     }
-    double against_turning(const PathCell& cell, double push, double depth) const {
-        const double moment = overturning(cell, push, depth);
+    double against_turning(const PathCell& cell, const Push& push) const {
+        const double moment = overturning(cell, push);
         return !(moment > 0) ? 0 : cell.lower_contact > 0 ? moment / cell.lower_contact : infinity;
     }
-    double against_sliding(const PathCell& cell, double push) const {
+    double against_sliding(const PathCell& cell, const Push& push) const {
         const double lacking = unresisted(cell, push);
         return !(lacking > 0) ? 0 : push_effect > 0 ? lacking / push_effect : infinity;
     }
     // What the column needs from below; at the face, what it lacks, which may be negative.
-    double needed(const PathCell& cell, double push, double depth) const {
-        if (!(push < infinity)) {
+    double needed(const PathCell& cell, const Push& push) const {
+        if (!(push.force < infinity)) {
             return infinity;
         }
         if (cell.at_face) {
-            return std::max(overturning(cell, push, depth) / std::max(cell.upper_reach, cell.base_length),
+            return std::max(overturning(cell, push) / std::max(cell.upper_reach, cell.base_length),
                             unresisted(cell, push));
         }
-        return std::max(against_turning(cell, push, depth), against_sliding(cell, push));
+        return std::max(against_turning(cell, push), against_sliding(cell, push));
+    }
+    // Whether more push from above may ask less of what is below.
+    bool may_be_steadied(const PathCell& cell) const {
+        return !(push_effect > 0) || (cell.overturning > 0 && cell.push_arm + joint * cell.drag_arm < 0);
     }
 };
 
@@ -62,65 +78,57 @@ class ColumnSearch {
     ColumnSearch(const SteppedPath& problem, const PathLattice& lattice)
         : problem_(problem), lattice_(lattice), strength_(problem), base_dip_(degrees(90) + problem.columns->dip) {}
 
-    struct Push {
-        double force = 0;
-        double depth = 0;
-    };
-
     static constexpr std::size_t no_wedge = static_cast<std::size_t>(-1);
-    // What stands above a column: the next one on a level, with the least push it can have or the greatest; or, the
-    // level being one past the last, a wedge or a crack.
+    // What stands above a column: the next one on a level, with the need that has a place in the list of its needs; or,
+    // the level being one past the last, a wedge or a crack.
     struct Choice {
-        std::size_t level, wedge;
-        bool least;
+        std::size_t level, wedge, place;
     };
-    struct Extreme {
-        bool reached = false;
-        double need = 0;
-        Choice where = {};
+    struct Need {
+        double need;
+        Choice where;
     };
-    // The greatest and the least push of surfaces that move, and where they come from.
-    struct Extremes {
-        Extreme greatest = {};
-        Extreme least = {};
+    // Needs of one column, or of one of several, over surfaces that move, and where they come from: the greatest alone,
+    // or all of them. Of more than `most_needs` those are left whose ranks are evenly spaced.
+    class Needs {
+      public:
+        static constexpr std::size_t most_needs = 64;
 
-        // A column that needs nothing does not move; at the face any surface counts.
-        void take(double need, const Choice& where, bool at_face) {
-            if (!at_face && !(need > 0)) {
+        void add(double need, const Choice& where, bool all) {
+            if (all || list_.empty()) {
+                list_.push_back({need, where});
+            } else if (need > list_.front().need) {
+                list_.front() = {need, where};
+            }
+        }
+        void thin() {
+            if (list_.size() < 2) {
                 return;
             }
-            if (!greatest.reached || need > greatest.need) {
-                greatest = {true, need, where};
-            }
-            if (!least.reached || need < least.need) {
-                least = {true, need, where};
-            }
-        }
-        void take(const Extremes& other) {
-            if (other.greatest.reached && (!greatest.reached || other.greatest.need > greatest.need)) {
-                greatest = other.greatest;
-            }
-            if (other.least.reached && (!least.reached || other.least.need < least.need)) {
-                least = other.least;
+            std::ranges::stable_sort(list_, std::ranges::greater{}, &Need::need);
+            const auto equal = std::ranges::unique(list_, {}, &Need::need);
+            list_.erase(equal.begin(), equal.end());
+            if (list_.size() > most_needs) {
+                const double step = static_cast<double>(list_.size() - 1) / (most_needs - 1);
+                for (std::size_t place = 1; place < most_needs; ++place) {
+                    list_[place] = list_[static_cast<std::size_t>(std::lround(static_cast<double>(place) * step))];
+                }
+                list_.resize(most_needs);
             }
         }
-        // As the column below sees them.
-        Extremes at(std::size_t level) const {
-            Extremes seen = *this;
-            seen.greatest.where = {level, no_wedge, false};
-            seen.least.where = {level, no_wedge, true};
-            return seen;
-        }
+        const std::vector<Need>& list() const { return list_; }
+
+      private:
+        std::vector<Need> list_;  // once thin: from the greatest down
     };
-    using Choices = std::vector<Extremes>;
 
     // Nothing where the wedge does not push.
     std::optional<Push> wedge_push(const PathWedge& wedge, double factor) const {
         const SlideHeadThrust<> thrust =
             slide_head_thrust(wedge.loads, base_dip_, std::tan(problem_.columns->friction_angle), factor);
-        return thrust.state == SlideHeadState::pushes
-                   ? std::optional(Push{thrust.force, std::max(0.0, wedge.depth - thrust.height)})
-                   : std::nullopt;
+        return thrust.force > 0 ? std::optional(Push{thrust.force, thrust.shear / thrust.force,
+                                                     std::max(0.0, wedge.depth - thrust.height)})
+                                : std::nullopt;
     }
 
     // What the surface's toe lacks, negative where it stands or where a column of it stays; from the top down, `visit`
@@ -138,7 +146,7 @@ class ColumnSearch {
         }
         for (std::size_t index = path.level.size(); index-- > 0;) {
             const PathCell& cell = lattice_.cells[path.first + index - 1][path.level[index]];
-            const double needed = law.needed(cell, push.force, push.depth);
+            const double needed = law.needed(cell, push);
             visit(index, law, cell, push);
             if (index == 0) {
                 return needed;
@@ -146,7 +154,7 @@ class ColumnSearch {
             if (!(needed > 0)) {
                 return -infinity;
             }
-            push = {needed, 0};
+            push = law.from(needed);
         }
         return -infinity;
     }
@@ -159,9 +167,13 @@ class ColumnSearch {
         const ColumnLaw law(problem_, strength_, factor);
         const std::size_t count = lattice_.cells.size();
         const std::size_t levels = lattice_.levels;
-        Choices chosen(count * levels);
-        // Extreme needs of the next column on each level or a higher one.
-        std::vector<Extremes> above(levels);
+        const bool all = std::ranges::any_of(lattice_.cells, [&](const std::vector<PathCell>& column) {
+            return std::ranges::any_of(column,
+                                       [&](const PathCell& cell) { return cell.exists && law.may_be_steadied(cell); });
+        });
+        std::vector<Needs> chosen(count * levels);
+        // Needs of the next column on each level or a higher one.
+        std::vector<Needs> above(levels);
         double most = -infinity;
         Choice toe{};
         std::size_t first = 0;
@@ -172,41 +184,44 @@ class ColumnSearch {
             for (const PathWedge& wedge : lattice_.wedges[column]) {
                 pushes.push_back(wedge_push(wedge, factor));
             }
-            std::vector<Extremes> here(levels);
-            for (std::size_t level = 0; level < levels; ++level) {
+            std::vector<Needs> here(levels);
+            for (std::size_t level = levels; level-- > 0;) {
+                if (level + 1 < levels) {
+                    here[level] = here[level + 1];
+                }
                 const PathCell& cell = lattice_.cells[column][level];
                 if (!cell.exists) {
                     continue;
                 }
-                Extremes own;
-                const auto offer = [&](double push, double depth, const Choice& above_it) {
-                    own.take(law.needed(cell, push, depth), above_it, cell.at_face);
-                };
-                for (const Extreme& extreme : {above[level].greatest, above[level].least}) {
-                    if (extreme.reached) {
-                        offer(extreme.need, 0, extreme.where);
+                Needs& own = chosen[column * levels + level];
+                // A column that needs nothing does not move; at the face any surface counts.
+                const auto offer = [&](const Push& push, const Choice& above_it) {
+                    const double need = law.needed(cell, push);
+                    if (cell.at_face || need > 0) {
+                        own.add(need, above_it, all);
                     }
+                };
+                for (const Need& need : above[level].list()) {
+                    offer(law.from(need.need), need.where);
                 }
                 if (crack_allowed) {
-                    offer(0, 0, {levels, no_wedge, false});
+                    offer({}, {levels, no_wedge, 0});
                 }
                 for (std::size_t index = 0; index < pushes.size(); ++index) {
                     if (pushes[index] && lattice_.wedges[column][index].depth <= cell.upper_reach) {
-                        offer(pushes[index]->force, pushes[index]->depth, {levels, index, false});
+                        offer(*pushes[index], {levels, index, 0});
                     }
                 }
-                chosen[column * levels + level] = own;
+                own.thin();
                 if (!cell.at_face) {
-                    here[level] = own.at(level);
-                } else if (own.greatest.reached && own.greatest.need > most) {
-                    most = own.greatest.need;
+                    for (std::size_t place = 0; place < own.list().size(); ++place) {
+                        here[level].add(own.list()[place].need, {level, no_wedge, place}, all);
+                    }
+                    here[level].thin();
+                } else if (!own.list().empty() && own.list().front().need > most) {
+                    most = own.list().front().need;
                     first = column;
-                    toe = {level, no_wedge, false};
-                }
-            }
-            for (std::size_t level = levels; level-- > 0;) {
-                if (level + 1 < levels) {
-                    here[level].take(here[level + 1]);
+                    toe = {level, no_wedge, 0};
                 }
             }
             above = std::move(here);
@@ -217,8 +232,7 @@ class ColumnSearch {
         }
         for (std::size_t column = first;; ++column) {
             path.level.push_back(toe.level);
-            const Extremes& own = chosen[column * levels + toe.level];
-            toe = toe.least ? own.least.where : own.greatest.where;
+            toe = chosen[column * levels + toe.level].list()[toe.place].where;
             if (toe.level == levels) {
                 if (toe.wedge != no_wedge) {
                     path.wedge = toe.wedge;
@@ -327,11 +341,10 @@ std::vector<MovingColumn> moving_columns(const SteppedPath& problem, const PathL
             MovingColumn& column = columns[index];
             column.push = push.force;
             column.depth = push.depth;
-            const double turning = cell.at_face ? law.overturning(cell, push.force, push.depth) /
-                                                      std::max(cell.upper_reach, cell.base_length)
-                                                : law.against_turning(cell, push.force, push.depth);
-            const double sliding =
-                cell.at_face ? law.unresisted(cell, push.force) : law.against_sliding(cell, push.force);
+            const double turning = cell.at_face
+                                       ? law.overturning(cell, push) / std::max(cell.upper_reach, cell.base_length)
+                                       : law.against_turning(cell, push);
+            const double sliding = cell.at_face ? law.unresisted(cell, push) : law.against_sliding(cell, push);
             column.mode = turning >= sliding ? ColumnMode::topples : ColumnMode::slides;
         });
     return columns;

@@ -23,11 +23,13 @@
 //   e = sin s - (m + c) cos s - m c sin s,
 // which for bases normal to the joints, s = 90 deg, is the 1 - c m of Goodman & Bray (1976). Contact is at the ground,
 // d = 0, where columns touch; a wedge behind the last one (slide_head.hpp) touches it where that says.
-// At given strength a column's need is a convex function of the push from above (the greatest of two straight lines and
-// zero), so that of all surfaces above it one of those with the greatest and the least push asks most of it: dynamic
-// programming over columns and levels, which hands both down, finds the surface whose toe lacks most. The least need is
-// found among the same two; it might lie between them only for a column squatter than its own drag, A + m B < d, or
-// where e < 0, with another such column below it.
+// At given strength more push on a column asks more of what is below, so that of all surfaces above it the one with the
+// greatest need asks most: dynamic programming over columns and levels finds the surface whose toe lacks most. It does
+// not where e < 0, and for a column that its loads turn and that is squatter than its own drag, O > 0 and A + m B < 0:
+// where there is one, the needs of all surfaces are handed down, from the 65th on those of evenly spaced ranks. Such a
+// column also stands the better the more the weak ones above it push, so that a slope may stand at one strength and
+// fail at a greater one. F is found from the weak side: strengths above the first at which all surfaces stand are not
+// tried. A wedge that is lifted off its riser drags by less than m (slide_head.hpp).
 // The factor of safety of that surface alone is at most F; taken for F, the search is repeated until no surface fails.
 // It ends because surfaces are finite in number and each F is less than the one before.
 //

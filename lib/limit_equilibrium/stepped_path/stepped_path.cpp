@@ -214,8 +214,11 @@ void describe_surface(const PathLattice& lattice, SteppedPathResult& result) {
 void set_extent(const SteppedPath& problem, const PathLattice& lattice, const LatticePath& path,
                 SteppedPathResult& result) {
     const bool on_riser = problem.search.mechanism == SteppedPathMechanism::sliding || path.wedge;
-    const double next = on_riser ? problem.risers->spacing / std::sin(problem.risers->dip)
-                                 : -problem.columns->spacing / std::sin(problem.columns->dip);
+    const auto between_outcrops = [&](double spacing, double dip) {
+        return spacing / std::abs(std::sin(dip) - std::cos(dip) * std::tan(problem.slope.upper_surface_dip));
+    };
+    const double next = on_riser ? between_outcrops(problem.risers->spacing, problem.risers->dip)
+                                 : between_outcrops(problem.columns->spacing, problem.columns->dip);
     if (result.retreat + next > lattice.greatest_retreat) {
         result.extent = PathExtent::greatest;
     } else if (result.retreat - next < lattice.least_width) {

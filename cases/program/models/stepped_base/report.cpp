@@ -96,7 +96,7 @@ void warn(Analysis& analysis, const SteppedBaseAnswer& answer) {
             "the wedge above jams between its joint and the columns: its thrust is not counted");
     } else if (result.slide_head == SlideHeadState::lifts_off) {
         analysis.warnings.push_back(std::string(what_lifts(*answer.slope.slide_head)) +
-                                    " the wedge above off its joint: its thrust is not counted");
+                                    " the wedge above off its joint: it rests on the columns alone");
     }
     int outside = 0;
     int lifted_or_slipping = 0;
