@@ -5,6 +5,7 @@
 #include "numerics/scalar_search.hpp"
 #include "parameters/fields.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -34,22 +35,26 @@ struct Required {
 // it has none, from zero and from the present value). A bound of 1e5 or more counts as none.
 std::vector<double> search_points(const Interval& range, double present);
 
-// Searches the range of the input's field. `factor_of_safety(problem)` gives NaN where the problem has no answer (water
-// above the crack, ...): such values are left out. Accuracy: full double precision of the root, if the function is
-// monotonic between neighbouring search points. Where the factor jumps over the target it does not reach it.
+// Searches the range of the input's field; the inputs of `also` take the same value. `factor_of_safety(problem)` gives
+// NaN where the problem has no answer (water above the crack, ...): such values are left out. Accuracy: full double
+// precision of the root, if the function is monotonic between neighbouring search points. Where the factor jumps over
+// the target it does not reach it.
 template <Described Problem, class FactorOfSafety>
-Required find_required_value(const Problem& problem, const std::string& parameter, double target,
-                             const FactorOfSafety& factor_of_safety) {
+Required find_required_value(const Problem& problem, const std::string& parameter, const std::vector<std::string>& also,
+                             double target, const FactorOfSafety& factor_of_safety) {
     Problem varied = problem;
     double* number = nullptr;
+    std::vector<double*> others;
     FieldInfo field;
     for_each_named_number(varied, [&](const std::string& path, const FieldInfo& info, double& value) {
         if (path == parameter) {
             number = &value;
             field = info;
+        } else if (std::ranges::find(also, path) != also.end()) {
+            others.push_back(&value);
         }
     });
-    if (number == nullptr) {
+    if (number == nullptr || others.size() != also.size()) {
         return {RequiredStatus::unknown_parameter, 0, Dimension::ratio, 0, 0};
     }
     const double present = *number;
@@ -58,6 +63,9 @@ Required find_required_value(const Problem& problem, const std::string& paramete
             return std::numeric_limits<double>::quiet_NaN();
         }
         *number = value;
+        for (double* other : others) {
+            *other = value;
+        }
         return factor_of_safety(varied) - target;
     };
     const ScalarRoot root = find_root(excess, search_points(field.range, present));

@@ -8,9 +8,9 @@
 #include "parameters/fields.hpp"
 #include "parameters/lengths.hpp"
 #include "strength/strength.hpp"
+#include "support/bolt_pattern.hpp"
 #include "water/water.hpp"
 
-#include <array>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -176,10 +176,10 @@ struct LineLoad {
     }
 };
 
-enum class BoltAction { active, passive };
-
-constexpr std::array<std::string_view, 2> enum_names(BoltAction) {
-    return {"active", "passive"};
+template <class Bolts>
+constexpr auto bolt_action_field() {
+    return section("action", &Bolts::action,
+                   "active: tensioned, reduces the driving force; passive: mobilised by movement, adds to resistance");
 }
 
 template <class T = double>
@@ -189,15 +189,22 @@ struct Bolt {
     T head_height;
     BoltAction action;
     static constexpr auto fields() {
-        return std::tuple{
-            number("force", &Bolt::force, Dimension::force_per_length, at_least(0), "tension"),
-            number("plunge", &Bolt::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
-                   "direction below the horizontal, into the slope; negative: inclined upwards"),
-            number("head_height", &Bolt::head_height, Dimension::length, distance_range(),
-                   "height of its head on the face above the toe (used by the moment check)"),
-            section(
-                "action", &Bolt::action,
-                "active: tensioned, reduces the driving force; passive: mobilised by movement, adds to resistance")};
+        return std::tuple{number("force", &Bolt::force, Dimension::force_per_length, at_least(0), "tension"),
+                          number("plunge", &Bolt::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
+                                 "direction below the horizontal, into the slope; negative: inclined upwards"),
+                          number("head_height", &Bolt::head_height, Dimension::length, distance_range(),
+                                 "height of its head on the face above the toe (used by the moment check)"),
+                          bolt_action_field<Bolt>()};
+    }
+};
+
+// Rows of bolts from the face through the plane or the crack.
+template <class T = double>
+struct PlaneSupport {
+    BoltPattern<T> pattern;
+    BoltAction action;
+    static constexpr auto fields() {
+        return std::tuple{inlined(&PlaneSupport::pattern, "the bolts"), bolt_action_field<PlaneSupport>()};
     }
 };
 
@@ -215,6 +222,7 @@ struct PlaneFailure {
     std::vector<Surcharge<T>> surcharge;
     std::vector<LineLoad<T>> line_load;
     std::vector<Bolt<T>> bolt;
+    std::vector<PlaneSupport<T>> support;
 
     static constexpr std::string_view kind = "plane_failure";
     static constexpr auto fields() {
@@ -231,7 +239,8 @@ struct PlaneFailure {
             section("seismic", &PlaneFailure::seismic, "pseudo-static earthquake load; absent: none"),
             section("surcharge", &PlaneFailure::surcharge, "strip loads behind the crest"),
             section("line_load", &PlaneFailure::line_load, "line loads behind the crest"),
-            section("bolt", &PlaneFailure::bolt, "bolts and cables through the plane")};
+            section("bolt", &PlaneFailure::bolt, "bolts and cables through the plane"),
+            section("support", &PlaneFailure::support, "patterns of bolts: rows, spacing, length, capacity")};
     }
 };
 

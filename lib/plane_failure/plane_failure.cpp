@@ -87,11 +87,11 @@ MomentSum moments(const PlaneFailure<>& problem, const Forces& forces) {
             sum.add_force(x, height_of_ground(ground, x + daylight_x) - wedge.daylight_height, force.x, force.y);
         }
     }
-    for (const Bolt<>& bolt : problem.bolt) {
+    for_each_bolt(problem, wedge, [&](const Bolt<>& bolt) {
         const detail::Force<double> force = detail::plunging_force(bolt.force, bolt.plunge);
         const double height = bolt.head_height - wedge.daylight_height;
         sum.add_force(height * wedge.face.cosine / wedge.face.sine, height, force.x, force.y);
-    }
+    });
     return sum;
 }
 
@@ -185,6 +185,24 @@ Polyline ground_profile(const PlaneFailure<>& problem) {
     const double end = std::max(mass_end, ground.back().x()) + slope.height / 3;
     ground.push_back(ground.back() + (end - ground.back().x()) * Point(1, std::tan(slope.upper_surface_dip)));
     return ground;
+}
+
+std::vector<std::vector<BoltRow>> support_rows(const PlaneFailure<>& problem) {
+    Wedge<double> wedge;
+    if (make_wedge(problem, wedge) != PlaneFailureCheck::valid) {
+        return {};
+    }
+    std::vector<std::vector<BoltRow>> rows;
+    for (const PlaneSupport<>& support : problem.support) {
+        PlaneFailure<> alone = problem;
+        alone.bolt.clear();
+        alone.support = {support};
+        std::vector<BoltRow>& pattern = rows.emplace_back();
+        for_each_bolt(alone, wedge, [&](const Bolt<>& bolt) {
+            pattern.push_back({{bolt.head_height / std::tan(problem.slope.face_dip), bolt.head_height}, bolt.force});
+        });
+    }
+    return rows;
 }
 
 Polyline profile_after_failure(const PlaneFailure<>& problem) {

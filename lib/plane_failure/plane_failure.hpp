@@ -110,6 +110,9 @@ PlaneFailureResult analyse(const PlaneFailure<>& problem);
 // The ground as it is, from the toe past everything the mass contains.
 Polyline ground_profile(const PlaneFailure<>& problem);
 
+// The rows of each pattern of bolts, the lowest first; empty where the problem is not valid.
+std::vector<std::vector<BoltRow>> support_rows(const PlaneFailure<>& problem);
+
 // What a failure leaves standing: toe, plane, crack, remaining ground. Empty where the problem is not valid.
 Polyline profile_after_failure(const PlaneFailure<>& problem);
 

@@ -11,8 +11,9 @@
 
 namespace delabole {
 
-Required required_value(const PlaneFailure<>& problem, const std::string& parameter, double target) {
-    return find_required_value(problem, parameter, target, [](const PlaneFailure<>& varied) {
+Required required_value(const PlaneFailure<>& problem, const std::string& parameter, double target,
+                        const std::vector<std::string>& also) {
+    return find_required_value(problem, parameter, also, target, [](const PlaneFailure<>& varied) {
         const FactorOfSafety result = factor_of_safety(varied);
         return result.check == PlaneFailureCheck::valid ? result.value : std::numeric_limits<double>::quiet_NaN();
     });

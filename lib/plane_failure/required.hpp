@@ -10,7 +10,8 @@
 namespace delabole {
 
 // `target` is the factor of safety to reach.
-Required required_value(const PlaneFailure<>& problem, const std::string& parameter, double target);
+Required required_value(const PlaneFailure<>& problem, const std::string& parameter, double target,
+                        const std::vector<std::string>& also = {});
 
 // Inclination of the first bolt that makes the factor of safety largest, and that factor: a plunge in (-p, 90 deg]. For
 // an active bolt of force T the condition is tan(plunge + p) = tan(phi) / FS (Coulomb); the inclination phi - p often

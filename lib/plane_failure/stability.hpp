@@ -66,7 +66,45 @@ bool stands_on_mass(const LineLoad<T>& load, const Wedge<T>& wedge) {
     return load.distance_behind_crest <= wedge.crack_top_x - wedge.crest_x;
 }
 
+// From a bolt's head on the face to the plane, or the crack behind it, along the bolt; negative where it meets neither.
+template <class T>
+T length_in_mass(const Wedge<T>& wedge, const T& head_height, const T& plunge) {
+    const SineCosine<T> bolt = sine_cosine(plunge);
+    const T y = head_height - wedge.daylight_height;
+    const T x = y * wedge.face.cosine / wedge.face.sine;
+    const T towards_plane = bolt.cosine * wedge.plane.sine + bolt.sine * wedge.plane.cosine;
+    if (!(y >= 0) || !(towards_plane > 0)) {
+        return T(-1);
+    }
+    const T to_plane = (y * wedge.plane.cosine - x * wedge.plane.sine) / towards_plane;
+    const T along = (x + to_plane * bolt.cosine) * wedge.plane.cosine + (y - to_plane * bolt.sine) * wedge.plane.sine;
+    if (along <= wedge.base_length) {
+        return to_plane;
+    }
+    const T towards_crack = bolt.cosine * wedge.crack.sine + bolt.sine * wedge.crack.cosine;
+    if (!(wedge.crack_length > 0) || !(towards_crack > 0)) {
+        return T(-1);
+    }
+    return T(((wedge.base_top_x - x) * wedge.crack.sine - (wedge.base_top_height() - y) * wedge.crack.cosine) /
+             towards_crack);
+}
+
 }  // namespace detail
+
+// Calls visit(bolt) for the single bolts, then for each row of a pattern with the force that it has there.
+template <class T, class Visit>
+void for_each_bolt(const PlaneFailure<T>& problem, const Wedge<T>& wedge, Visit&& visit) {
+    for (const Bolt<T>& bolt : problem.bolt) {
+        visit(bolt);
+    }
+    for (const PlaneSupport<T>& support : problem.support) {
+        for_each_row(support.pattern, [&](int row) {
+            const T height = support.pattern.head_height(row);
+            const T through = detail::length_in_mass(wedge, height, support.pattern.plunge);
+            visit(Bolt<T>{force_of_row(support.pattern, through), support.pattern.plunge, height, support.action});
+        });
+    }
+}
 
 template <class T>
 PlaneFailureCheck balance_forces(const PlaneFailure<T>& problem, const Wedge<T>& wedge, const WaterForces<T>& water,
@@ -102,10 +140,9 @@ PlaneFailureCheck balance_forces(const PlaneFailure<T>& problem, const Wedge<T>&
         }
     }
     T passive = T(0);
-    for (const Bolt<T>& bolt : problem.bolt) {
-        if (bolt.head_height > problem.slope.height) {
-            return PlaneFailureCheck::bolt_head_above_crest;
-        }
+    bool heads_on_face = true;
+    for_each_bolt(problem, wedge, [&](const Bolt<T>& bolt) {
+        heads_on_face = heads_on_face && bolt.head_height <= problem.slope.height;
         const Force<T> force = detail::plunging_force(bolt.force, bolt.plunge);
         normal += detail::into_plane(force, plane);
         if (bolt.action == BoltAction::active) {
@@ -113,6 +150,9 @@ PlaneFailureCheck balance_forces(const PlaneFailure<T>& problem, const Wedge<T>&
         } else {
             passive -= detail::down_plane(force, plane);
         }
+    });
+    if (!heads_on_face) {
+        return PlaneFailureCheck::bolt_head_above_crest;
     }
     const T normal_stress = normal / wedge.base_length;
     const bool torn_off = problem.tension_cutoff && normal_stress < -problem.tension_cutoff->tensile_strength;

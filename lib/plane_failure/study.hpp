@@ -47,9 +47,12 @@ template <class T = double>
 struct RequiredValue {
     std::string parameter;
     T factor_of_safety;
+    std::vector<std::string> also;
     static constexpr auto fields() {
         return std::tuple{
             section("parameter", &RequiredValue::parameter, "name of the input, e.g. strength.friction_angle"),
+            section("also", &RequiredValue::also,
+                    "further inputs that take the same value: several cables solved together"),
             number("factor_of_safety", &RequiredValue::factor_of_safety, Dimension::ratio, more_than(0),
                    "factor of safety to reach")};
     }

@@ -60,8 +60,9 @@ WedgeFailureResult analyse(const WedgeFailure<>& problem) {
     return result;
 }
 
-Required required_value(const WedgeFailure<>& problem, const std::string& parameter, double target) {
-    return find_required_value(problem, parameter, target, [](const WedgeFailure<>& varied) {
+Required required_value(const WedgeFailure<>& problem, const std::string& parameter, double target,
+                        const std::vector<std::string>& also) {
+    return find_required_value(problem, parameter, also, target, [](const WedgeFailure<>& varied) {
         const WedgeEquilibrium<double> forces = evaluate(varied);
         return forces.check == WedgeFailureCheck::valid ? forces.stability.factor_of_safety
                                                         : std::numeric_limits<double>::quiet_NaN();

@@ -26,7 +26,7 @@ bool fits(const RelaxationState& state, const RelaxationScene& scene) {
     if (state.motion.size() != blocks || state.origin.size() != blocks || state.removed.size() != blocks ||
         state.base_slip.size() != blocks || state.dropped_slip.size() != blocks ||
         state.checks_at_rest.size() != blocks || state.noticed.moved.size() != blocks ||
-        state.bond.size() != scene.bond.size() ||
+        state.bond.size() != scene.bond.size() || state.bolt.size() != scene.bolt.size() ||
         (state.first_crack && (state.first_crack->block >= blocks || state.first_crack->other >= blocks))) {
         return false;
     }

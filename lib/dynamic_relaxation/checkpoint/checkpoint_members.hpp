@@ -61,15 +61,16 @@ DELABOLE_MEMBERS(WatchState, pair, travelled, due, neighbours_until, step_until,
 DELABOLE_MEMBERS(NoticedMotion, moved, x, y, angle)
 DELABOLE_MEMBERS(OutlineShift, x, y, angle)
 DELABOLE_MEMBERS(BondMemory, state, time, damping, normal_drag, shear_drag, bending_drag, shift)
+DELABOLE_MEMBERS(BoltMemory, extension_at_start, yielded)
 DELABOLE_MEMBERS(EnergyLedger, applied, prescribed, kinetic, elastic, friction, bonds, dashpots, local_damping,
                  kinetic_damping, elastic_at_start)
 DELABOLE_MEMBERS(FirstCrack, time, tilt, block, other)
 DELABOLE_MEMBERS(StartBalance, unbalanced_ratio, cut_short)
 DELABOLE_MEMBERS(SlipOverFace, upward, slip)
 DELABOLE_MEMBERS(RelaxationState, time, step, last_step, steps, contacts_evaluated, motion, origin, start_balance,
-                 noticed, checks_at_rest, removed, base_slip, dropped_slip, contacts, watch, bond, ledger, unbalanced,
-                 unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time, in_thresholds_then,
-                 first_crack, overlap, outcome, held_by_corners)
+                 noticed, checks_at_rest, removed, base_slip, dropped_slip, contacts, watch, bond, bolt, ledger,
+                 unbalanced, unbalanced_then, kinetic_then, kinetic_before, kinetic_rising, onset_time,
+                 in_thresholds_then, first_crack, overlap, outcome, held_by_corners)
 
 DELABOLE_MEMBERS(JointMaterial, normal_stiffness, shear_stiffness, friction_angle, residual_friction_angle, cohesion,
                  tensile_strength, bond, residual_cohesion)
@@ -78,6 +79,7 @@ DELABOLE_MEMBERS(FaceBond, block, edge, other, other_edge, material)
 DELABOLE_MEMBERS(RelaxationBlock, outline, density, fixed, held_at_first, joint)
 DELABOLE_MEMBERS(Gravity, acceleration, tilt, final_tilt, rate, interval, start)
 DELABOLE_MEMBERS(PointForce, block, at, force)
+DELABOLE_MEMBERS(BoltSegment, bolt, block, other, at, other_at, stiffness, pretension, capacity)
 DELABOLE_MEMBERS(EdgePart, begin, end)
 DELABOLE_MEMBERS(FacePressure, block, edge, at_first, at_second, part)
 DELABOLE_MEMBERS(TimedVector, time, value)
@@ -85,7 +87,7 @@ DELABOLE_MEMBERS(PrescribedMotion, block, velocity, angular_velocity, pivot, sta
 DELABOLE_MEMBERS(Removal, block, time)
 DELABOLE_MEMBERS(Belt, speed, friction_angle)
 DELABOLE_MEMBERS(RelaxationScene, block, material, gravity, force, pressure, shaking, motion, removal, bond_material,
-                 bond, belt)
+                 bond, belt, bolt)
 DELABOLE_MEMBERS(RelaxationSettings, step_fraction, time_step, viscous_damping, local_damping, kinetic_damping, creep,
                  mass_scaling, start, ramp_time, consolidation_time, equilibrium_ratio, onset_rotation, onset_slide,
                  collapse_rotation, collapse_displacement, stop_at_onset, stop_at_equilibrium, stop_at_collapse,
@@ -97,7 +99,7 @@ DELABOLE_MEMBERS(HistoryRequest, interval, block, contact)
 DELABOLE_MEMBERS(CriticalPlan, parameter, lower, upper, tolerance, path, material)
 DELABOLE_MEMBERS(MonitoredBlock, x, y, rotation, velocity_x, velocity_y, angular_velocity)
 DELABOLE_MEMBERS(MonitoredContact, horizontal, vertical, normal, overlap)
-DELABOLE_MEMBERS(HistoryLine, time, tilt, energy, block, contact, base_slip, rotation)
+DELABOLE_MEMBERS(HistoryLine, time, tilt, energy, block, contact, base_slip, rotation, bolt)
 DELABOLE_MEMBERS(BlockOutcome, movement, rotation, displacement, base_slip)
 DELABOLE_MEMBERS(CornerForce, block, other, at, force, normal, shear, overlap, sliding)
 DELABOLE_MEMBERS(MotionFrame, time, tilt, motion, outcome, force)

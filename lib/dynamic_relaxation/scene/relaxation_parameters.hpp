@@ -8,6 +8,7 @@
 #include "dynamic_relaxation/scene/slope_parameters.hpp"
 #include "jointed_slope/slope_geometry.hpp"
 #include "parameters/fields.hpp"
+#include "parameters/lengths.hpp"
 
 #include <array>
 #include <optional>
@@ -315,6 +316,36 @@ struct ForceOnBlock {
     }
 };
 
+struct RelaxationBolt {
+    double head_x;
+    double head_y;
+    double plunge;
+    double length;
+    double spacing;
+    double axial_stiffness;
+    double capacity;
+    std::optional<double> pretension;
+    std::optional<double> free_length_at_joints;
+    static constexpr auto fields() {
+        using B = RelaxationBolt;
+        return std::tuple{
+            number("head_x", &B::head_x, Dimension::length, any_number(), "where its head is, on the face of a block"),
+            number("head_y", &B::head_y, Dimension::length, any_number(), "likewise"),
+            number("plunge", &B::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
+                   "direction below the section's x axis, into the slope"),
+            number("length", &B::length, Dimension::length, extent_range(),
+                   "from its head to its end in another block"),
+            number("spacing", &B::spacing, Dimension::length, extent_range(), "along the slope, from bolt to bolt"),
+            number("axial_stiffness", &B::axial_stiffness, Dimension::force, more_than(0),
+                   "modulus times area of the bar"),
+            number("capacity", &B::capacity, Dimension::force, more_than(0), "tension at which it yields"),
+            number("pretension", &B::pretension, Dimension::force, at_least(0), "at the start; absent: 0"),
+            number("free_length_at_joints", &B::free_length_at_joints, Dimension::length, extent_range(),
+                   "over which a grouted bolt stretches at each joint that it crosses; absent: not grouted, it "
+                   "stretches over its whole length")};
+    }
+};
+
 struct WaterPressure {
     double block;
     double edge;
@@ -425,6 +456,7 @@ struct Relaxation {
     std::optional<Tilting> tilting;
     std::optional<BaseFriction> base_friction;
     std::vector<ForceOnBlock> force;
+    std::vector<RelaxationBolt> bolt;
     std::vector<WaterPressure> pressure;
     std::vector<WaterInJoint> joint_water;
     std::vector<ShakingPoint> shaking;
@@ -442,6 +474,7 @@ struct Relaxation {
             section("base_friction", &R::base_friction,
                     "a belt that drives the blocks, pressed on it by gravity; absent: gravity drives them"),
             section("force", &R::force, "point forces, along the axes of the section"),
+            section("bolt", &R::bolt, "bolts and cables across joints"),
             section("pressure", &R::pressure, "water on single faces of blocks"),
             section("joint_water", &R::joint_water,
                     "water between two blocks, on both, over what their faces share at the start"),

@@ -86,6 +86,19 @@ struct PointForce {
     PlanePoint<> force;  // N/m, along the axes of the section; keeps its direction there, also while gravity turns
 };
 
+// A bolt, or where it crosses a joint if it is grouted: a spring that pulls two points of two blocks together
+// (bolts.hpp).
+struct BoltSegment {
+    std::size_t bolt;  // of which it is part
+    std::size_t block;
+    std::size_t other;
+    PlanePoint<> at;        // on `block`, in the initial geometry
+    PlanePoint<> other_at;  // on `other`
+    double stiffness;       // N/m per metre run, more than 0
+    double pretension;      // N/m, at most the capacity
+    double capacity;        // N/m, at which it yields
+};
+
 // Part of an edge, m from its first vertex.
 struct EdgePart {
     double begin;  // at least 0
@@ -143,6 +156,7 @@ struct RelaxationScene {
     std::vector<BondMaterial> bond_material = {};
     std::vector<FaceBond> bond = {};
     std::optional<Belt> belt = {};
+    std::vector<BoltSegment> bolt = {};
 };
 
 enum class SceneCheck {
@@ -168,9 +182,10 @@ enum class SceneCheck {
     setting_out_of_range,
     bond_without_face,     // the two faces do not lie on each other in the initial geometry
     modulus_not_positive,  // or spacing
+    bolt_outside_blocks,   // its head or its end, or it crosses no joint
 };
 
-constexpr std::array<std::string_view, 22> enum_names(SceneCheck) {
+constexpr std::array<std::string_view, 23> enum_names(SceneCheck) {
     return {"valid",
             "no_free_block",
             "number_not_finite",
@@ -192,7 +207,8 @@ constexpr std::array<std::string_view, 22> enum_names(SceneCheck) {
             "load_out_of_range",
             "setting_out_of_range",
             "bond_without_face",
-            "modulus_not_positive"};
+            "modulus_not_positive",
+            "bolt_outside_blocks"};
 }
 
 struct SceneFault {

@@ -1,6 +1,7 @@
 #include "dynamic_relaxation/step/history.hpp"
 
 #include "dynamic_relaxation/contact/contact_law.hpp"
+#include "dynamic_relaxation/step/bolt_forces.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -104,6 +105,9 @@ HistoryLine history_line(const HistoryRequest& request, const Simulation& simula
     for (const BlockOutcome& outcome : simulation.block_outcomes()) {
         line.base_slip.push_back(outcome.base_slip);
         line.rotation.push_back(outcome.rotation);
+    }
+    for (const BoltOutcome& outcome : bolt_outcomes(simulation.scene(), simulation.bodies(), state)) {
+        line.bolt.push_back(outcome.force);
     }
     return line;
 }

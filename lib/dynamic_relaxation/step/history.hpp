@@ -67,6 +67,7 @@ struct HistoryLine {
     std::vector<MonitoredContact> contact = {};  // likewise
     std::vector<double> base_slip = {};          // m, of every block since the start
     std::vector<double> rotation = {};           // rad, of every block since the start
+    std::vector<double> bolt = {};               // N/m, of every bolt
 };
 
 using RelaxationHistory = std::vector<HistoryLine>;

@@ -93,6 +93,17 @@ struct BlockOutcome {
     }
 };
 
+struct BoltOutcome {
+    double force = 0;    // N/m
+    double yielded = 0;  // m
+    static constexpr auto fields() {
+        using B = BoltOutcome;
+        return std::tuple{
+            number("force", &B::force, Dimension::force_per_length, any_number(), "tension, where it is greatest"),
+            number("yielded", &B::yielded, Dimension::length, any_number(), "by which it has stretched for good")};
+    }
+};
+
 // The contact with the greatest overlap.
 struct ContactName {
     std::size_t block = 0;
@@ -125,6 +136,7 @@ struct RelaxationResult {
     std::optional<BlockOverlap> overlap = {};  // the greatest share measured, every 5000 steps and at the end
     RelaxationCost cost = {};
     std::vector<BlockOutcome> block = {};
+    std::vector<BoltOutcome> bolt = {};
 };
 
 // Extremes over all free blocks since the start; where all fixed blocks move as one, as seen from them.

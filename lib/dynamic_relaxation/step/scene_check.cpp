@@ -174,6 +174,18 @@ SceneFault check_loads(const RelaxationScene& scene) {
             return {SceneCheck::number_not_finite, index};
         }
     }
+    for (const BoltSegment& segment : scene.bolt) {
+        if (segment.block >= count || segment.other >= count) {
+            return {SceneCheck::bolt_outside_blocks, segment.bolt};
+        }
+        if (!finite(segment.at) || !finite(segment.other_at) || !std::isfinite(segment.stiffness) ||
+            !std::isfinite(segment.capacity)) {
+            return {SceneCheck::number_not_finite, segment.bolt};
+        }
+        if (!(segment.pretension >= 0 && segment.pretension <= segment.capacity && segment.stiffness > 0)) {
+            return {SceneCheck::load_out_of_range, segment.bolt};
+        }
+    }
     for (std::size_t index = 0; index < scene.pressure.size(); ++index) {
         const FacePressure& pressure = scene.pressure[index];
         if (pressure.block >= count) {

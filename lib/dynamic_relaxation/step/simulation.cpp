@@ -5,6 +5,7 @@
 #include "dynamic_relaxation/contact/time_step.hpp"
 #include "dynamic_relaxation/statics/static_solver.hpp"
 #include "dynamic_relaxation/step/base_friction.hpp"
+#include "dynamic_relaxation/step/bolt_forces.hpp"
 #include "dynamic_relaxation/step/loads.hpp"
 
 #include <algorithm>
@@ -71,6 +72,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings)
     state_.dropped_slip.resize(bodies_.size());
     state_.checks_at_rest.resize(bodies_.size(), 0);
     state_.bond.resize(scene_.bond.size());
+    state_.bolt.resize(scene_.bolt.size());
     state_.noticed.resize(bodies_.size());
     ContactWatch::start(bodies_.size(), state_.watch);
     take_away_what_is_not_there();
@@ -139,6 +141,9 @@ void Simulation::begin(JointsAtStart joints) {
         start_in_equilibrium(joints);
     } else {
         state_.origin = state_.motion;
+    }
+    if (joints == JointsAtStart::whole) {
+        put_in_bolts(scene_, bodies_, state_);
     }
     if (last_scheduled_time(scene_, settings_) > 0) {
         forget_tried(state_.contacts.memory);
@@ -323,8 +328,8 @@ void Simulation::choose_step(double last) {
     const double speed = fastest();
     // While blocks are fast the step does not grow: they would not be seen coming.
     const double seen_ahead = speed > 0 ? std::max(last, margin_ / (8 * speed)) : longest_step_;
-    double largest =
-        std::min({share_of_stable_step(scene_, settings_) * contact_watch_.stable_step(), longest_step_, seen_ahead});
+    const double stable = 1 / std::hypot(1 / contact_watch_.stable_step(), 1 / stable_step_of_bolts(scene_, bodies_));
+    double largest = std::min({share_of_stable_step(scene_, settings_) * stable, longest_step_, seen_ahead});
     if (scene_.belt) {
         largest = std::min(largest, longest_step(*scene_.belt, scene_.gravity));
     }
@@ -344,7 +349,8 @@ void Simulation::apply_loads() {
         return;
     }
     sum_loads(scene_, settings_, bodies_, state_.time, held_, state_.motion, load_);
-    loads_are_final_ = !scene_.belt && scene_.force.empty() && scene_.pressure.empty() &&
+    add_bolt_forces(scene_, bodies_, state_, load_);
+    loads_are_final_ = !scene_.belt && scene_.force.empty() && scene_.bolt.empty() && scene_.pressure.empty() &&
                        state_.time > last_scheduled_time(scene_, settings_);
 }
 

@@ -1,5 +1,6 @@
 // What a run tells: its energy balance and its result.
 #include "dynamic_relaxation/contact/contact_law.hpp"
+#include "dynamic_relaxation/step/bolt_forces.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
 
@@ -80,6 +81,7 @@ RelaxationResult Simulation::result() const {
     result.overlap = state_.overlap;
     result.cost = {state_.steps, state_.watch.pair_checks, state_.contacts_evaluated, state_.step};
     result.block = block_outcomes();
+    result.bolt = bolt_outcomes(scene_, bodies_, state_);
     return result;
 }
 

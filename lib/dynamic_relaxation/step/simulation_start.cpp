@@ -49,6 +49,7 @@ RelaxationState Simulation::begun_at(const RelaxationState& at_rest) {
     for (const BondMemory& bond : at_rest.bond) {
         state.bond.push_back(with_no_energy_yet(bond));
     }
+    state.bolt = at_rest.bolt;
     ContactWatch::start(blocks, state.watch);
     // Contacts that come about from now on are none of the initial geometry's.
     state.watch.searches = 1;

@@ -79,6 +79,12 @@ struct SlipOverFace {
     double slip = 0;    // m, negative towards -x
 };
 
+// How far a segment of a bolt had been stretched when it was put in, and has yielded since.
+struct BoltMemory {
+    double extension_at_start = 0;  // m
+    double yielded = 0;             // m
+};
+
 // Why a block is no longer there.
 inline constexpr char taken_away = 1;  // by a schedule
 inline constexpr char has_left = 2;    // the slope
@@ -101,6 +107,7 @@ struct RelaxationState {
     ContactList contacts = {};
     WatchState watch = {};
     std::vector<BondMemory> bond = {};  // as the scene lists them
+    std::vector<BoltMemory> bolt = {};  // likewise
     EnergyLedger ledger = {};           // sums; what is of the moment is filled in when asked for
 
     // For the decision.

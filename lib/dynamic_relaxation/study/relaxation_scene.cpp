@@ -1,6 +1,7 @@
 // Case parameters to scene and settings.
 #include "dynamic_relaxation/blocks/joint_water.hpp"
 #include "dynamic_relaxation/contact/bonds.hpp"
+#include "dynamic_relaxation/scene/bolts.hpp"
 #include "dynamic_relaxation/scene/scenes.hpp"
 #include "dynamic_relaxation/scene/slope_scene.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
@@ -368,6 +369,10 @@ RelaxationScene relaxation_scene(const RelaxationStudy& study) {
     }
     for (const ForceOnBlock& force : model.force) {
         scene.force.push_back({index_of(force.block), {force.x, force.y}, {force.horizontal, force.vertical}});
+    }
+    for (std::size_t index = 0; index < model.bolt.size(); ++index) {
+        const std::vector<BoltSegment> segments = bolt_segments(scene, model.bolt[index], index);
+        scene.bolt.insert(scene.bolt.end(), segments.begin(), segments.end());
     }
     for (const WaterPressure& pressure : model.pressure) {
         scene.pressure.push_back(

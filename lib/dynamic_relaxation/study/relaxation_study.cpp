@@ -135,6 +135,7 @@ Prediction predict(RelaxationStudy study, std::span<const Assignment> assignment
 RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
     RelaxationAnswer shape{};
     shape.block.resize(number_of_blocks(study));
+    shape.bolt.resize(study.model.bolt.size());
     if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
         shape.post_failure.emplace();
         shape.post_failure->joint.resize(slope->joint.size());
@@ -272,7 +273,8 @@ RelaxationAnswer answer_of(const RelaxationResult& result) {
             {},
             {},
             {},
-            result.block};
+            result.block,
+            result.bolt};
 }
 
 RelaxationAnswer answer_of(const RelaxationRun& run) {

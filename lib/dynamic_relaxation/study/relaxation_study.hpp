@@ -183,6 +183,7 @@ struct RelaxationAnswer {
     std::optional<PostFailureAnswer> early_failure;    // likewise
     std::optional<RetrogressionAnswer> retrogression;  // where it is asked for
     std::vector<BlockOutcome> block;
+    std::vector<BoltOutcome> bolt;
     static constexpr auto fields() {
         using R = RelaxationAnswer;
         return std::tuple{
@@ -219,7 +220,8 @@ struct RelaxationAnswer {
                     "the same while no more than half of that area had failed: crest cracks and movements before the "
                     "crest itself goes"),
             section("retrogression", &R::retrogression, "masses that failed one after the other"),
-            section("block", &R::block, "each block at the end")};
+            section("block", &R::block, "each block at the end"),
+            section("bolt", &R::bolt, "each bolt at the end")};
     }
 };
 

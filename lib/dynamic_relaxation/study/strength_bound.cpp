@@ -14,9 +14,10 @@ namespace delabole {
 
 namespace {
 
+// What bolts come to hold depends on how the blocks move.
 bool is_static(const RelaxationScene& scene) {
-    return scene.motion.empty() && scene.removal.empty() && scene.shaking.empty() && !scene.belt &&
-           (scene.gravity.rate == 0 || scene.gravity.final_tilt == scene.gravity.tilt);
+    return scene.bolt.empty() && scene.motion.empty() && scene.removal.empty() && scene.shaking.empty() &&
+           !scene.belt && (scene.gravity.rate == 0 || scene.gravity.final_tilt == scene.gravity.tilt);
 }
 
 Assembly assembly_of(const RelaxationScene& scene, const Bodies& bodies, const std::vector<SharedFace>& faces) {

@@ -91,6 +91,23 @@ std::vector<Point> joint_outcrops(const ColumnScene<>& scene) {
     return outcrops;
 }
 
+std::vector<std::vector<BoltRow>> support_rows(const ColumnScene<>& scene) {
+    const ColumnShapes<> shapes = make_shapes(scene.slope, scene.columns);
+    if (shapes.check != ColumnCheck::valid || !scene.slope) {
+        return {};
+    }
+    std::vector<std::vector<BoltRow>> rows;
+    for (const BoltPattern<>& pattern : scene.support) {
+        rows.emplace_back();
+        for_each_row(pattern, [&](int row) {
+            if (const auto found = detail::bolt_row(pattern, row, *scene.slope, shapes)) {
+                rows.back().push_back({detail::turned_back(shapes.base, found->head), found->force});
+            }
+        });
+    }
+    return rows;
+}
+
 std::vector<Polyline> column_outlines(const ColumnScene<>& scene) {
     const ColumnShapes<> shapes = make_shapes(scene.slope, scene.columns);
     if (shapes.check != ColumnCheck::valid) {

@@ -20,6 +20,10 @@ Polyline ground_after_toppling(const ColumnScene<>& scene, std::size_t moving_co
 // one; section axes. Empty where there are no columns or no ground is given.
 std::vector<Point> joint_outcrops(const ColumnScene<>& scene);
 
+// The rows of each pattern of bolts, the lowest first; those that find no column are left out. Empty where there are no
+// columns or no ground is given.
+std::vector<std::vector<BoltRow>> support_rows(const ColumnScene<>& scene);
+
 // Closed polygons, one per column from the toe up, in section axes; the wedge above them last, if there is one. Empty
 // where there are no columns.
 std::vector<Polyline> column_outlines(const ColumnScene<>& scene);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "limit_equilibrium/columns/slide_head.hpp"
+#include "support/bolt_pattern.hpp"
 
 #include <cmath>
 
@@ -21,6 +22,7 @@ struct ColumnScene {
     std::vector<LineLoad<T>> line_load;
     std::vector<PointLoad<T>> point_load;
     std::vector<ColumnBolt<T>> bolt;
+    std::vector<BoltPattern<T>> support;
     std::optional<SlideHead<T>> slide_head;
 
     static constexpr auto fields() {
@@ -34,6 +36,7 @@ struct ColumnScene {
             section("line_load", &ColumnScene::line_load, "line loads behind the crest"),
             section("point_load", &ColumnScene::point_load, "loads on single columns"),
             section("bolt", &ColumnScene::bolt, "bolts and cables in single columns"),
+            section("support", &ColumnScene::support, "patterns of tensioned bolts: rows, spacing, length, capacity"),
             section("slide_head", &ColumnScene::slide_head, "wedge sliding against the last column; absent: none")};
     }
 };
@@ -71,6 +74,80 @@ ColumnCheck add_to_column(const std::vector<Load>& loads, const SineCosine<T>& b
                                      T(load.force * plunge.cosine), T(-load.force * plunge.sine));
     }
     return ColumnCheck::valid;
+}
+
+// A row of a pattern: where its heads are, in turned axes, in which column, and what it holds.
+template <class T>
+struct ColumnBoltRow {
+    PlanePoint<T> head;
+    std::size_t column;
+    T length_in_columns;  // from the head to the base; negative where the bolt does not meet it
+    T force;
+};
+
+// Nothing where the face has no column at that height.
+template <class T>
+std::optional<ColumnBoltRow<T>> bolt_row(const BoltPattern<T>& pattern, int row, const SlopeSection<T>& slope,
+                                         const ColumnShapes<T>& shapes) {
+    const T height = pattern.head_height(row);
+    const SineCosine<T> face = sine_cosine(slope.face_dip);
+    ColumnBoltRow<T> found{turned(shapes.base, T(height * face.cosine / face.sine), height), 0, T(-1), T(0)};
+    const auto& columns = shapes.columns;
+    while (found.column < columns.size() &&
+           !(found.head.x() < columns[found.column].base_u + columns[found.column].width)) {
+        ++found.column;
+    }
+    if (height > slope.height || found.column == columns.size() || found.head.x() < columns[found.column].base_u) {
+        return std::nullopt;
+    }
+    const SineCosine<T> plunge = sine_cosine(pattern.plunge);
+    const PlanePoint<T> along = turned(shapes.base, plunge.cosine, T(-plunge.sine));
+    // A bolt steeper than the joints is taken down to the base of its own column alone.
+    const std::size_t end = along.x() > 0 ? columns.size() : found.column + 1;
+    for (std::size_t index = found.column; index < end; ++index) {
+        const ColumnShape<T>& shape = columns[index];
+        // Through the rise of the base below this column, or down on its base.
+        if (index > found.column) {
+            const T to_rise = (shape.base_u - found.head.x()) / along.x();
+            if (found.head.y() + to_rise * along.y() <= shape.base_v) {
+                found.length_in_columns = to_rise;
+                break;
+            }
+        }
+        const T to_base = along.y() < 0 ? T((shape.base_v - found.head.y()) / along.y()) : T(-1);
+        const T base_at = found.head.x() + to_base * along.x();
+        if (to_base >= 0 && base_at >= shape.base_u && base_at <= shape.base_u + shape.width) {
+            found.length_in_columns = to_base;
+            break;
+        }
+    }
+    found.force = force_of_row(pattern, found.length_in_columns);
+    return found;
+}
+
+// A bolt pulls at its head, on the column that stands there.
+template <class T>
+ColumnCheck add_support(const ColumnScene<T>& scene, const ColumnShapes<T>& shapes,
+                        std::vector<TurnedResultant<T>>& resultants) {
+    if (!scene.slope && !scene.support.empty()) {
+        return ColumnCheck::load_needs_slope;
+    }
+    ColumnCheck check = ColumnCheck::valid;
+    for (const BoltPattern<T>& pattern : scene.support) {
+        for_each_row(pattern, [&](int row) {
+            const std::optional<ColumnBoltRow<T>> bolts = bolt_row(pattern, row, *scene.slope, shapes);
+            if (!bolts) {
+                check = ColumnCheck::load_outside_columns;
+                return;
+            }
+            const ColumnShape<T>& shape = shapes.columns[bolts->column];
+            const SineCosine<T> plunge = sine_cosine(pattern.plunge);
+            resultants[bolts->column].add_turned(shapes.base, T(bolts->head.x() - shape.base_u),
+                                                 T(bolts->head.y() - shape.base_v), T(bolts->force * plunge.cosine),
+                                                 T(-bolts->force * plunge.sine));
+        });
+    }
+    return check;
 }
 
 template <class T>
@@ -179,7 +256,8 @@ ColumnSlope<T> make_columns(const ColumnScene<T>& scene) {
     }
     for (const ColumnCheck check :
          {detail::add_to_column(scene.point_load, shapes.base, false, shapes.columns, resultants),
-          detail::add_to_column(scene.bolt, shapes.base, true, shapes.columns, resultants)}) {
+          detail::add_to_column(scene.bolt, shapes.base, true, shapes.columns, resultants),
+          detail::add_support(scene, shapes, resultants)}) {
         if (check != ColumnCheck::valid) {
             slope.check = check;
             return slope;

@@ -57,8 +57,9 @@ ResolvedSteppedBase resolve(const SteppedBaseStudy<>& study) {
     return {critical.check, {critical.scene, study.model.joints, study.model.bases}, critical.at_boundary};
 }
 
-Required required_value(const SteppedBase<>& problem, const std::string& parameter, double target) {
-    return find_required_value(problem, parameter, target, safety_of);
+Required required_value(const SteppedBase<>& problem, const std::string& parameter, double target,
+                        const std::vector<std::string>& also) {
+    return find_required_value(problem, parameter, also, target, safety_of);
 }
 
 Polyline profile_after_failure(const SteppedBase<>& problem, const SteppedBaseResult& result) {

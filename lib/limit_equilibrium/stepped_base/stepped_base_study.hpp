@@ -41,7 +41,8 @@ struct ResolvedSteppedBase {
 ResolvedSteppedBase resolve(const SteppedBaseStudy<>& study);
 
 // `target` is the factor of safety to reach.
-Required required_value(const SteppedBase<>& problem, const std::string& parameter, double target);
+Required required_value(const SteppedBase<>& problem, const std::string& parameter, double target,
+                        const std::vector<std::string>& also = {});
 
 // Ground left standing when the columns fail that move in limiting equilibrium: the line through the toe corners of
 // their bases, then the crack or the wedge's joint. Empty where nothing moves.

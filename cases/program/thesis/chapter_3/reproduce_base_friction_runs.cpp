@@ -192,9 +192,10 @@ std::string csv_of(const Predictions& predictions, double strength) {
 Figure strength_figure(const Predictions& predictions, double strength) {
     constexpr double least = -2;  // powers of ten of kPa; what needs less or more is drawn at the edge
     constexpr double most = 2;
-    Figure figure{.title = "Strength that the slopes of Table 3.2 need",
-                  .x = {.title = "row of the table"},
-                  .y = {.title = "log10 of the tensile strength", .unit = "kPa", .range = std::pair(least - 0.3, most + 0.3)}};
+    Figure figure{
+        .title = "Strength that the slopes of Table 3.2 need",
+        .x = {.title = "row of the table"},
+        .y = {.title = "log10 of the tensile strength", .unit = "kPa", .range = std::pair(least - 0.3, most + 0.3)}};
     std::array<Polyline, 3> points;
     for (std::size_t index = 0; index < predictions.size(); ++index) {
         const Prediction& prediction = predictions[index];

@@ -1,0 +1,88 @@
+#include "dynamic_relaxation/scene/bolts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace delabole {
+
+namespace {
+
+// Of a line inside a block, m from the line's beginning.
+struct Stretch {
+    std::size_t block;
+    double begin;
+    double end;
+};
+
+// Nothing where it lies outside a convex outline, or only touches it.
+std::optional<Stretch> stretch_in(const Polygon<>& outline, const PlanePoint<>& from, const PlanePoint<>& along,
+                                  double length) {
+    Stretch inside{0, 0, length};
+    for (std::size_t corner = 0; corner < outline.size(); ++corner) {
+        const PlanePoint<> edge = outline[(corner + 1) % outline.size()] - outline[corner];
+        const PlanePoint<> inward(-edge.y(), edge.x());
+        const double distance = inward.dot(from - outline[corner]);
+        const double approach = inward.dot(along);
+        if (approach == 0) {
+            if (distance < 0) {
+                return std::nullopt;
+            }
+            continue;
+        }
+        double& bound = approach > 0 ? inside.begin : inside.end;
+        bound = approach > 0 ? std::max(bound, -distance / approach) : std::min(bound, -distance / approach);
+    }
+    constexpr double touch = 1e-9;
+    return inside.end - inside.begin > touch * length ? std::optional(inside) : std::nullopt;
+}
+
+bool is_there_at_first(const RelaxationScene& scene, std::size_t block) {
+    return std::ranges::none_of(scene.removal,
+                                [&](const Removal& removal) { return removal.block == block && removal.time < 0; });
+}
+
+}  // namespace
+
+std::vector<BoltSegment> bolt_segments(const RelaxationScene& scene, const RelaxationBolt& bolt, std::size_t index) {
+    const PlanePoint<> head(bolt.head_x, bolt.head_y);
+    const PlanePoint<> along(std::cos(bolt.plunge), -std::sin(bolt.plunge));
+    std::vector<Stretch> crossed;
+    for (std::size_t block = 0; block < scene.block.size(); ++block) {
+        const Polygon<>& outline = scene.block[block].outline;
+        auto stretch = outline.size() >= 3 ? stretch_in(outline, head, along, bolt.length) : std::nullopt;
+        if (stretch && is_there_at_first(scene, block)) {
+            stretch->block = block;
+            crossed.push_back(*stretch);
+        }
+    }
+    std::ranges::sort(crossed, {}, &Stretch::begin);
+    // A head may be given with the rounding of a face.
+    const double tolerance = 1e-3 * bolt.length;
+    if (crossed.size() < 2 || crossed.front().begin > tolerance || crossed.back().end < bolt.length - tolerance) {
+        constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+        return {{index, nowhere, nowhere, head, head, 0, 0, 0}};
+    }
+    const auto segment = [&](const Stretch& one, const Stretch& other, double begin, double end) {
+        return BoltSegment{index,
+                           one.block,
+                           other.block,
+                           head + begin * along,
+                           head + end * along,
+                           bolt.axial_stiffness / (end - begin) / bolt.spacing,
+                           bolt.pretension.value_or(0) / bolt.spacing,
+                           bolt.capacity / bolt.spacing};
+    };
+    if (!bolt.free_length_at_joints) {
+        return {segment(crossed.front(), crossed.back(), 0, bolt.length)};
+    }
+    std::vector<BoltSegment> segments;
+    const double half = *bolt.free_length_at_joints / 2;
+    for (std::size_t next = 1; next < crossed.size(); ++next) {
+        const double joint = (crossed[next - 1].end + crossed[next].begin) / 2;
+        segments.push_back(segment(crossed[next - 1], crossed[next], joint - half, joint + half));
+    }
+    return segments;
+}
+
+}  // namespace delabole

@@ -1,0 +1,104 @@
+#include "dynamic_relaxation/step/bolt_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace delabole {
+
+namespace {
+
+struct Stretched {
+    double extension;      // m, since the initial geometry
+    PlanePoint<> towards;  // unit vector from the block to the other
+    PlanePoint<> arm;      // about the block's centroid, as it is turned now
+    PlanePoint<> other_arm;
+};
+
+Stretched stretched(const BoltSegment& segment, const Bodies& bodies, const std::vector<Motion>& motion) {
+    const Motion& one = motion[segment.block];
+    const Motion& two = motion[segment.other];
+    const PlanePoint<> arm = segment.at - bodies.centroid[segment.block];
+    const PlanePoint<> other_arm = segment.other_at - bodies.centroid[segment.other];
+    const PlanePoint<> drawn = segment.other_at - segment.at;
+    // By the displacement, not by two lengths: those would lose what a stiff bolt feels.
+    const PlanePoint<> moved =
+        PlanePoint<>(two.x - one.x, two.y - one.y) + two.turned_by(other_arm) - one.turned_by(arm);
+    const PlanePoint<> now = drawn + moved;
+    const double length = now.norm();
+    return {(2 * drawn + moved).dot(moved) / (length + drawn.norm()),
+            length > 0 ? PlanePoint<>(now / length) : PlanePoint<>(0, 0), one.turned(arm), two.turned(other_arm)};
+}
+
+double force_of(const BoltSegment& segment, const BoltMemory& memory, double extension) {
+    const double elastic =
+        segment.pretension + segment.stiffness * (extension - memory.extension_at_start - memory.yielded);
+    return std::clamp(elastic, 0.0, segment.capacity);
+}
+
+bool holds(const BoltSegment& segment, const std::vector<char>& removed) {
+    return removed[segment.block] == 0 && removed[segment.other] == 0;
+}
+
+}  // namespace
+
+void put_in_bolts(const RelaxationScene& scene, const Bodies& bodies, RelaxationState& state) {
+    for (std::size_t index = 0; index < scene.bolt.size(); ++index) {
+        state.bolt[index] = {stretched(scene.bolt[index], bodies, state.motion).extension, 0};
+    }
+}
+
+void add_bolt_forces(const RelaxationScene& scene, const Bodies& bodies, RelaxationState& state,
+                     std::vector<BlockForce>& load) {
+    const auto add = [&](std::size_t block, const PlanePoint<>& arm, const PlanePoint<>& force) {
+        load[block] += {force.x(), force.y(), arm.x() * force.y() - arm.y() * force.x()};
+    };
+    for (std::size_t index = 0; index < scene.bolt.size(); ++index) {
+        const BoltSegment& segment = scene.bolt[index];
+        if (!holds(segment, state.removed)) {
+            continue;
+        }
+        const Stretched now = stretched(segment, bodies, state.motion);
+        BoltMemory& memory = state.bolt[index];
+        // m, that it can stretch from its pretension before it yields.
+        const double elastic = (segment.capacity - segment.pretension) / segment.stiffness;
+        memory.yielded = std::max(memory.yielded, now.extension - memory.extension_at_start - elastic);
+        const PlanePoint<> force = force_of(segment, memory, now.extension) * now.towards;
+        add(segment.block, now.arm, force);
+        add(segment.other, now.other_arm, -force);
+    }
+}
+
+double stable_step_of_bolts(const RelaxationScene& scene, const Bodies& bodies) {
+    // No frequency's square exceeds twice the greatest of the blocks' own sums.
+    std::vector<double> square(bodies.size(), 0);
+    for (const BoltSegment& segment : scene.bolt) {
+        const auto add = [&](std::size_t block, const PlanePoint<>& at) {
+            square[block] +=
+                segment.stiffness * (bodies.inverse_mass[block] +
+                                     (at - bodies.centroid[block]).squaredNorm() * bodies.inverse_inertia[block]);
+        };
+        add(segment.block, segment.at);
+        add(segment.other, segment.other_at);
+    }
+    const double greatest = square.empty() ? 0 : 2 * std::ranges::max(square);
+    return greatest > 0 ? 2 / std::sqrt(greatest) : std::numeric_limits<double>::infinity();
+}
+
+std::vector<BoltOutcome> bolt_outcomes(const RelaxationScene& scene, const Bodies& bodies,
+                                       const RelaxationState& state) {
+    std::vector<BoltOutcome> outcomes;
+    for (std::size_t index = 0; index < scene.bolt.size(); ++index) {
+        const BoltSegment& segment = scene.bolt[index];
+        outcomes.resize(std::max(outcomes.size(), segment.bolt + 1));
+        if (holds(segment, state.removed)) {
+            const double extension = stretched(segment, bodies, state.motion).extension;
+            BoltOutcome& outcome = outcomes[segment.bolt];
+            outcome.force = std::max(outcome.force, force_of(segment, state.bolt[index], extension));
+            outcome.yielded = std::max(outcome.yielded, state.bolt[index].yielded);
+        }
+    }
+    return outcomes;
+}
+
+}  // namespace delabole

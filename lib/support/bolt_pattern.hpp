@@ -1,0 +1,105 @@
+// Rows of equal bolts, and what each row holds per metre of slope.
+//
+// A bolt runs from its head on the face through the surface on which the rock moves into rock that stays. Its force
+// where it crosses that surface is the least of
+//     capacity                              of the bar or strand,
+//     bond strength (length - l)            by which the grout behind the surface holds it (pullout),
+//     plate capacity + bond strength l      by which plate and grout in front of it hold the rock (stripping),
+// l being the length from the head to the surface; a bolt without grout is anchored at its end and has its capacity
+// wherever that end is in rock that stays. Divided by the spacing along the slope that is force per metre run, as
+// limit equilibrium takes support (Hoek & Bray 1981; Wyllie & Mah 2004, 7.4 and 12.4; the force diagram is that of
+// grouted bolts in common slope programs).
+//
+// Limits: the bolt carries tension alone, not shear, and whole rows act together: the slope is as in every section.
+#pragma once
+
+#include "geometry/polyline.hpp"
+#include "parameters/fields.hpp"
+#include "parameters/lengths.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <tuple>
+
+namespace delabole {
+
+enum class BoltAction { active, passive };
+
+constexpr std::array<std::string_view, 2> enum_names(BoltAction) {
+    return {"active", "passive"};
+}
+
+template <class T = double>
+struct Grout {
+    T bond_strength;
+    T plate_capacity;
+    static constexpr auto fields() {
+        return std::tuple{number("bond_strength", &Grout::bond_strength, Dimension::force_per_length, more_than(0),
+                                 "force that a metre of grouted bolt passes on to the rock"),
+                          number("plate_capacity", &Grout::plate_capacity, Dimension::force, at_least(0),
+                                 "force that the plate at the head bears")};
+    }
+};
+
+template <class T = double>
+struct BoltPattern {
+    T rows;
+    T lowest_height;
+    T row_spacing;
+    T spacing;
+    T length;
+    T plunge;
+    T capacity;
+    std::optional<Grout<T>> grout;
+    static constexpr auto fields() {
+        using P = BoltPattern;
+        return std::tuple{
+            number("rows", &P::rows, Dimension::ratio, within(1, 1000), "number of rows, a whole one"),
+            number("lowest_height", &P::lowest_height, Dimension::length, distance_range(),
+                   "height of the lowest row's heads on the face above the toe"),
+            number("row_spacing", &P::row_spacing, Dimension::length, extent_range(), "vertical, from row to row"),
+            number("spacing", &P::spacing, Dimension::length, extent_range(), "along the slope, from bolt to bolt"),
+            number("length", &P::length, Dimension::length, extent_range(), "of a bolt, from its head to its end"),
+            number("plunge", &P::plunge, Dimension::angle, within(degrees(-90), degrees(90)),
+                   "direction below the horizontal, into the slope; negative: inclined upwards"),
+            number("capacity", &P::capacity, Dimension::force, at_least(0), "tension that a bolt bears"),
+            section("grout", &P::grout, "along the whole bolt; absent: the bolt is anchored at its end alone")};
+    }
+
+    T head_height(int row) const { return T(lowest_height + T(row) * row_spacing); }
+};
+
+// N/m, of a row whose bolts have that length in the rock that moves; negative where they do not cross its surface.
+template <class T>
+T force_of_row(const BoltPattern<T>& pattern, const T& length_in_moving_rock) {
+    const T behind = pattern.length - length_in_moving_rock;
+    if (!(length_in_moving_rock >= 0) || !(behind > 0)) {
+        return T(0);
+    }
+    T force = pattern.capacity;
+    if (pattern.grout) {
+        const T pullout = pattern.grout->bond_strength * behind;
+        const T stripping = pattern.grout->plate_capacity + pattern.grout->bond_strength * length_in_moving_rock;
+        force = pullout < force ? pullout : force;
+        force = stripping < force ? stripping : force;
+    }
+    return T(force / pattern.spacing);
+}
+
+// One row as a slope has it.
+struct BoltRow {
+    Point head;
+    double force;  // N/m
+};
+
+// Calls visit(row) for each row, counted from 0 at the lowest.
+template <class T, class Visit>
+void for_each_row(const BoltPattern<T>& pattern, Visit&& visit) {
+    for (int row = 0; T(row) < pattern.rows; ++row) {
+        visit(row);
+    }
+}
+
+}  // namespace delabole
