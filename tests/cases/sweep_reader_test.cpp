@@ -144,7 +144,7 @@ TEST(SweepSection, MistakesHaveTheirPlaceAndReason) {
     expect("unit = \"ft\"", "unit = \"kPa\"", "is not a unit of block.height");
     expect("[\"10 deg\", \"30 deg\"]", "[\"30 deg\", \"10 deg\"]", "must be more than the value before");
     expect("[\"10 deg\", \"30 deg\"]", "[\"30 deg\"]", "must be a list of at least two values");
-    expect("name = \"tilt\"", "name = \"../tilt\"", "must consist of letters, digits, - and _");
+    expect("name = \"tilt\"", "name = \"../tilt\"", "must consist of at most 100 letters, digits, - and _");
     expect("other = \"slides\"", "other = \"slide\"", "is not the label of a curve (did you mean slides?)");
     expect("is = \"above\"", "is = \"over\"", "must be falls, rises, below or above");
     expect("label = \"meet\"", "label = \"meet\"\nprinted = \"1 ft\"\ntolerance = \"1 in\"", "has a printed crossing");
@@ -154,6 +154,7 @@ TEST(SweepSection, MistakesHaveTheirPlaceAndReason) {
     expect("dash = \"dashed\"", "dash = \"wavy\"", "must be solid, dashed or dotted");
     expect("points = [[1, 20.5], [2, 30]]", "points = [[1, 20.5], [2]]", "must be two numbers, [x, y]");
     expect("output = \"critical_toppling_inclination\"\n", "", "name of an output of the model");
+    expect("also = [\"block.width\"]", "also = [\"block.height\"]", "\"block.height\": varies twice in the sweep");
     expect("also = [\"block.width\"]", "also = [\"base.cohesion\"]", "has another dimension than block.height");
     expect(
         "\n[[sweep.vary]]\ninput = \"block.height\"\nalso = [\"block.width\"]\nfrom = \"1 ft\"\nto = \"3 ft\"\n"

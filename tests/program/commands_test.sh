@@ -86,6 +86,7 @@ delabole grid good.toml --vary "water.water_depth=0 m:4 m:3" --output weight --o
 expect_status 0
 expect "JSON" is_json "$scratch/out"
 expect_output '"weight_kN_per_m": '
+expect "beside the result of run, not in its place" test -s results/good_grid/grid.csv
 delabole grid good.toml --vary "water.water_depth=0 m:4 m:12" --vary "strength.cohesion=0 kPa:25 kPa:11" --out map
 expect_status 0
 expect_figures map 1
@@ -96,6 +97,9 @@ done
 delabole grid good.toml --vary "water.water_dept=0 m:4 m"
 expect_status 3
 expect_error 'did you mean water.water_depth'
+delabole grid good.toml --vary "water.water_depth=0 m:4 m:3" --vary "water.water_depth=0 m:4 m:3"
+expect_status 3
+expect_error '"water.water_depth": varies twice in the sweep'
 delabole grid good.toml --vary "water.water_depth=0 m:4 m:3" --output factor
 expect_status 3
 expect_error 'is not an output of this case'

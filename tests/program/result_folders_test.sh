@@ -107,6 +107,34 @@ delabole run good.toml --set 'water.water_depth=5 m' --out one
 expect_status 3
 expect_complete_results one
 
+title "a sweep takes no other table's name, nor one that no file can have"
+cat good.toml - >swept.toml <<'CASE'
+
+[[sweep]]
+name = "results"
+
+[[sweep.vary]]
+input = "water.water_depth"
+values = ["0 m", "3 m"]
+
+[[sweep.curve]]
+label = "safety"
+output = "factor_of_safety"
+CASE
+delabole run swept.toml --out swept
+expect_status 5
+expect_error 'delabole: cannot write swept/results.csv: the result has another table of this name: rename the sweep'
+expect "nothing says that all is there" refuse test -e swept/result.json
+sed 's/^name = "results"/name = "water"/' swept.toml >water.toml
+delabole run water.toml --out swept --quiet
+expect_status 0
+expect "both tables" test -s swept/results.csv -a -s swept/water.csv
+expect "the model's figure of that name, and the sweep's" test -s swept/figures/water.svg -a -s swept/figures/water_2.svg
+sed "s/^name = \"results\"/name = \"$(printf '%0101d' 0)\"/" swept.toml >long.toml
+delabole check long.toml
+expect_status 3
+expect_error 'must consist of at most 100 letters, digits, - and _'
+
 title "a second process is refused while one writes"
 # As long as its gnuplot waits.
 mkdir waiting

@@ -225,8 +225,9 @@ void check_file_name(Reading& reading, const std::string& key, const std::string
         return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||
                (character >= '0' && character <= '9') || character == '_' || character == '-';
     };
-    if (!std::ranges::all_of(name, plain)) {
-        reading.complain_at(key, "must consist of letters, digits, - and _ (it names files)");
+    constexpr std::size_t longest = 100;
+    if (!std::ranges::all_of(name, plain) || name.size() > longest) {
+        reading.complain_at(key, "must consist of at most 100 letters, digits, - and _ (it names files)");
     }
 }
 

@@ -237,6 +237,30 @@ bool too_many(Section& section, std::string_view key) {
     return true;
 }
 
+// Complains about inputs that vary twice, and about more work than anybody waits for.
+void check_swept(Section& section, const CaseSweep& sweep) {
+    std::vector<SweptInput> swept = sweep.vary;
+    if (sweep.each) {
+        swept.push_back(*sweep.each);
+    }
+    std::size_t analyses = 1;
+    std::set<std::string> inputs;
+    for (const SweptInput& one : swept) {
+        analyses *= one.values.size();
+        std::vector<std::string> names = one.also;
+        names.push_back(one.input);
+        for (const std::string& name : names) {
+            if (!inputs.insert(name).second) {
+                section.reading().complain(section.place(), section.path(), shown(name), "varies twice in the sweep");
+            }
+        }
+    }
+    if (analyses > most_analyses) {
+        section.reading().complain(section.place(), section.path(), std::to_string(analyses),
+                                   "points are more than " + std::to_string(most_analyses));
+    }
+}
+
 void read_sweep(Section& section, std::vector<CaseSweep>& sweeps) {
     CaseSweep sweep;
     sweep.place = section.place();
@@ -286,7 +310,7 @@ void read_sweep(Section& section, std::vector<CaseSweep>& sweeps) {
     std::set<std::string> labels;
     for (const SweepCurve& curve : sweep.curves) {
         if (!labels.insert(curve.label).second) {
-            section.reading().complain(section.place(), section.path(), in_quotes(curve.label),
+            section.reading().complain(section.place(), section.path(), shown(curve.label),
                                        "names two curves of the sweep");
         }
     }
@@ -307,14 +331,7 @@ void read_sweep(Section& section, std::vector<CaseSweep>& sweeps) {
     if (sweep.draw == SweepDrawing::crossings && (!sweep.each || sweep.crossings.empty())) {
         section.complain("draw", *section.peek("draw"), "needs [sweep.each] and [[sweep.crossing]]");
     }
-    std::size_t analyses = sweep.each ? sweep.each->values.size() : 1;
-    for (const SweptInput& swept : sweep.vary) {
-        analyses *= swept.values.size();
-    }
-    if (analyses > most_analyses) {
-        section.reading().complain(section.place(), section.path(), std::to_string(analyses),
-                                   "points are more than " + std::to_string(most_analyses));
-    }
+    check_swept(section, sweep);
     sweeps.push_back(std::move(sweep));
 }
 

@@ -88,7 +88,7 @@ ExitCode grid_command(const std::filesystem::path& path, const Options& options)
     CaseFile file = read_case(path, settings);
     CaseSweep& sweep = file.sweeps.front();
     sweep.title = file.title;
-    const ResultFolder folder(options, stem_of(file), OnInterrupt::stop);
+    const ResultFolder folder(options, stem_of(file) + "_grid", OnInterrupt::stop);
     const SweepRun run = [&] {
         Progress progress(options.quiet);
         return run_sweep(file, sweep, {.threads = options.threads, .progress = [&](double share) {

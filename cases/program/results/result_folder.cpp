@@ -236,6 +236,9 @@ void ResultFolder::write(const std::string& name, std::string_view text) const {
     if (path_.empty()) {
         return;
     }
+    if (!written_.insert(name).second) {
+        throw OutputError(path_ / name, "the result has another table of this name: rename the sweep or mechanism");
+    }
     enter({name});
     write_file_atomically(path_ / name, text);
 }
@@ -254,9 +257,12 @@ FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name,
     if (seconds_since_interrupt() > still_drawn) {
         gnuplot_runs_.none_because = "the work was interrupted";
     }
-    const std::string file = "figures/" + name;
-    enter({file + ".gp", file + ".svg", file + ".png"});
-    const FigureFiles files = write_figure(figure, path_ / "figures", name, gnuplot_runs_);
+    std::string file = name;
+    for (int number = 2; !written_.insert("figures/" + file).second; ++number) {
+        file = name + "_" + std::to_string(number);
+    }
+    enter({"figures/" + file + ".gp", "figures/" + file + ".svg", "figures/" + file + ".png"});
+    const FigureFiles files = write_figure(figure, path_ / "figures", file, gnuplot_runs_);
     if (files.write_error) {
         throw *files.write_error;
     }

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -96,6 +97,8 @@ class ResultFolder {
     // it listens; from one thread at a time.
     void report_progress(double share, const std::string& what) const;
     void on_progress(std::function<void(double, const std::string&)> listener) { on_progress_ = std::move(listener); }
+    // OutputError also where the name was written before: names of sweeps and mechanisms become those of files, and
+    // what has them already is not lost.
     void write(const std::string& name, std::string_view text) const;
     // A figure that cannot be drawn is reported inside the report and by a warning on standard error, --quiet or not: a
     // report without its figures is not what was asked for. After an interrupt gnuplot runs for a moment only, and the
@@ -114,6 +117,7 @@ class ResultFolder {
     std::function<void(double, const std::string&)> on_progress_ = {};
     FigureTaker taker_ = {};
     mutable GnuplotRuns gnuplot_runs_ = {};
+    mutable std::set<std::string> written_ = {};
 };
 
 // Columns aligned for a terminal, the first to the left, the others to the right.
