@@ -402,6 +402,8 @@ std::vector<std::string> blamed_keys(const RelaxationStudy& study, std::string_v
         return {block + ".density", "scene.density"};
     case SceneCheck::setting_out_of_range:
         return {"settings"};
+    case SceneCheck::bolt_outside_blocks:
+        return {indexed("bolt", fault.index)};
     case SceneCheck::no_free_block:
         return {"scene.block[1].hold", "scene.block", "scene.fixed[1]", "scene.fixed"};
     default:
@@ -433,6 +435,10 @@ std::string explain_failure(const RelaxationStudy& study, std::string_view, cons
                " overlap in the drawing by more than ten times what their weight would do: they would explode";
     case SceneCheck::bond_without_face:
         return "the two faces of bond " + std::to_string(fault.index + 1) + " do not lie on each other in the drawing";
+    case SceneCheck::bolt_outside_blocks:
+        return "bolt " + std::to_string(fault.index + 1) +
+               " begins or ends outside the blocks, or crosses no joint: its head has to be on a face, its end in "
+               "another block";
     case SceneCheck::unknown_edge:
         return "a load is on a face that does not exist, or two blocks with water between them share none";
     case SceneCheck::unknown_block:
