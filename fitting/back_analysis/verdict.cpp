@@ -95,7 +95,7 @@ std::string Words::change(Eigen::Index place, double scaled) const {
 
 // One display unit, or the power of ten that fits twice into a range shorter than two units; as a share of the range.
 double Words::round_step(Eigen::Index place) const {
-    const double unit = display_unit(question_.dimensions[static_cast<std::size_t>(place)]).si_per_unit;
+    const double unit = shown_unit(question_.dimensions[static_cast<std::size_t>(place)]).si_per_unit;
     const double range = question_.ranges[place] / unit;
     const double step = range >= 2 ? 1.0 : std::pow(10.0, std::floor(std::log10(range / 2)));
     return step / range;

@@ -55,7 +55,7 @@ std::string human_name(std::string_view name) {
 std::string human_unit(std::string_view unit) {
     std::string result;
     for (std::size_t index = 0; index < unit.size(); ++index) {
-        const bool exponent = index > 0 && unit[index - 1] == 'm';
+        const bool exponent = index > 0 && (unit[index - 1] == 'm' || unit[index - 1] == 't');
         if (exponent && unit[index] == '2') {
             result += "²";
         } else if (exponent && unit[index] == '3') {

@@ -1,4 +1,5 @@
 #include "plots/figures/block_figures.hpp"
+#include "fitting/work/words.hpp"
 
 #include "plots/drawing/extent.hpp"
 #include "plots/drawing/gnuplot_words.hpp"
@@ -284,12 +285,12 @@ class BlockPicture {
         if (!(greatest_force_ > 0)) {
             return;
         }
-        const double unit = display_unit(Dimension::force_per_length).si_per_unit;
+        const double unit = shown_unit(Dimension::force_per_length).si_per_unit;
         const double force = tick_step(0.5 * greatest_force_ / unit, 1);
         key_force_ = force * unit;
         const double arrow = chains_ ? shortest_arrow * metres_per_px_ : key_force_ * metres_per_newton_;
         const std::string text =
-            human_number(force, 6) + " " + human_unit(display_unit(Dimension::force_per_length).symbol);
+            human_number(force, 6) + " " + human_unit(shown_unit(Dimension::force_per_length).symbol);
         const double gap = 10 * metres_per_px_;
         const Point size{
             arrow + gap + letter_width * text_height * static_cast<double>(letter_count(text)) * metres_per_px_,

@@ -1,5 +1,6 @@
 // All panels stand in one drawing whose unit is the distance from panel to panel: that of row i and column j has its
 // lower left corner at (j, rows - 1 - i).
+#include "fitting/work/words.hpp"
 #include "plots/drawing/contour.hpp"
 #include "plots/drawing/text.hpp"
 #include "plots/figures/posterior_figures.hpp"
@@ -76,7 +77,7 @@ Point corner_of(std::size_t rows, std::size_t row, std::size_t column) {
 }
 
 std::string title_of(const Shown& shown) {
-    const std::string unit = human_unit(display_unit(shown.dimension).symbol);
+    const std::string unit = human_unit(shown_unit(shown.dimension).symbol);
     return wrapped(human_name(shown.parameter->name) + (unit.empty() ? "" : " (" + unit + ")"), 20);
 }
 
@@ -89,7 +90,7 @@ void add_frame(const Point& corner, Figure& figure) {
 
 // Numbers below the lowest panel of the column, or beside the first panel of the row.
 void add_ticks(const Shown& shown, const Point& corner, bool below, Figure& figure) {
-    const double unit = display_unit(shown.dimension).si_per_unit;
+    const double unit = shown_unit(shown.dimension).si_per_unit;
     for (const double number : round_numbers(shown.range.lower / unit, shown.range.upper / unit)) {
         const double place = shown.scaled(number * unit);
         const Point at = corner + (below ? Point(place, 0) : Point(0, place));

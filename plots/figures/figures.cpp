@@ -30,14 +30,16 @@ Line curve_line(const NamedCurve& curve, std::size_t index, double x_unit, doubl
     return line;
 }
 
-// Gives each curve its legend as a text on it, one further along than the other.
+// Gives each curve its legend as a text on it, one further along than the other, none beyond the curves' ends.
 void label_curves(std::vector<Line>& lines, Figure& figure) {
     for (std::size_t index = 0; index < lines.size(); ++index) {
         Line& line = lines[index];
         if (!line.points.empty()) {
-            figure.labels.push_back({.at = line.points[(index + 1) * line.points.size() / (lines.size() + 1)],
+            figure.labels.push_back({.at = line.points[(2 * index + 1) * line.points.size() / (2 * lines.size())],
                                      .text = std::exchange(line.legend, ""),
-                                     .align = Label::Align::centre,
+                                     .align = index == 0                  ? Label::Align::left
+                                              : index + 1 == lines.size() ? Label::Align::right
+                                                                          : Label::Align::centre,
                                      .colour = line.colour});
         }
     }

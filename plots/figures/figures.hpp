@@ -63,6 +63,7 @@ struct SectionDrawing {
     Polyline predicted_profile = {};  // ground left standing
     std::vector<LevelMark> levels = {};
     std::vector<SectionForce> forces = {};
+    std::vector<Polyline> bolts = {};  // each from its head to its end
     std::vector<Measure> measures = {};
     std::vector<std::pair<Point, std::string>> notes = {};  // texts at their places
     double toe_elevation = 0;                               // m; added to heights on the vertical axis

@@ -1,5 +1,8 @@
 #include "plots/figures/figures.hpp"
 
+#include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -73,8 +76,10 @@ std::vector<Arrows::Shaft> force_shafts(const SectionDrawing& drawing) {
 }
 
 void add_forces(const SectionDrawing& drawing, const Point& raise, Figure& figure) {
-    Arrows arrows{
-        .shafts = force_shafts(drawing), .legend = "forces on what slides, kN/m", .colour = Colour::black, .width = 3};
+    Arrows arrows{.shafts = force_shafts(drawing),
+                  .legend = "forces on what slides, " + human_unit(shown_unit(Dimension::force_per_length).symbol),
+                  .colour = Colour::black,
+                  .width = 3};
     if (arrows.shafts.empty()) {
         return;
     }
@@ -104,6 +109,9 @@ Frame frame_of(const SectionDrawing& drawing) {
     }
     if (frame.empty()) {
         frame.include({{0, 0}, {1, 1}});
+    }
+    for (const Polyline& bolt : drawing.bolts) {
+        frame.include(bolt);
     }
     for (const LevelMark& level : drawing.levels) {
         frame.include({{frame.lowest.x(), level.height}});
@@ -182,11 +190,16 @@ Figure section_figure(const SectionDrawing& drawing) {
                 Line{.points = line, .legend = std::move(legend), .colour = colour, .dash = dash, .width = width});
         }
     };
-    add_line(drawing.ground, "ground before the failure", Colour::black, Dash::solid, 3);
+    const bool is_plain = drawing.predicted_profile.empty() && drawing.observed_profile.empty();
+    add_line(drawing.ground, is_plain ? "ground surface" : "ground before the failure", Colour::black, Dash::solid, 3);
     add_line(drawing.predicted_profile, "predicted after the failure", Colour::green, Dash::solid, 6);
     add_line(drawing.failure_plane, "failure plane", Colour::vermilion, Dash::dashed, 3);
     add_line(drawing.tension_crack, "tension crack", Colour::purple, Dash::dashed, 3);
     add_line(drawing.water_in_crack, "water in the crack", Colour::blue, Dash::solid, 5);
+    std::string bolts = "bolts";
+    for (const Polyline& bolt : drawing.bolts) {
+        add_line(bolt, std::exchange(bolts, ""), Colour::green, Dash::solid, 3);
+    }
     add_line(drawing.observed_profile, "", Colour::black, Dash::dotted, 2);
     if (!drawing.observed_profile.empty()) {
         figure.series.emplace_back(Points{.points = drawing.observed_profile,

@@ -1,4 +1,5 @@
 #include "plots/figures/sensitivity_figures.hpp"
+#include "fitting/work/words.hpp"
 
 #include "plots/drawing/extent.hpp"
 #include "plots/drawing/text.hpp"
@@ -21,7 +22,7 @@ double unit_of(const StudiedQuantity& quantity) {
 }
 
 std::string with_unit(double value, Dimension dimension) {
-    const DisplayUnit unit = display_unit(dimension);
+    const DisplayUnit unit = shown_unit(dimension);
     const std::string number = human_number(value / unit.si_per_unit, 3);
     return unit.symbol.empty() ? number : number + "\u00a0" + human_unit(unit.symbol);
 }
@@ -98,8 +99,13 @@ Figure tornado_range_figure(const StudiedQuantity& quantity, const TornadoResult
     Boxes low{.legend = "parameter at its " + percent(settings.lower_probability) + " quantile", .colour = Colour::sky};
     Boxes high{.legend = "parameter at its " + percent(settings.upper_probability) + " quantile",
                .colour = Colour::orange};
-    const std::vector<std::size_t> order = largest_first(
+    std::vector<std::size_t> order = largest_first(
         result.bars.size(), [&](std::size_t index) { return result.bars[index].swing(result.at_medians); });
+    constexpr std::size_t most_bars = 8;
+    if (order.size() > most_bars) {
+        order.resize(most_bars);
+        figure.title += ": the eight that matter most";
+    }
     Extent extent;
     const double middle = result.at_medians.value / unit;
     for (std::size_t row = 0; row < order.size(); ++row) {

@@ -1,4 +1,5 @@
 #include "plots/report/animation.hpp"
+#include "fitting/work/words.hpp"
 
 #include "geometry/polygon.hpp"
 #include "plots/drawing/extent.hpp"
@@ -356,15 +357,18 @@ class Drawing {
 
     // 1, 2 or 5 times a power of ten, at most a quarter of the width.
     std::string scale_bar() const {
-        const double room = width / 4 / scale_;
+        const DisplayUnit unit = shown_unit(Dimension::length);
+        const double scale = scale_ * unit.si_per_unit;
+        const double room = width / 4 / scale;
         const double decade = std::pow(10, std::floor(std::log10(room)));
         const double length = room >= 5 * decade ? 5 * decade : room >= 2 * decade ? 2 * decade : decade;
         const std::string y = fixed_point(height_ + 20, 1);
-        const std::string right = fixed_point(8 + length * scale_, 1);
+        const std::string right = fixed_point(8 + length * scale, 1);
         return "<path class=\"scale\" d=\"M8 " + fixed_point(height_ + 14, 1) + "V" + y + "H" + right + "V" +
                fixed_point(height_ + 14, 1) +
                "\" fill=\"none\" stroke=\"#1b1b1b\" stroke-width=\"2\"/>\n<text x=\"8\" y=\"" +
-               fixed_point(height_ + 44, 1) + "\">" + escape_html(human_number(length, 3)) + " m</text>\n";
+               fixed_point(height_ + 44, 1) + "\">" + escape_html(human_number(length, 3)) + " " +
+               std::string(unit.symbol) + "</text>\n";
     }
 
     std::string legend() const {

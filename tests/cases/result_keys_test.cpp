@@ -59,7 +59,7 @@ TEST(ResultKeys, PlaneFailure) {
     EXPECT_EQ(keys_of(study), keys_of(held));
     EXPECT_EQ(word(held, "factor_of_safety"), "\"infinite\"");
     EXPECT_TRUE(keys_of(study).contains("optimum_bolt_plunge"));
-    study.required = {{"strength.friction_angle", 1e6}};
+    study.required = {{"strength.friction_angle", 1e6, {}}};
     EXPECT_EQ(word(study, "required.strength.friction_angle"), "never_reached");
 }
 

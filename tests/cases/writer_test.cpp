@@ -183,13 +183,14 @@ void expect_valid_sections(std::string_view model, const std::vector<std::string
 TEST(Template, OptionalSectionsAreValid) {
     expect_valid_sections("plane_failure",
                           {"# [slope.bench]", "# [tension_cutoff]", "# [pond]", "# [seismic]", "# [[surcharge]]",
-                           "# [[line_load]]", "# [[bolt]]", "# [critical]", "# [[required]]"});
-    expect_valid_sections("stepped_base", {"# [slope.bench]", "# [seismic]", "# [[surcharge]]", "# [[line_load]]",
-                                           "# [[point_load]]", "# [[bolt]]", "# [slide_head.water]", "# [critical]",
-                                           "# [[required]]", "# [[required_cable]]", "# [linear_programming_bound]"});
+                           "# [[line_load]]", "# [[bolt]]", "# [[support]]", "# [critical]", "# [[required]]"});
+    expect_valid_sections("stepped_base",
+                          {"# [slope.bench]", "# [seismic]", "# [[surcharge]]", "# [[line_load]]", "# [[point_load]]",
+                           "# [[bolt]]", "# [[support]]", "# [slide_head.water]", "# [critical]", "# [[required]]",
+                           "# [[required_cable]]", "# [linear_programming_bound]"});
     expect_valid_sections("relaxation",
                           {"# [tilting]", "# [[force]]", "# [[pressure]]", "# [[joint_water]]", "# [[shaking]]",
-                           "# [[removal]]", "# [settings]", "# [critical]", "# [history]"});
+                           "# [[removal]]", "# [[bolt]]", "# [settings]", "# [critical]", "# [history]"});
     expect_valid_sections("kinematics", {"# [slope.upper_surface]", "# [sampling]"});
     expect_valid_sections("wedge", {"# [seismic]", "# [[load]]", "# [[bolt]]", "# [[required]]"});
 }

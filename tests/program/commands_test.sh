@@ -61,6 +61,42 @@ expect "the second line is the verdict" grep -qE '^FS [0-9.]+: (stands|fails by 
 expect "the head of the report as well" grep -qE '^<p>FS [0-9.]+: (stands|fails by sliding)[.]</p>$' changed/report.html
 expect "no prediction after a failure that did not happen" refuse grep -q 'predicted after' changed/report.html
 
+title "run and sensitivity: the cheapest support, and how likely it fails"
+delabole init support --out support.toml
+delabole run support.toml --out support
+expect_status 0
+expect_output 'Of 180 patterns the cheapest for FS 2 has rows '
+expect "it gives that factor" awk -F'[:, ]+' '/"factor_of_safety"/ { exit !($3 >= 2) }' \
+    <(sed -n '/"support_design"/,/}/p' support/result.json)
+expect "all that were tried" test "$(wc -l <support/support.csv)" -gt 10
+expect "the report says so as well" contains support/report.html 'Of 180 patterns the cheapest'
+expect "and the case that was analysed holds it" refuse cmp -s \
+    <(grep -A9 '^\[\[support\]\]' support.toml | grep '^rows\|^length') <(grep '^rows\|^length' support/resolved.toml)
+delabole run support.toml --set support_design.factor_of_safety=50 --out too_much
+expect_status 0
+expect_output 'None of 180 patterns gives FS 50; the strongest'
+delabole sensitivity support.toml --out support_probability
+expect_status 0
+expect_output 'Of 180 patterns the cheapest for FS 2'
+expect_output 'Probability of failure'
+delabole run support.toml --set support_design.choose='[{ input = "support[1].rows", from = 1, to = 4, points = 3 }]'
+expect_status 3
+expect_error 'makes numbers of rows that are not whole'
+delabole run good.toml --set support_design.factor_of_safety=2
+expect_status 3
+
+title "run: feet and kips in the report, metres in the files"
+{ cat good.toml; printf '\n[report]\nunits = "imperial"\n'; } >imperial.toml
+delabole run imperial.toml --out imperial
+expect_status 0
+expect "sentences" grep -qE 'kip/ft drive' "$scratch/out"
+expect "axes" contains imperial/figures/section.gp 'distance from the toe (ft)'
+expect "none left in metres" refuse grep -qE '[0-9] (m|m2|kPa|kN/m|kN/m3)(<| |,|[.])' imperial/report.html
+expect "files are metric" contains imperial/result.json '"crack_depth_m": 4.34'
+expect "what was set is kept" contains imperial/resolved.toml 'units = "imperial"'
+delabole run good.toml --out metric
+expect "and the next is metric again" grep -qE 'kN/m drive' "$scratch/out"
+
 title "run: what has no meaning has no number, and a height beyond all mountains is asked about"
 delabole run good.toml --set slope.height='40 km' --out high
 expect "asks" grep -q 'slope.height is 40000 m high: is that meant?' "$scratch/out" "$scratch/err"

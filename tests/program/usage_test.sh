@@ -17,7 +17,7 @@ misused() {
 }
 
 title "nothing wrong"
-for arguments in --version --help --bash-completion --manual-page "check good.toml" "show good.toml" "init plane_failure" "init plane_failure --full" "inputs plane_failure" "outputs good.toml" "run --help"; do
+for arguments in --version --help --bash-completion --manual-page "check good.toml" "show good.toml" "init plane_failure" "init plane_failure --full" "init jointed_slope --full" "init support --full" "inputs plane_failure" "outputs good.toml" "run --help"; do
     # shellcheck disable=SC2086
     delabole $arguments
     expect_status 0
@@ -33,7 +33,6 @@ misused inputs
 misused inputs plane_falure
 expect_error 'did you mean plane_failure?'
 misused outputs nothing
-misused init fit --full
 misused --colour
 misused run
 misused fit

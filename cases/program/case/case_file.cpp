@@ -42,6 +42,16 @@ void read_schema(Section& root) {
     }
 }
 
+void read_report(Section& root, CaseFile& result) {
+    if (!root.contains("report")) {
+        root.allow("report");
+    } else if (const Node* table = as_table(root.reading(), *root.take("report"), "report")) {
+        Section section(root.reading(), *table, "report");
+        read_fields(section, result.report.emplace());
+        section.finish();
+    }
+}
+
 template <std::size_t... index>
 std::optional<CaseModel> model_of_index(std::size_t wanted, std::index_sequence<index...>) {
     std::optional<CaseModel> model;
@@ -156,6 +166,12 @@ CaseFile case_of_tree(Node tree, std::string_view name, const std::vector<Settin
     } else {
         root.allow("sensitivity");
     }
+    if (root.contains("support_design")) {
+        result.support_design = read_support_design(root, result.model, outputs_of);
+    } else {
+        root.allow("support_design");
+    }
+    read_report(root, result);
     root.finish();
     check_sources(reading, result.sources);
     reading.finish();

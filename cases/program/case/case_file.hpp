@@ -10,12 +10,15 @@
 #include "cases/program/reader/units.hpp"
 #include "fitting/posterior/fit_problem.hpp"
 #include "fitting/sensitivity/sensitivity_problem.hpp"
+#include "fitting/studies/support_design.hpp"
+#include "fitting/work/words.hpp"
 
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -57,6 +60,15 @@ struct CaseFit : FitTask {
     std::vector<FitMechanism> mechanisms;  // at least one; a case without [[fit.mechanism]] has one named as its model
 };
 
+// [report]
+struct ReportSettings {
+    UnitSystem units;
+    static constexpr auto fields() {
+        return std::tuple{
+            section("units", &ReportSettings::units, "of sentences, tables and figures; CSV and JSON are metric")};
+    }
+};
+
 struct CaseFile {
     std::string name;  // as the caller named it, for messages
     std::string title;
@@ -67,6 +79,8 @@ struct CaseFile {
     std::vector<CaseSweep> sweeps;
     std::optional<CaseFit> fit;
     std::optional<SensitivityStudy> sensitivity;  // [sensitivity]
+    std::optional<SupportDesign> support_design;  // [support_design]
+    std::optional<ReportSettings> report;         // [report]; absent: metric
     std::map<std::string, KeyPlace> places;       // every key that was read
 };
 

@@ -20,6 +20,7 @@ std::vector<Expectation> read_expectations(Section& root, const ModelNames& name
 // Puts what mechanisms have from those that they are `like` in their place in the tree.
 void copy_alike_mechanisms(Node& tree, Reading& reading);
 CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outputs_of);
+SupportDesign read_support_design(Section& root, const CaseModel& model, const OutputsOf& outputs_of);
 SensitivityStudy read_sensitivity(Section& root, const CaseModel& model, const OutputsOf& outputs_of);
 // The keys that need not exist are checked after everything else was read.
 std::map<std::string, std::string> read_sources(Section& root);

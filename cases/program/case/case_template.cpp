@@ -55,6 +55,14 @@ constexpr auto examples = std::to_array<ExampleNumber>({
     {"least_angle", degrees(15)},
     {"joint_dip", degrees(70)},
     {"spacing", 5.0},
+    {"rows", 3.0},
+    {"lowest_height", 2.0},
+    {"row_spacing", 2.0},
+    {"length", 8.0},
+    {"head_x", 0.0},
+    {"head_y", 1.0},
+    {"axial_stiffness", 100e6},
+    {"free_length_at_joints", 0.2},
     {"stagger", 1.5},
     {"snap_distance", 0.01},
     {"sliver_share", 0.02},
@@ -336,9 +344,14 @@ std::string annotated_studies() {
         text += after_blank_line(explained("[[fit.mechanism]]", "what may have happened; one section each"));
         text += annotated_values(mechanism) + annotated_sections(mechanism, "fit.mechanism");
     }
-    const SensitivityStudy study = *parse_case(starting_case("sensitivity"), "sensitivity").sensitivity;
+    const CaseFile supported = parse_case(starting_case("support"), "support");
     text += after_blank_line(explained("[sensitivity]", "delabole sensitivity"));
-    return text + annotated_values(study) + annotated_sections(study, "sensitivity");
+    text += annotated_values(*supported.sensitivity) + annotated_sections(*supported.sensitivity, "sensitivity");
+    // Of no use without [[support]]: a comment still where the rest is not.
+    return text + "\n" +
+           commented(explained("[support_design]", "the cheapest of the patterns of [[support]]") +
+                     annotated_values(*supported.support_design) +
+                     annotated_sections(*supported.support_design, "support_design"));
 }
 
 std::string with_input_of(const CaseModel& model, std::string text) {
@@ -387,10 +400,14 @@ std::string template_of_name(std::string_view model, std::index_sequence<index..
 
 }  // namespace
 
-std::string commented_template(std::string_view model) {
+std::string commented_template(std::string_view name) {
+    const std::vector<std::string> starting = starting_case_names();
+    const std::string model = std::ranges::find(starting, name) == starting.end()
+                                  ? std::string(name)
+                                  : std::string(model_name(parse_case(starting_case(name), name).model));
     std::string text = template_of_name(model, std::make_index_sequence<std::variant_size_v<CaseModel>>{});
     if (text.empty()) {
-        throw std::invalid_argument("no model is named " + std::string(model) + suggestion(model, model_names()));
+        throw std::invalid_argument("no model is named " + model + suggestion(model, model_names()));
     }
     return text;
 }

@@ -130,6 +130,15 @@ std::string resolved_toml(const CaseFile& case_file) {
         write_values(text, *case_file.sensitivity);
         write_sections(text, *case_file.sensitivity, "sensitivity");
     }
+    if (case_file.report) {
+        text += "\n[report]\n";
+        write_values(text, *case_file.report);
+    }
+    if (case_file.support_design) {
+        text += "\n[support_design]\n";
+        write_values(text, *case_file.support_design);
+        write_sections(text, *case_file.support_design, "support_design");
+    }
     return text;
 }
 

@@ -1,6 +1,7 @@
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/case/case_parts.hpp"
 #include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/units.hpp"
 #include "strength/shear_strength.hpp"
 
 #include <algorithm>
@@ -22,6 +23,16 @@ void check_whole(Checker& checker, const std::string& key, const std::optional<d
 void check_strength(Checker& checker, const std::string& section, const StrengthLaw<>& strength) {
     if (!friction_below_90_degrees(strength)) {
         checker.complain(section + ".roughness_angle", "friction_angle + roughness_angle must not exceed 89.9 deg");
+    }
+}
+
+void check_support(Checker& checker, const std::string& key, const BoltPattern<>& pattern, double slope_height) {
+    check_whole(checker, key + ".rows", pattern.rows);
+    if (pattern.head_height(static_cast<int>(pattern.rows) - 1) > slope_height) {
+        checker.complain(key + ".rows",
+                         "put the highest heads above the crest: rows, lowest_height and row_spacing have to end at "
+                         "slope.height = " +
+                             readable_quantity(slope_height, Dimension::length));
     }
 }
 

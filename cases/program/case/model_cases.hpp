@@ -46,6 +46,9 @@ void check_increasing(Checker& checker, const std::vector<Point>& points, Coordi
 // Complains where a law of shear strength adds angles to 90 deg or more; `section` is its key.
 void check_strength(Checker& checker, const std::string& section, const StrengthLaw<>& strength);
 
+// Complains about rows that are not whole or lie above the crest.
+void check_support(Checker& checker, const std::string& key, const BoltPattern<>& pattern, double slope_height);
+
 // Complains unless the value of the key names an input of the case.
 void check_input_name(Checker& checker, const std::string& key, const std::string& name, const CaseModel& model);
 
@@ -53,6 +56,9 @@ template <class Request>
 void check_required(Checker& checker, const std::vector<Request>& requests, const CaseModel& model) {
     for (std::size_t index = 0; index < requests.size(); ++index) {
         check_input_name(checker, indexed("required", index) + ".parameter", requests[index].parameter, model);
+        for (const std::string& other : requests[index].also) {
+            check_input_name(checker, indexed("required", index) + ".also", other, model);
+        }
     }
 }
 

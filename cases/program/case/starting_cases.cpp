@@ -38,7 +38,7 @@ cohesion = "25 kPa"
 friction_angle = "37 deg"
 
 [water]
-kind = "dry"
+kind = "dry"  # or "crack_and_base", with unit_weight = "9.81 kN/m3" and water_depth = "3 m"
 )";
 
 constexpr StartingCase cases[] = {
@@ -146,6 +146,7 @@ filled_ratio = 0.5
     {"kinematics", R"(schema = 1
 model = "kinematics"
 title = "My joint sets"
+# Measured planes instead: poles = [{ file = "my_poles.csv" }], a table with columns dip and dip_direction
 joint_set = [
     { name = "bedding", dip = "40 deg", dip_direction = "95 deg" },
     { name = "joints", dip = "80 deg", dip_direction = "275 deg" },
@@ -232,6 +233,7 @@ title = "My jointed slope"
 
 [scene]
 kind = "jointed_slope"
+# A drawing instead: outline_file = "my_slope.dxf"; where it has corners that turn inwards also intact_joint = "joints"
 outline = [
     { x = "0 m", y = "0 m" },
     { x = "20 m", y = "0 m" },
@@ -274,6 +276,28 @@ value = 1
 standard_deviation = 0.1
 )";
 
+constexpr std::string_view support = R"(
+[[support]]
+rows = 3
+lowest_height = "2 m"
+row_spacing = "2 m"
+spacing = "2 m"
+length = "8 m"
+plunge = "10 deg"
+capacity = "200 kN"
+action = "active"
+
+[support_design]
+factor_of_safety = 2
+cost_per_bolt = 150
+cost_per_metre = 40
+choose = [
+    { input = "support[1].rows", from = 1, to = 5, points = 5 },
+    { input = "support[1].spacing", from = "1.5 m", to = "3 m", points = 4 },
+    { input = "support[1].length", from = "4 m", to = "12 m", points = 9 },
+]
+)";
+
 constexpr std::string_view sensitivity = R"(
 [sensitivity]
 quantity = "factor_of_safety"
@@ -310,13 +334,16 @@ std::vector<std::string> starting_case_names() {
     for (const StartingCase& one : cases) {
         names.emplace_back(one.name);
     }
-    names.insert(names.end(), {"fit", "sensitivity"});
+    names.insert(names.end(), {"fit", "sensitivity", "support"});
     return names;
 }
 
 std::string starting_case(std::string_view name) {
     if (name == "fit" || name == "sensitivity") {
         return std::string(plane_failure).append(name == "fit" ? fit : sensitivity);
+    }
+    if (name == "support") {
+        return std::string(plane_failure).append(support).append(sensitivity);
     }
     const auto found = std::ranges::find(cases, name, &StartingCase::name);
     if (found == std::end(cases)) {

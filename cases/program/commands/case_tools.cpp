@@ -107,10 +107,10 @@ ExitCode outputs_command(const std::string& what, const Options& options) {
 }
 
 ExitCode init_command(const std::string& name, const Options& options) {
-    const std::vector<std::string> names = options.full ? model_names() : starting_case_names();
+    const std::vector<std::string> names = starting_case_names();
     if (std::ranges::find(names, name) == names.end()) {
-        throw UsageError(std::string("init: no ") + (options.full ? "model" : "case to start from") + " is named '" +
-                         name + "'; there is " + choices(names) + suggestion(name, names));
+        throw UsageError("init: no case to start from is named '" + name + "'; there is " + choices(names) +
+                         suggestion(name, names));
     }
     const std::string text = options.full ? commented_template(name) : starting_case(name);
     if (options.out.empty()) {

@@ -139,6 +139,7 @@ void add(const std::string& word, const std::vector<Compared>& pairs, std::vecto
 ExitCode compare_command(const Paths& cases, const Options& options) {
     const CaseFile first = read_case(cases.front(), settings_of(options));
     const CaseFile second = read_case(cases.back(), settings_of(options));
+    show_units_of(first);
     const Analysis one = analysis_of_case(first, options);
     const Analysis other = analysis_of_case(second, options);
     std::vector<std::vector<std::string>> rows = {{"what differs", stem_of(first), stem_of(second), "difference"}};

@@ -86,6 +86,7 @@ ExitCode grid_command(const std::filesystem::path& path, const Options& options)
     std::vector<Setting> settings = settings_of(options);
     settings.push_back(sweep_of(options));
     CaseFile file = read_case(path, settings);
+    show_units_of(file);
     CaseSweep& sweep = file.sweeps.front();
     sweep.title = file.title;
     const ResultFolder folder(options, stem_of(file) + "_grid", OnInterrupt::stop);

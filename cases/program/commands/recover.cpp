@@ -85,6 +85,7 @@ std::string reservation_of_recovery(const std::string& status) {
 ExitCode recover_command(const std::filesystem::path& path, const Options& options) {
     const Stopwatch watch;
     CaseFile file = read_case(path, settings_of(options));
+    show_units_of(file);
     if (!file.fit) {
         throw CaseError({{file.name, 0, 0, "fit", {}, "the case has no [fit] section: there is nothing to recover"}});
     }

@@ -10,6 +10,7 @@
 #include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "cases/program/results/result_folder.hpp"
+#include "cases/program/sweeps/support_report.hpp"
 #include "cases/program/sweeps/sweep_report.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/terminal/progress.hpp"
@@ -99,11 +100,20 @@ void append_sweeps(const CaseFile& file, const ResultFolder& folder, const Optio
     }
 }
 
-ExitCode run_one(const CaseFile& file, const Options& options) {
+ExitCode run_one(CaseFile file, const Options& options) {
     const Stopwatch watch;
+    show_units_of(file);
     announce(file, options);
     // Claimed before the work, which may take hours and keeps its checkpoint there.
     ResultFolder folder(options, stem_of(file), OnInterrupt::stop);
+    const std::optional<DesignedSupport> support = [&] {
+        Progress progress(options.quiet);
+        return design_support_of(file, [&](double share) {
+            progress.report(share, "patterns of support");
+            return !interrupt_flag();
+        });
+    }();
+    stop_if_interrupted();
     const std::filesystem::path checkpoint = folder.path() / "relaxation.checkpoint";
     refuse_link(checkpoint);
     const CaseAnswer answer = [&] {
@@ -137,6 +147,9 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
     append_case_figures(file.model, answer, folder, own);
     HeadCard head = head_card(file.model, answer);
     take_picture(own.blocks, head);
+    if (support) {
+        add_to_head(*support, head);
+    }
     Report report{title_of(file, options), file.description, {}};
     report.blocks.emplace_back(head);
     if (!analysis.unfinished.empty()) {
@@ -154,6 +167,9 @@ ExitCode run_one(const CaseFile& file, const Options& options) {
         report.blocks.emplace_back(output_table(analysis));
     }
     std::ranges::move(own.blocks, std::back_inserter(report.blocks));
+    if (support) {
+        json["support_design"] = document_support(*support, folder, report);
+    }
     append_sweeps(file, folder, options, json, report);
     report.blocks.emplace_back(Heading{"Inputs"});
     report.blocks.emplace_back(inputs_table(file));

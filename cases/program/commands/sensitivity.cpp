@@ -8,6 +8,7 @@
 #include "cases/program/results/kept_evaluations.hpp"
 #include "cases/program/results/sensitivity_problem_of_case.hpp"
 #include "cases/program/results/study_output.hpp"
+#include "cases/program/sweeps/support_report.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/terminal/progress.hpp"
 
@@ -42,10 +43,13 @@ std::string reservation(SensitivityStatus status) {
 
 ExitCode sensitivity_command(const std::filesystem::path& path, const Options& options) {
     const Stopwatch watch;
-    const CaseFile file = read_case(path, settings_of(options));
+    CaseFile file = read_case(path, settings_of(options));
+    show_units_of(file);
     if (!file.sensitivity) {
         throw CaseError({{file.name, 0, 0, "sensitivity", {}, "the case has no [sensitivity] section"}});
     }
+    const std::optional<DesignedSupport> support = design_support_of(file, [](double) { return !interrupt_flag(); });
+    stop_if_interrupted();
     SensitivityProblem problem = sensitivity_problem_of(file, options.threads, options.seed);
     const ResultFolder folder(options, stem_of(file) + "_sensitivity", OnInterrupt::finish);
     KeptEvaluations kept(options, folder);
@@ -65,6 +69,15 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
     Json json;
     json["status"] = word_of(result.status);
     json.update(documents.json);
+    if (support) {
+        for (ReportBlock& block : report.blocks) {
+            if (auto* head = std::get_if<HeadCard>(&block)) {
+                add_to_head(*support, *head);
+            }
+        }
+        json["support_design"] = document_support(*support, folder, report);
+        documents.screen = support->sentence + "\n" + documents.screen;
+    }
     Json source = provenance(file, "sensitivity", options, watch.seconds());
     source["study_seconds"] = result.wall_seconds;
     source["seed"] = problem.study.seed;

@@ -77,6 +77,7 @@ std::string reservation(const TradeResult& result, std::size_t settings) {
 ExitCode trade_command(const std::filesystem::path& path, const Options& options) {
     const Stopwatch watch;
     const CaseFile file = read_case(path, settings_of(options));
+    show_units_of(file);
     const RelaxationStudy& study = study_of(file);
     const CriticalPlan plan = critical_plan(study);
     const std::string quantity(name_of_critical(plan.parameter));

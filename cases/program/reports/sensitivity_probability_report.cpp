@@ -137,12 +137,13 @@ void document_samples(const StudySubject& subject, const PropagationResult& resu
         return;
     }
     const double unit = display_unit(subject.quantity.dimension).si_per_unit;
+    const double shown = shown_unit(subject.quantity.dimension).si_per_unit;
     json[subject.column("mean")] = json_of(result.mean, unit);
     json[subject.column("standard_deviation")] = json_number(result.standard_deviation / unit);
     json[subject.column("least")] = json_number(subject.shown(result.least));
     json[subject.column("greatest")] = json_number(subject.shown(result.greatest));
     Table table{"Of the samples with a value", {{"", false}, {human_name(subject.quantity.name), true}}};
-    table.rows.push_back({"mean (95 % interval)", with_interval(result.mean, unit)});
+    table.rows.push_back({"mean (95 % interval)", with_interval(result.mean, shown)});
     table.rows.push_back({"standard deviation", subject.in_words(result.standard_deviation)});
     table.rows.push_back({"least", subject.in_words(result.least)});
     for (const auto& [share, value] : result.quantiles) {

@@ -207,6 +207,7 @@ void document_morris(const StudySubject& subject, const MorrisResult& result, co
                      Report& report, Json& json) {
     const MorrisSettings& settings = *subject.study.morris;
     const double unit = display_unit(subject.quantity.dimension).si_per_unit;
+    const double shown = shown_unit(subject.quantity.dimension).si_per_unit;
     report.blocks.emplace_back(Heading{"Screening by elementary effects (Morris)"});
     report.blocks.emplace_back(
         folder.draw(morris_figure(subject.quantity, result, subject.names), "morris",
@@ -228,8 +229,8 @@ void document_morris(const StudySubject& subject, const MorrisResult& result, co
             table.rows.push_back({subject.names[index], "too few answers", "", "", std::to_string(effect.effects)});
             continue;
         }
-        table.rows.push_back({subject.names[index], with_interval(effect.mean_absolute, unit),
-                              number_in_words(effect.mean / unit), with_interval(effect.standard_deviation, unit),
+        table.rows.push_back({subject.names[index], with_interval(effect.mean_absolute, shown),
+                              number_in_words(effect.mean / shown), with_interval(effect.standard_deviation, shown),
                               std::to_string(effect.effects)});
         csv.add_row({subject.names[index], effect.mean_absolute.value / unit,
                      effect.mean_absolute.interval_95.lower / unit, effect.mean_absolute.interval_95.upper / unit,

@@ -71,6 +71,26 @@ void append_required_value(Analysis& analysis, const std::string& parameter, dou
     }
 }
 
+void append_support(Analysis& analysis, const std::vector<std::vector<BoltRow>>& patterns) {
+    for (std::size_t index = 0; index < patterns.size(); ++index) {
+        const std::string pattern = indexed("support", index);
+        double force = 0;
+        std::size_t idle = 0;
+        for (const BoltRow& row : patterns[index]) {
+            force += row.force;
+            idle += row.force > 0 ? 0 : 1;
+        }
+        analysis.outputs.push_back(
+            {pattern + ".force", "what its rows hold together", Dimension::force_per_length, force});
+        if (idle > 0) {
+            analysis.warnings.push_back(pattern + ": " + std::to_string(idle) + " of " +
+                                        std::to_string(patterns[index].size()) +
+                                        " rows hold nothing, for their bolts do not reach the rock that stays, or do "
+                                        "not cross what moves: make them longer, or put them elsewhere");
+        }
+    }
+}
+
 std::string required_in_words(const std::string& parameter, double target, const Required& required) {
     const std::string factor = "FS " + number_in_words(target);
     switch (required.status) {

@@ -5,6 +5,7 @@
 #include "cases/program/case/case_file.hpp"
 #include "numerics/required_value.hpp"
 #include "parameters/model_interface.hpp"
+#include "support/bolt_pattern.hpp"
 
 #include <chrono>
 #include <concepts>
@@ -51,6 +52,9 @@ void append_required_value(Analysis& analysis, const std::string& parameter, dou
 
 // The same in a sentence.
 std::string required_in_words(const std::string& parameter, double target, const Required& required);
+
+// What the rows of each pattern of bolts hold together, as "support[1].force"; warns where they hold nothing.
+void append_support(Analysis& analysis, const std::vector<std::vector<BoltRow>>& patterns);
 
 // Named numbers of the model set to other values than the case's. Unknown names: std::invalid_argument.
 CaseModel with_conditions(const CaseModel& model, const std::vector<Condition>& conditions);

@@ -1,5 +1,6 @@
 #include "cases/program/results/inputs_report.hpp"
 
+#include "cases/program/results/result_folder.hpp"
 #include "fitting/work/words.hpp"
 
 namespace delabole {
@@ -8,8 +9,11 @@ Table inputs_table(const CaseFile& file) {
     Table table{"Inputs of the case", {"input", "value"_number, "meaning", "source"}};
     for (const Quantity& input : named_inputs(file.model)) {
         const auto source = file.sources.find(input.name);
-        table.rows.push_back({input.name, readable_quantity(input.value, input.dimension), input.meaning,
-                              source == file.sources.end() ? "" : source->second});
+        const bool is_metric = shown_unit(input.dimension).symbol == display_unit(input.dimension).symbol;
+        table.rows.push_back(
+            {input.name,
+             is_metric ? readable_quantity(input.value, input.dimension) : in_six_digits(input.value, input.dimension),
+             input.meaning, source == file.sources.end() ? "" : source->second});
     }
     return table;
 }

@@ -5,6 +5,7 @@
 #include "fitting/work/ranks.hpp"
 #include "plots/drawing/atomic_file.hpp"
 #include "plots/drawing/text.hpp"
+#include "plots/report/shown_units.hpp"
 #include "version/version.hpp"
 
 #include <algorithm>
@@ -70,6 +71,10 @@ std::vector<Setting> settings_of(const Options& options) {
     return settings;
 }
 
+void show_units_of(const CaseFile& file) {
+    show_units_in(file.report ? file.report->units : UnitSystem::metric);
+}
+
 std::string title_of(const CaseFile& file, const Options& options) {
     std::string changed;
     for (const Setting& setting : settings_of(options)) {
@@ -96,7 +101,7 @@ double in_display_unit(double value, Dimension dimension) {
 }
 
 std::string in_six_digits(double value, Dimension dimension) {
-    const DisplayUnit unit = display_unit(dimension);
+    const DisplayUnit unit = shown_unit(dimension);
     std::string text = human_number(value / unit.si_per_unit, 6);
     if (!unit.symbol.empty()) {
         text.append(" ").append(unit.symbol);
@@ -262,7 +267,7 @@ FigureInReport ResultFolder::draw(const Figure& figure, const std::string& name,
         file = name + "_" + std::to_string(number);
     }
     enter({"figures/" + file + ".gp", "figures/" + file + ".svg", "figures/" + file + ".png"});
-    const FigureFiles files = write_figure(figure, path_ / "figures", file, gnuplot_runs_);
+    const FigureFiles files = write_figure(in_shown_units(figure), path_ / "figures", file, gnuplot_runs_);
     if (files.write_error) {
         throw *files.write_error;
     }
@@ -277,7 +282,7 @@ void ResultFolder::write_report(const Report& report) const {
         return;
     }
     enter({"report.html"});
-    delabole::write_report(report, path_ / "report.html");
+    delabole::write_report(in_shown_units(report), path_ / "report.html");
 }
 
 std::string text_table(const std::vector<std::vector<std::string>>& rows) {

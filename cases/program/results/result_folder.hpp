@@ -28,6 +28,9 @@ std::string stem_of(const CaseFile& file);
 
 std::vector<Setting> settings_of(const Options& options);
 
+// In the units of its [report]; until the next case.
+void show_units_of(const CaseFile& file);
+
 // The case's title, or its name, with what --set has changed.
 std::string title_of(const CaseFile& file, const Options& options);
 

@@ -56,6 +56,9 @@ void check_slope(Checker& checker, const PlaneFailure<>& model) {
             checker.complain(indexed("surcharge", index) + ".from_distance", "must be less than to_distance");
         }
     }
+    for (std::size_t index = 0; index < model.support.size(); ++index) {
+        check_support(checker, indexed("support", index), model.support[index].pattern, model.slope.height);
+    }
     for (std::size_t index = 0; index < model.bolt.size(); ++index) {
         if (model.bolt[index].head_height > model.slope.height) {
             checker.complain(

@@ -124,7 +124,7 @@ void annotate(const PlaneFailure<>& problem, const PlaneFailureResult& result, S
         }
     }
     const auto text = [](const std::string& name, double force) {
-        return name + " " + number_in_words(force / display_unit(Dimension::force_per_length).si_per_unit);
+        return name + " " + number_in_words(force / shown_unit(Dimension::force_per_length).si_per_unit);
     };
     const Point along = (end - foot).normalized();
     drawing.forces = {
@@ -134,6 +134,18 @@ void annotate(const PlaneFailure<>& problem, const PlaneFailureResult& result, S
          result.base_water_force,
          text("U", result.base_water_force)},
         {end + 0.2 * (top - end), {-1, 0}, result.crack_water_force, text("V", result.crack_water_force)}};
+    const std::vector<std::vector<BoltRow>> support = support_rows(problem);
+    for (std::size_t index = 0; index < support.size(); ++index) {
+        const BoltPattern<>& pattern = problem.support[index].pattern;
+        const Point of_bolts(std::cos(pattern.plunge), -std::sin(pattern.plunge));
+        double force = 0;
+        for (const BoltRow& row : support[index]) {
+            drawing.bolts.push_back({row.head, row.head + pattern.length * of_bolts});
+            force += row.force;
+        }
+        drawing.notes.emplace_back(support[index].back().head - Point(0.03 * height, 0),
+                                   "bolts " + value_in_words(force, Dimension::force_per_length));
+    }
     for (const Bolt<>& bolt : problem.bolt) {
         drawing.forces.push_back({face_at(bolt.head_height),
                                   {std::cos(bolt.plunge), -std::sin(bolt.plunge)},

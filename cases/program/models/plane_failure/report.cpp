@@ -51,9 +51,10 @@ Table sensitivity_table(const SensitivityResult& sensitivities, CsvTable& csv) {
     for (const Sensitivity& input : sensitivities.derivatives) {
         const DisplayUnit unit = display_unit(input.dimension);
         const double per_unit = input.derivative * unit.si_per_unit;
+        const DisplayUnit shown = shown_unit(input.dimension);
         table.rows.push_back({input.parameter, in_six_digits(input.value, input.dimension),
-                              in_six_digits(per_unit, Dimension::ratio),
-                              unit.symbol.empty() ? "1" : "1/(" + std::string(unit.symbol) + ")"});
+                              in_six_digits(input.derivative * shown.si_per_unit, Dimension::ratio),
+                              shown.symbol.empty() ? "1" : "1/(" + std::string(shown.symbol) + ")"});
         csv.add_row(
             {input.parameter, in_display_unit(input.value, input.dimension), std::string(unit.symbol), per_unit});
     }
@@ -66,8 +67,9 @@ std::string required_in_words(const PlaneFailure<>& problem, const RequiredValue
     for (std::size_t index = 0; index < problem.bolt.size(); ++index) {
         if (found && request.parameter == "bolt[" + std::to_string(index + 1) + "].force") {
             return "FS " + number_in_words(request.factor_of_safety) + " takes " +
-                   value_in_words(required.value, required.dimension) + " in bolts at " +
-                   value_in_words(problem.bolt[index].plunge, Dimension::angle) + ".";
+                   value_in_words(required.value, required.dimension) + " in " +
+                   (request.also.empty() ? "" : "each of " + std::to_string(1 + request.also.size()) + " ") +
+                   "bolts at " + value_in_words(problem.bolt[index].plunge, Dimension::angle) + ".";
         }
     }
     return required_in_words(request.parameter, request.factor_of_safety, required);
@@ -123,7 +125,7 @@ PlaneFailureAnswer analyse_case(const PlaneFailureStudy<>& study, const Analysis
         return answer;
     }
     for (const RequiredValue<>& request : study.required) {
-        answer.required.push_back(required_value(problem, request.parameter, request.factor_of_safety));
+        answer.required.push_back(required_value(problem, request.parameter, request.factor_of_safety, request.also));
     }
     if (!problem.bolt.empty()) {
         answer.optimum_bolt = optimum_bolt_plunge(problem);
@@ -142,6 +144,7 @@ Analysis named_outputs(const PlaneFailureStudy<>& study, const PlaneFailureAnswe
         append_required_value(analysis, study.required[index].parameter, study.required[index].factor_of_safety,
                               answer.required[index]);
     }
+    append_support(analysis, support_rows(answer.resolved.problem));
     if (answer.optimum_bolt) {
         append_optimum_bolt(analysis, *answer.optimum_bolt, answer.resolved.problem.bolt.front().force);
     }

@@ -140,6 +140,11 @@ void check_loads(Checker& checker, const Relaxation& model, const RelaxationScen
             }
         }
     }
+    for (std::size_t index = 0; index < model.bolt.size(); ++index) {
+        if (model.bolt[index].pretension.value_or(0) > model.bolt[index].capacity) {
+            checker.complain(indexed("bolt", index) + ".pretension", "must be at most the bolt's capacity");
+        }
+    }
     check_joint_water(checker, model.joint_water, scene);
     check_increasing(checker, model.shaking, &ShakingPoint::time, "shaking", "time");
     for (std::size_t index = 0; index < model.motion.size(); ++index) {
@@ -226,6 +231,7 @@ void check_retrogression(Checker& checker, const RelaxationStudy& study) {
     refuse("scene.kind", !std::holds_alternative<RelaxationSlope>(study.model.scene), "only a jointed_slope retreats");
     refuse("settings.stop", settings.stop.has_value(), "each stage ends at equilibrium or at onset");
     refuse("settings.watch", settings.watch.has_value(), "each stage ends at equilibrium or at onset");
+    refuse("bolt", !study.model.bolt.empty(), "what has lost its hold is found without bolts");
     refuse("history", study.history.has_value(), "its stages have no common time");
     refuse(study.model.removal.empty() ? "scene.stage" : "removal", has_stages(study),
            "draw the slope as it is after excavation");

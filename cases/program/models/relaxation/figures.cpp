@@ -108,6 +108,11 @@ Figure force_figure(const RelaxationRun& made, const Bodies& bodies) {
         drawing.forces.push_back({upright(force.at), (on_fixed ? -1 : 1) * upright(force.force),
                                   on_fixed || by_fixed ? ForceKind::base_reaction : ForceKind::interblock});
     }
+    for (const BoltSegment& segment : made.scene.bolt) {
+        const PlanePoint<> along = (segment.other_at - segment.at).normalized();
+        drawing.forces.push_back({upright(carried(bodies, made.end->motion, segment.block, segment.at)),
+                                  made.result.bolt[segment.bolt].force * upright(along), ForceKind::applied});
+    }
     return block_figure(drawing);
 }
 
@@ -172,6 +177,9 @@ std::string length_in_words(double length) {
     constexpr double rounding = 1e-12;
     if (std::abs(length) < rounding) {
         return "0";
+    }
+    if (shown_unit(Dimension::length).symbol != display_unit(Dimension::length).symbol) {
+        return value_in_words(length, Dimension::length);
     }
     return std::abs(length) >= metre ? number_in_words(length) + " m" : number_in_words(length / millimetre) + " mm";
 }

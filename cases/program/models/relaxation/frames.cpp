@@ -18,7 +18,7 @@ BlockAnimation animation_of(const RelaxationRun& made, const Bodies& bodies) {
     animation.outcome =
         human_name(word_of(made.result.outcome)) + " at " + value_in_words(made.result.time, Dimension::time);
     animation.colour = "speed";
-    animation.unit = display_unit(Dimension::speed).symbol;
+    animation.unit = shown_unit(Dimension::speed).symbol;
     animation.caption =
         "The blocks in motion, gravity downwards. The same frames, with contact forces, are in frames/ for ParaView.";
     for (std::size_t block = 0; block < bodies.size(); ++block) {
@@ -38,7 +38,8 @@ BlockAnimation animation_of(const RelaxationRun& made, const Bodies& bodies) {
         AnimationFrame shown{frame.time, frame.tilt, {}};
         for (std::size_t block = 0; block < bodies.size(); ++block) {
             const Motion& motion = frame.motion[block];
-            shown.poses.push_back({Point(motion.x, motion.y), motion.angle, std::hypot(motion.vx, motion.vy),
+            shown.poses.push_back({Point(motion.x, motion.y), motion.angle,
+                                   std::hypot(motion.vx, motion.vy) / shown_unit(Dimension::speed).si_per_unit,
                                    !is_gone(frame.outcome[block].movement)});
         }
         animation.frames.push_back(std::move(shown));

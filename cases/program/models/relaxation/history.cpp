@@ -63,10 +63,19 @@ std::vector<Column> monitor_columns(const HistoryRequest& request) {
     return columns;
 }
 
+std::vector<Column> bolt_columns(const HistoryLine& any) {
+    std::vector<Column> columns;
+    for (std::size_t bolt = 0; bolt < any.bolt.size(); ++bolt) {
+        columns.push_back({"bolt_" + std::to_string(bolt + 1) + "_force", Dimension::force_per_length,
+                           [bolt](const HistoryLine& line) { return line.bolt[bolt]; }});
+    }
+    return columns;
+}
+
 std::string history_csv(const HistoryRequest& request, const RelaxationHistory& history) {
     std::vector<Column> columns{{"time", Dimension::time, [](const HistoryLine& line) { return line.time; }},
                                 {"tilt", Dimension::angle, [](const HistoryLine& line) { return line.tilt; }}};
-    for (auto&& more : {monitor_columns(request), energy_columns()}) {
+    for (auto&& more : {monitor_columns(request), bolt_columns(history.front()), energy_columns()}) {
         columns.insert(columns.end(), more.begin(), more.end());
     }
     std::vector<std::string> titles;
@@ -220,6 +229,11 @@ void append_history(const HistoryRequest& request, const RelaxationRun& made, co
          "displacements",
          "How far the centroids of the blocks of [[history.block]] have moved along the axes of the scene, in which "
          "gravity is tilted.");
+    auto bolts = bolt_columns(made.history.front());
+    bolts.resize(std::min(bolts.size(), most_curves));
+    draw(curves(made.history, bolts, "Forces in bolts",
+                {.title = "tension", .unit = human_unit(display_unit(Dimension::force_per_length).symbol)}),
+         "bolts", "Tension of each bolt per metre of slope, where it is greatest along the bolt.");
     draw(curves(made.history, monitored(request, Dimension::force_per_length, "contact_"), "Contact forces",
                 {.title = "force on the first block",
                  .unit = human_unit(display_unit(Dimension::force_per_length).symbol)}),

@@ -117,8 +117,10 @@ std::optional<SlopeComplaint> complaint_of(const RelaxationSlope& slope) {
     case SlopeCheck::unknown_set:
         return SlopeComplaint{trace + ".staggered_by", "must be the name of a set cut before"};
     case SlopeCheck::intact_joint_missing:
-        return SlopeComplaint{"scene.intact_joint",
-                              "is required: some rock between joints is not convex and has to be divided"};
+        return SlopeComplaint{
+            "scene.intact_joint",
+            "is required: some rock between joints is not convex and has to be divided. Name the [[scene.joint]] along "
+            "which it is, as intact_joint = \"joints\", or one as strong as the rock"};
     case SlopeCheck::frame_without_edge:
         return SlopeComplaint{"scene.frame.sides",
                               "needs level edges of the outline at its foot, upright ones behind it and in front"};

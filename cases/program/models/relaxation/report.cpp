@@ -423,6 +423,11 @@ Impossibility impossibility(const RelaxationStudy& study, std::string_view) {
         return {
             {"scene"},
             "the two faces of bond " + std::to_string(fault.index + 1) + " do not lie on each other in the drawing"};
+    case SceneCheck::bolt_outside_blocks:
+        return {{indexed("bolt", fault.index)},
+                "bolt " + std::to_string(fault.index + 1) +
+                    " begins or ends outside the blocks, or crosses no joint: its head has to be on a face, its end in "
+                    "another block"};
     case SceneCheck::unknown_edge:
         return {{"scene"}, "a load is on a face that does not exist, or two blocks with water between them share none"};
     case SceneCheck::unknown_block:

@@ -79,6 +79,13 @@ void check_scene(Checker& checker, const ColumnScene<>& scene) {
     }
     check_blocks(checker, scene, scene.point_load, "point_load");
     check_blocks(checker, scene, scene.bolt, "bolt");
+    for (std::size_t index = 0; index < scene.support.size(); ++index) {
+        if (!scene.slope) {
+            checker.complain(indexed("support", index), "has its heads on the face, so [slope] is required");
+        } else {
+            check_support(checker, indexed("support", index), scene.support[index], scene.slope->height);
+        }
+    }
     if (scene.slide_head) {
         const bool ends = std::visit(
             [](const auto& layout) {
@@ -104,13 +111,14 @@ void check_bound(Checker& checker, const LinearProgrammingBound& bound, const Co
     if (!(bound.cross_joints->stagger < bound.cross_joints->spacing)) {
         checker.complain(key + ".stagger", "must be less than the spacing of the cross joints");
     }
-    const std::array<std::pair<std::string_view, bool>, 7> loads{
+    const std::array<std::pair<std::string_view, bool>, 8> loads{
         {{"[water]", !std::holds_alternative<Dry>(scene.water)},
          {"[seismic]", scene.seismic.has_value()},
          {"[[surcharge]]", !scene.surcharge.empty()},
          {"[[line_load]]", !scene.line_load.empty()},
          {"[[point_load]]", !scene.point_load.empty()},
          {"[[bolt]]", !scene.bolt.empty()},
+         {"[[support]]", !scene.support.empty()},
          {"[slide_head]", scene.slide_head.has_value()}}};
     for (const auto& [section, given] : loads) {
         if (given) {

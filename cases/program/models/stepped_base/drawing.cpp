@@ -141,6 +141,14 @@ void add_forces(BlockDrawing& drawing, const SteppedBase<>& problem, const Colum
     for (const ColumnBolt<>& bolt : problem.scene.bolt) {
         add_applied(bolt, 0);
     }
+    const std::vector<std::vector<BoltRow>> support = support_rows(problem.scene);
+    for (std::size_t index = 0; index < support.size(); ++index) {
+        const double plunge = problem.scene.support[index].plunge;
+        for (const BoltRow& row : support[index]) {
+            drawing.forces.push_back(
+                {row.head, row.force * Point(std::cos(plunge), -std::sin(plunge)), ForceKind::applied});
+        }
+    }
 }
 
 }  // namespace

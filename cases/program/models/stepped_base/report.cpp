@@ -5,6 +5,7 @@
 #include "cases/program/models/stepped_base/sweeps.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
+#include "limit_equilibrium/columns/base_profile.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -184,8 +185,10 @@ HeadCard head_card(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& ans
     std::string required;
     const auto add = [&](const std::string& sentence) { required += (required.empty() ? "" : " ") + sentence; };
     for (std::size_t index = 0; index < study.required.size(); ++index) {
-        add(required_in_words(study.required[index].parameter, study.required[index].factor_of_safety,
-                              answer.required[index]));
+        const RequiredValue<>& request = study.required[index];
+        std::vector<std::string> inputs{request.parameter};
+        inputs.insert(inputs.end(), request.also.begin(), request.also.end());
+        add(required_in_words(list_in_words(inputs), request.factor_of_safety, answer.required[index]));
     }
     for (std::size_t index = 0; index < study.required_cable.size(); ++index) {
         const RequiredCable<>& cable = study.required_cable[index];
@@ -223,7 +226,7 @@ SteppedBaseAnswer analyse_case(const SteppedBaseStudy<>& study, const AnalysisWo
         return answer;
     }
     for (const RequiredValue<>& request : study.required) {
-        answer.required.push_back(required_value(problem, request.parameter, request.factor_of_safety));
+        answer.required.push_back(required_value(problem, request.parameter, request.factor_of_safety, request.also));
     }
     for (const RequiredCable<>& request : study.required_cable) {
         answer.required_cable.push_back(required_cable(problem, request));
@@ -254,6 +257,7 @@ Analysis named_outputs(const SteppedBaseStudy<>& study, const SteppedBaseAnswer&
     append_outputs(analysis, answer.result);
     mark_what_is_not(analysis, answer.resolved.problem, answer.result);
     append_required(analysis, study, answer);
+    append_support(analysis, support_rows(answer.resolved.problem.scene));
     append_column_outputs(analysis, answer.as_given.columns);
     warn(analysis, answer);
     if (study.linear_programming_bound) {

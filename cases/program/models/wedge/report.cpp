@@ -51,7 +51,8 @@ WedgeFailureAnswer analyse_case(const WedgeFailureStudy<>& study, const Analysis
     WedgeFailureAnswer answer{analyse(study.model)};
     if (answer.result.check == WedgeFailureCheck::valid) {
         for (const RequiredValue<>& request : study.required) {
-            answer.required.push_back(required_value(study.model, request.parameter, request.factor_of_safety));
+            answer.required.push_back(
+                required_value(study.model, request.parameter, request.factor_of_safety, request.also));
         }
     }
     return answer;

@@ -1,0 +1,61 @@
+// [support_design]: the support that may be chosen, what it costs, the factor of safety that it is to give.
+#include "cases/program/case/case_parts.hpp"
+#include "cases/program/reader/described_reader.hpp"
+#include "cases/program/reader/units.hpp"
+
+#include <cmath>
+
+namespace delabole {
+namespace {
+
+bool is_whole(double number) {
+    return number == std::floor(number);
+}
+
+void check_support_design(Reading& reading, const SupportDesign& design, const CaseModel& model) {
+    if (find_quantity(named_inputs(model), "support[1].rows") == nullptr) {
+        reading.complain_at("support_design", "has nothing to choose: the model has no [[support]]");
+    }
+    for (std::size_t index = 0; index < design.choices.size(); ++index) {
+        const SupportChoice& choice = design.choices[index];
+        const std::string key = indexed("support_design.choose", index);
+        if (!is_whole(choice.points)) {
+            reading.complain_at(key + ".points", "must be a whole number");
+        } else if (choice.input.ends_with(".rows") &&
+                   !(is_whole(choice.from) &&
+                     is_whole(choice.points > 1 ? (choice.to - choice.from) / (choice.points - 1) : 0))) {
+            reading.complain_at(key + ".points", "makes numbers of rows that are not whole");
+        }
+    }
+    if (number_of_patterns(design) > most_support_patterns) {
+        reading.complain_at("support_design",
+                            "allows " + readable_quantity(number_of_patterns(design), Dimension::ratio) +
+                                " patterns; at most " + readable_quantity(most_support_patterns, Dimension::ratio) +
+                                " are tried");
+    }
+}
+
+}  // namespace
+
+SupportDesign read_support_design(Section& root, const CaseModel& model, const OutputsOf& outputs_of) {
+    SupportDesign design{};
+    const Node* table = as_table(root.reading(), *root.take("support_design"), "support_design");
+    if (table == nullptr) {
+        return design;
+    }
+    Section section(root.reading(), *table, "support_design");
+    const ModelNames names = names_of(model, outputs_of, root.reading().inputs_known());
+    section.refer_to({std::span(&names, 1), "a number that this model answers"});
+    read_fields(section, design);
+    if (!section.contains("choose")) {
+        section.reading().complain(section.place(), "support_design", {},
+                                   "has nothing to choose: [[support_design.choose]] is required");
+    }
+    if (section.reading().clean()) {
+        check_support_design(section.reading(), design, model);
+    }
+    section.finish();
+    return design;
+}
+
+}  // namespace delabole

@@ -1,0 +1,29 @@
+// [support_design] of a case: the cheapest support found and put into its model, and how that is told.
+#pragma once
+
+#include "cases/program/results/result_folder.hpp"
+#include "fitting/studies/support_design.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace delabole {
+
+struct DesignedSupport {
+    SupportDesign design;
+    SupportDesignResult found;
+    std::string sentence;  // what the cheapest support is
+};
+
+// With the support of the answer, or the strongest where none reaches the factor of safety, in the case's model.
+// Nothing where the case asks for none or nothing it allows has an answer.
+std::optional<DesignedSupport> design_support_of(CaseFile& file, const std::function<bool(double)>& watch);
+
+// Behind the first sentence, the verdict.
+void add_to_head(const DesignedSupport& support, HeadCard& head);
+
+// The figure, support.csv, the result for result.json.
+Json document_support(const DesignedSupport& support, const ResultFolder& folder, Report& report);
+
+}  // namespace delabole

@@ -1,0 +1,81 @@
+// The cheapest support for a factor of safety: all patterns that the stated choices allow, in the order of their cost,
+// up to the first that reaches it.
+//
+// Cost per metre of slope: over all patterns of the model, its inputs support[n],
+//     sum of rows / spacing (cost per bolt + cost per metre length),
+// in whatever currency the two costs are. Exact: every cheaper pattern of the choices has been tried and fails.
+#pragma once
+
+#include "parameters/model_interface.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace delabole {
+
+struct SupportChoice {
+    std::string input;
+    double from;
+    double to;
+    double points;
+    Dimension dimension = Dimension::ratio;
+    static constexpr auto fields() {
+        using C = SupportChoice;
+        return std::tuple{
+            refers_to(NameOf::input, section("input", &C::input, "what may be chosen, e.g. support[1].spacing")),
+            number("from", &C::from, Dimension::named, any_number(), "the first value"),
+            number("to", &C::to, Dimension::named, any_number(), "the last value"),
+            number("points", &C::points, Dimension::ratio, within(1, 1000), "how many values, equally spaced")};
+    }
+};
+
+struct SupportDesign {
+    double factor_of_safety;
+    double cost_per_bolt;
+    double cost_per_metre;
+    std::vector<SupportChoice> choices;
+    static constexpr auto fields() {
+        using D = SupportDesign;
+        return std::tuple{
+            number("factor_of_safety", &D::factor_of_safety, Dimension::ratio, more_than(0),
+                   "factor of safety to reach"),
+            number("cost_per_bolt", &D::cost_per_bolt, Dimension::ratio, at_least(0), "of head and work, any currency"),
+            number("cost_per_metre", &D::cost_per_metre, Dimension::ratio, at_least(0),
+                   "of bolt and hole, in the same currency"),
+            section("choose", &D::choices, "an input of the support and the values it may have")};
+    }
+};
+
+// Patterns are few enough to be tried one by one.
+inline constexpr double most_support_patterns = 100'000;
+double number_of_patterns(const SupportDesign& design);
+
+struct TriedSupport {
+    std::vector<double> values;  // SI, in the order of the choices
+    double cost;                 // per metre of slope
+    // Infinite where nothing fails at any strength, 0 where the slope fails at any.
+    std::optional<double> factor_of_safety;  // absent where the model has no answer
+    std::string failure;                     // why, e.g. "bolt_head_above_crest"
+};
+
+struct SupportDesignResult {
+    std::vector<TriedSupport> tried;       // in the order of cost
+    std::optional<std::size_t> cheapest;   // the last of them; absent where none reaches the factor of safety
+    std::optional<std::size_t> strongest;  // that of the greatest factor of safety; absent without any answer
+    std::size_t patterns;                  // that the choices allow
+    std::map<std::string, std::size_t> failed_by_cause;
+};
+
+// Cost per metre of slope of the model's support with the inputs of the choices set.
+double cost_of_support(const ModelInterface& model, const SupportDesign& design, const std::vector<double>& values);
+
+// The choices name inputs of the model, which has the output factor_of_safety. Told the share done; false ends it.
+SupportDesignResult design_support(const ModelInterface& model, const SupportDesign& design,
+                                   const std::function<bool(double share)>& watch = {});
+
+}  // namespace delabole
