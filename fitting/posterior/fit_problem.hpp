@@ -101,7 +101,8 @@ struct ProfileObservation {
     static constexpr auto fields() {
         using O = ProfileObservation;
         return std::tuple{
-            section("points", &O::profile, "the ground after the failure, from the toe into the slope"),
+            number("points", &O::profile, Dimension::length, any_number(),
+                   "the ground after the failure, from the toe into the slope"),
             number("standard_deviation", &O::standard_deviation, Dimension::length, more_than(0),
                    "standard deviation of the distance from the profile"),
             with_default(section("source", &O::source, "where the profile comes from")),

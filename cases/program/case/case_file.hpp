@@ -39,15 +39,28 @@ struct Expectation {
     WrittenValue value;                        // a number, a quantity or a word such as an outcome's name
     std::optional<WrittenValue> tolerance;     // absolute, of the value's dimension
     std::optional<double> relative_tolerance;  // of the value
-    std::optional<Dimension> dimension;        // where the model lists the quantity; value and tolerance then convert
     std::vector<Condition> conditions;         // inputs that differ from the case's, SI
     std::string source;
     std::string note;
-    std::optional<std::string> unreachable;  // why the printed value cannot be reached: shown, not failed
-    Place place;
+    std::optional<std::string> unreachable;   // why the printed value cannot be reached: shown, not failed
+    std::optional<Dimension> dimension = {};  // where the model lists the quantity; value and tolerance then convert
+    Place place = {};
 
     // A word has to be equal; anything else has exactly one tolerance, unless it is unreachable.
     bool is_word() const;
+    static constexpr auto fields() {
+        using E = Expectation;
+        return std::tuple{with_default(section("label", &E::label, "what is compared, in words")),
+                          section("quantity", &E::quantity, "name of an output of the model"),
+                          section("value", &E::value, "the value to compare with"),
+                          section("tolerance", &E::tolerance, "greatest difference that is met"),
+                          number("relative_tolerance", &E::relative_tolerance, Dimension::ratio, at_least(0),
+                                 "the same, of the value"),
+                          section("with", &E::conditions, "inputs that differ from the case's"),
+                          with_default(section("source", &E::source, "where the value comes from")),
+                          with_default(section("note", &E::note, "what a reader should know of it")),
+                          section("unreachable", &E::unreachable, "why the value cannot be reached")};
+    }
 };
 
 struct FitMechanism : MechanismTask {

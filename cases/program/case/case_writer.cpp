@@ -10,34 +10,6 @@
 namespace delabole {
 namespace {
 
-std::string written(const WrittenValue& value) {
-    if (const auto* number = std::get_if<double>(&value)) {
-        return written_quantity(*number, Dimension::ratio);
-    }
-    return in_quotes(std::get<std::string>(value));
-}
-
-void write_expectation(std::string& text, const Expectation& expectation) {
-    text += "\n[[expect]]\n";
-    write_text(text, "label", expectation.label);
-    write_line(text, "quantity", in_quotes(expectation.quantity));
-    write_line(text, "value", written(expectation.value));
-    if (expectation.tolerance) {
-        write_line(text, "tolerance", written(*expectation.tolerance));
-    }
-    if (expectation.relative_tolerance) {
-        write_line(text, "relative_tolerance", written_quantity(*expectation.relative_tolerance, Dimension::ratio));
-    }
-    if (!expectation.conditions.empty()) {
-        write_line(text, "with", written_conditions(expectation.conditions));
-    }
-    write_text(text, "source", expectation.source);
-    write_text(text, "note", expectation.note);
-    if (expectation.unreachable) {
-        write_line(text, "unreachable", in_quotes(*expectation.unreachable));
-    }
-}
-
 void write_coarse(std::string& text, const FitMechanism& mechanism) {
     if (!mechanism.coarse) {
         return;
@@ -117,7 +89,8 @@ std::string resolved_toml(const CaseFile& case_file) {
         }
     }
     for (const Expectation& expectation : case_file.expectations) {
-        write_expectation(text, expectation);
+        text += "\n[[expect]]\n";
+        write_values(text, expectation);
     }
     for (const CaseSweep& sweep : case_file.sweeps) {
         write_sweep(text, sweep);

@@ -1,6 +1,6 @@
 // [sources] and [[expect]], and the names they use.
 #include "cases/program/case/case_parts.hpp"
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/described_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,62 +26,50 @@ bool is_negative(const WrittenValue& value) {
     return number != nullptr ? !(*number >= 0) : std::get<std::string>(value).find('-') == 0;
 }
 
-void read_tolerances(Section& section, Expectation& expectation) {
-    if (const Node* node = section.take("tolerance")) {
-        expectation.tolerance = read_written(section.reading(), *node, section.path_of("tolerance"));
-        if (expectation.tolerance && is_negative(*expectation.tolerance)) {
-            section.complain("tolerance", *node, "must be at least 0");
-        } else if (expectation.tolerance && expectation.dimension) {
-            check_written(section, "tolerance", *expectation.tolerance, *expectation.dimension);
-        } else if (expectation.tolerance && std::holds_alternative<std::string>(*expectation.tolerance) &&
-                   !looks_like_quantity(std::get<std::string>(*expectation.tolerance))) {
-            section.complain("tolerance", *node, "must be a number or a quantity of the value's dimension");
-        }
+void check_tolerance(Section& section, const Expectation& expectation) {
+    if (!expectation.tolerance) {
+        return;
     }
-    if (const Node* node = section.take("relative_tolerance")) {
-        expectation.relative_tolerance =
-            read_number(section.reading(), *node, section.path_of("relative_tolerance"), Dimension::ratio, at_least(0));
+    const auto* words = std::get_if<std::string>(&*expectation.tolerance);
+    if (is_negative(*expectation.tolerance)) {
+        section.complain("tolerance", *section.peek("tolerance"), "must be at least 0");
+    } else if (expectation.dimension) {
+        check_written(section, "tolerance", *expectation.tolerance, *expectation.dimension);
+    } else if (words != nullptr && !looks_like_quantity(*words)) {
+        section.complain("tolerance", *section.peek("tolerance"),
+                         "must be a number or a quantity of the value's dimension");
     }
 }
 
 Expectation read_expectation(Section& section, const ModelNames& names) {
-    Expectation expectation;
+    Expectation expectation{};
     expectation.place = section.place();
-    expectation.label = read_optional_text(section, "label");
-    expectation.quantity = require_text(section, "quantity", "name of an output of the model");
+    section.refer_to({std::span(&names, 1), "an output of the model"});
+    read_fields(section, expectation);
     if (const Quantity* output = find_quantity(names.outputs, expectation.quantity)) {
         expectation.dimension = output->dimension;
     }
-    if (const Node* node = section.require("value", "the value to compare with")) {
-        expectation.value = read_written(section.reading(), *node, section.path_of("value")).value_or(0.0);
+    if (const Node* node = section.peek("value")) {
         if (node->kind == Node::Kind::real && !std::isfinite(node->real)) {
             section.complain("value", *node, "must be a finite number");
         } else if (expectation.dimension) {
             check_written(section, "value", expectation.value, *expectation.dimension);
         }
     }
-    read_tolerances(section, expectation);
-    section.refer_to({std::span(&names, 1), "an output of the model"});
-    expectation.conditions = read_conditions(section, "with");
-    expectation.source = read_optional_text(section, "source");
-    expectation.note = read_optional_text(section, "note");
-    if (section.contains("unreachable")) {
-        expectation.unreachable = require_text(section, "unreachable", "why the value cannot be reached");
-    } else {
-        section.allow("unreachable");
-    }
+    check_tolerance(section, expectation);
     const bool absolute = section.contains("tolerance");
     const bool relative = section.contains("relative_tolerance");
+    const auto complain = [&](const std::string& message) {
+        section.reading().complain(section.place(), section.path(), {}, message);
+    };
     if (expectation.is_word() && !expectation.dimension) {
         if (absolute || relative) {
-            section.reading().complain(section.place(), section.path(), {}, "a word has no tolerance");
+            complain("a word has no tolerance");
         }
     } else if (absolute && relative) {
-        section.reading().complain(section.place(), section.path(), {},
-                                   "takes only one of tolerance and relative_tolerance");
-    } else if (!absolute && !relative && !section.contains("unreachable")) {
-        section.reading().complain(section.place(), section.path(), {},
-                                   "needs a tolerance (absolute) or a relative_tolerance");
+        complain("takes only one of tolerance and relative_tolerance");
+    } else if (!absolute && !relative && !expectation.unreachable) {
+        complain("needs a tolerance (absolute) or a relative_tolerance");
     }
     return expectation;
 }

@@ -1,7 +1,6 @@
 // [fit]: what was observed, what is free, how to search.
 #include "cases/program/case/case_parts.hpp"
 #include "cases/program/reader/described_reader.hpp"
-#include "cases/program/reader/spelling.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -10,44 +9,6 @@ namespace delabole {
 namespace {
 
 constexpr std::string_view one_side = "must be at_least or at_most";
-
-// Complains about each name of a list that an earlier element has, too.
-template <class Element, class Name>
-void check_unique(Reading& reading, const std::string& list, const std::vector<Element>& elements, Name name,
-                  const std::string& key, const std::string& complaint) {
-    for (std::size_t index = 0; index < elements.size(); ++index) {
-        const auto end = elements.begin() + static_cast<std::ptrdiff_t>(index);
-        const std::string& own = elements[index].*name;
-        if (!own.empty() && std::ranges::find(elements.begin(), end, own, name) != end) {
-            reading.complain_at(indexed(list, index) + "." + key, complaint);
-        }
-    }
-}
-
-// Complains about each text of a list that is there and empty.
-template <class Element, class Text>
-void check_not_empty(Reading& reading, const std::string& list, const std::vector<Element>& elements, Text text,
-                     const std::string& key) {
-    for (std::size_t index = 0; index < elements.size(); ++index) {
-        const std::string path = indexed(list, index) + "." + key;
-        if ((elements[index].*text).find_first_not_of(" \t\r\n") == std::string::npos && reading.knows(path) &&
-            !reading.blames(path)) {
-            reading.complain_at(path, "must not be empty");
-        }
-    }
-}
-
-// Complains about a name that is not among those of a list's elements.
-template <class Element>
-void check_among(Reading& reading, const std::string& key, const std::string& name,
-                 const std::vector<Element>& elements, std::string Element::*name_of, const std::string& complaint) {
-    if (name.empty() || std::ranges::find(elements, name, name_of) != elements.end()) {
-        return;
-    }
-    std::vector<std::string> names;
-    std::ranges::transform(elements, std::back_inserter(names), name_of);
-    reading.complain_at(key, complaint + suggestion(name, names));
-}
 
 void check_parameters(Reading& reading, const std::string& list, const std::vector<FreeParameter>& parameters) {
     check_unique(reading, list, parameters, &FreeParameter::name, "name", "is free already: each input once");

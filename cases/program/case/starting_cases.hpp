@@ -1,4 +1,4 @@
-// Short cases to start from: what `delabole init` writes.
+// Short cases to start from: what `delabole init` writes, the files of cases/starting/ when the program was built.
 #pragma once
 
 #include <string>

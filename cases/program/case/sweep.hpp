@@ -7,9 +7,11 @@
 #include "parameters/fields.hpp"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace delabole {
@@ -18,14 +20,32 @@ namespace delabole {
 struct SweptInput {
     std::string input;
     std::vector<std::string> also;  // further inputs of its dimension that take its value
+    std::optional<double> from;     // equally spaced up to `to`
+    std::optional<double> to;
+    std::optional<std::int64_t> points;
+    std::vector<double> listed;  // in place of from, to and points
+    std::string axis;            // title of its axis with the unit; empty: its name and display unit
+    std::string unit;            // in which the axis counts; empty: the display unit
     Dimension dimension = Dimension::ratio;
-    std::vector<double> values;   // increasing, at least two
-    bool equally_spaced = false;  // given by its ends
-    std::string axis;             // title of its axis with the unit; empty: its name and display unit
-    std::string unit;             // in which the axis counts; empty: the display unit
+    std::vector<double> values = {};  // all of them, increasing, at least two
     double si_per_unit = 1;
 
+    bool equally_spaced() const { return listed.empty(); }
     double shown(double value) const { return value / si_per_unit; }
+    static constexpr auto fields() {
+        using I = SweptInput;
+        constexpr Dimension named = Dimension::named;
+        return std::tuple{
+            refers_to(NameOf::input,
+                      section("input", &I::input, "the input that varies, e.g. strength.friction_angle")),
+            refers_to(NameOf::input, section("also", &I::also, "further inputs that take the same value")),
+            number("from", &I::from, named, any_number(), "first value of the input"),
+            number("to", &I::to, named, any_number(), "last value of the input"),
+            number("points", &I::points, Dimension::ratio, within(2, 10001), "number of its values; absent: 101"),
+            number("values", &I::listed, named, any_number(), "its values, in place of from, to and points"),
+            with_default(section("axis", &I::axis, "title of its axis, with the unit")),
+            with_default(section("unit", &I::unit, "in which the axis counts"))};
+    }
 };
 
 // A dashed curve has the colour of the solid one before it, a dotted one is a reference in grey.
@@ -40,14 +60,61 @@ struct SweepCurve {
     std::string output;
     CurveDash dash = CurveDash::solid;
     std::vector<Condition> conditions;  // inputs that differ from the case's
+    static constexpr auto fields() {
+        using C = SweepCurve;
+        return std::tuple{section("label", &C::label, "the curve in words"),
+                          with_default(section("output", &C::output, "name of an output of the model")),
+                          with_default(section("dash", &C::dash, "how it is drawn")),
+                          section("with", &C::conditions, "inputs that differ from the case's")};
+    }
 };
 
 // Points as they are printed, in the units of the axes; of few points that stand for a curve, a line.
 struct PrintedPoints {
     std::string label;
-    Polyline points;
-    bool line = false;
     std::string source;
+    bool line = false;
+    Polyline points;
+    static constexpr auto fields() {
+        using P = PrintedPoints;
+        return std::tuple{section("label", &P::label, "what is printed, in words"),
+                          with_default(section("source", &P::source, "where it is printed")),
+                          with_default(section("line", &P::line, "whether the points stand for a curve")),
+                          number("points", &P::points, Dimension::ratio, any_number(),
+                                 "points in the units of the axes, [[x, y], ...]")};
+    }
+};
+
+// What is printed of curves.
+struct CurveRemark {
+    std::string label;
+    std::string curve;
+    std::string other;
+    std::string source;
+    std::string note;
+    std::optional<std::string> unreachable;  // why it is not met: shown, not failed
+    static constexpr auto fields() {
+        using R = CurveRemark;
+        return std::tuple{section("label", &R::label, "what is compared, in words"),
+                          section("curve", &R::curve, "label of a curve"),
+                          with_default(section("other", &R::other, "label of the other curve")),
+                          with_default(section("source", &R::source, "where it is printed")),
+                          with_default(section("note", &R::note, "what a reader should know of it")),
+                          section("unreachable", &R::unreachable, "why what is printed cannot be reached")};
+    }
+};
+
+// Where two curves meet first, and where they are printed to meet; SI.
+struct CurveCrossing : CurveRemark {
+    std::optional<double> printed;    // of the input
+    std::optional<double> tolerance;  // there where something is printed that can be reached
+    static constexpr auto fields() {
+        using C = CurveCrossing;
+        return std::tuple_cat(
+            CurveRemark::fields(),
+            std::tuple{number("printed", &C::printed, Dimension::named, any_number(), "where it is printed to be"),
+                       number("tolerance", &C::tolerance, Dimension::named, at_least(0), "of what is printed")});
+    }
 };
 
 enum class CurveRelation { falls, rises, below, above };
@@ -56,27 +123,14 @@ constexpr std::array<std::string_view, 4> enum_names(CurveRelation) {
     return {"falls", "rises", "below", "above"};
 }
 
-// A printed statement on a curve, wherever there are values; or on crossings over `each`.
-struct CurveStatement {
-    std::string label;
-    std::string curve;
+// A printed statement on a curve, wherever there are values; or on crossings over `each`. A curve is below or above
+// another.
+struct CurveStatement : CurveRemark {
     CurveRelation relation = CurveRelation::falls;
-    std::string other;  // the curve that `curve` is below or above
-    std::string source;
-    std::string note;
-    std::optional<std::string> unreachable;  // why it is not met: shown, not failed
-};
-
-// Where two curves meet first, and where they are printed to meet; SI.
-struct CurveCrossing {
-    std::string label;
-    std::string curve;
-    std::string other;
-    std::optional<double> printed;    // of the input
-    std::optional<double> tolerance;  // there where something is printed that can be reached
-    std::string source;
-    std::string note;
-    std::optional<std::string> unreachable;
+    static constexpr auto fields() {
+        return std::tuple_cat(CurveRemark::fields(),
+                              std::tuple{section("is", &CurveStatement::relation, "what is stated of the curve")});
+    }
 };
 
 // What is drawn of a sweep with `each`.
@@ -86,22 +140,46 @@ constexpr std::array<std::string_view, 2> enum_names(SweepDrawing) {
     return {"all", "crossings"};
 }
 
-struct CaseSweep {
+struct SweepInputs {
     std::string name;  // of its files
     std::string title;
     std::string caption;
-    std::string output_axis;         // title of the axis of outputs; empty: the output's name
-    std::vector<SweptInput> vary;    // the first along the axis; of a second one a curve for each value, or a map
-    std::optional<SweptInput> each;  // a figure for each of its values, and one of the crossings over them
-    SweepDrawing draw = SweepDrawing::all;
+    std::string output_axis;           // title of the axis of outputs; empty: the output's name
+    std::optional<SweepDrawing> draw;  // absent: all
+    std::vector<SweptInput> vary;      // the first along the axis; of a second one a curve for each value, or a map
+    std::optional<SweptInput> each;    // a figure for each of its values, and one of the crossings over them
+    static constexpr auto fields() {
+        using S = SweepInputs;
+        return std::tuple{section("name", &S::name, "name of its files"),
+                          with_default(section("title", &S::title, "title of its figures")),
+                          with_default(section("caption", &S::caption, "caption of its figures")),
+                          with_default(section("output_axis", &S::output_axis, "title of the axis of outputs")),
+                          section("draw", &S::draw, "which figures are drawn"),
+                          section("vary", &S::vary, "the inputs that vary"),
+                          section("each", &S::each, "an input of which each value has a figure")};
+    }
+};
+
+struct SweepCurves {
     std::vector<SweepCurve> curves;  // at least one
     std::vector<PrintedPoints> printed;
     std::vector<CurveCrossing> crossings;
     std::vector<CurveStatement> statements;
+    Dimension dimension = Dimension::ratio;  // of the input along the axis
+    static constexpr auto fields() {
+        using C = SweepCurves;
+        return std::tuple{section("curve", &C::curves, "what is drawn"),
+                          section("printed", &C::printed, "what is printed of it"),
+                          section("crossing", &C::crossings, "where two curves meet"),
+                          section("statement", &C::statements, "what is stated of the curves")};
+    }
+};
+
+struct CaseSweep : SweepInputs, SweepCurves {
     Place place = {};
 };
 
 // Ends where an input is meant to end, and equal steps between.
-std::vector<double> spaced_values(double from, double to, int points);
+std::vector<double> spaced_values(double from, double to, std::int64_t points);
 
 }  // namespace delabole

@@ -1,6 +1,9 @@
-// Members of described structs (parameters/fields.hpp) that only reading and writing of cases tells apart.
+// Members of described structs (parameters/fields.hpp) that only reading and writing of cases tells apart. Beside what
+// fields.hpp lists a case may hold: a bool, written where it is true; a WrittenValue, kept as it was written; a
+// std::vector<double>, a list of values; a Polyline, points whose coordinates have the dimension of the field.
 #pragma once
 
+#include "cases/program/reader/units.hpp"
 #include "parameters/fields.hpp"
 
 #include <array>
@@ -37,6 +40,10 @@ inline constexpr bool is_written_in_line = requires {
 };
 
 using PairOfTexts = std::array<std::string, 2>;
+
+// Alternatives of which one is given; a WrittenValue is a value.
+template <class Type>
+inline constexpr bool is_choice = is_variant<Type> && !std::same_as<Type, WrittenValue>;
 
 // A member that is a list of texts, empty where the case has none.
 template <class Type>

@@ -191,7 +191,23 @@ void read_keyed_variant(Section& section, Variant& variant) {
 template <class Member>
 void read_node(Section& section, const Node& node, const std::string& path, const FieldInfo& info, Member& member) {
     Reading& reading = section.reading();
-    if constexpr (std::integral<Member>) {
+    if constexpr (std::same_as<Member, bool>) {
+        if (node.kind != Node::Kind::boolean) {
+            reading.complain(node.place, path, shown(node), "must be true or false");
+        }
+        member = node.boolean;
+    } else if constexpr (std::same_as<Member, WrittenValue>) {
+        member = read_written(reading, node, path).value_or(0.0);
+    } else if constexpr (std::same_as<Member, std::vector<double>>) {
+        if (node.kind != Node::Kind::array) {
+            reading.complain(node.place, path, shown(node), "must be a list of values");
+        }
+        for (std::size_t index = 0; index < node.elements.size(); ++index) {
+            member.push_back(
+                read_number(reading, node.elements[index], indexed(path, index), info.dimension, info.range)
+                    .value_or(0));
+        }
+    } else if constexpr (std::integral<Member>) {
         member = static_cast<Member>(read_whole_number(reading, node, path, info.range).value_or(0));
     } else if constexpr (NumberType<Member>) {
         member = read_number(reading, node, path, info.dimension, info.range).value_or(0);
@@ -201,7 +217,7 @@ void read_node(Section& section, const Node& node, const std::string& path, cons
         const auto index = read_choice(reading, node, path, enum_words<Member>());
         member = static_cast<Member>(index.value_or(0));
     } else if constexpr (std::same_as<Member, Polyline>) {
-        member = read_polyline(reading, node, path);
+        member = read_polyline(reading, node, path, info.dimension);
     } else if constexpr (std::same_as<Member, PairOfTexts>) {
         member = read_pair(reading, node, path, info.meaning);
     } else if constexpr (is_vector<Member>) {
@@ -272,7 +288,7 @@ void read_member(Section& section, const FieldInfo& field, Member& member) {
     } else if (info->key.empty()) {
         if constexpr (is_keyed_variant<Member>) {
             read_kind(section, member);
-        } else if constexpr (is_variant<Member>) {
+        } else if constexpr (is_choice<Member>) {
             read_inlined_variant(section, *info, member);
         } else if constexpr (Described<Member>) {
             read_fields(section, member);
@@ -306,6 +322,11 @@ void read_member(Section& section, const FieldInfo& field, Member& member) {
             const auto read = [&](auto& value) { read_node(section, *node, section.path_of(info->key), *info, value); };
             if constexpr (is_optional<Member>) {
                 read(member.emplace());
+                if constexpr (std::same_as<Member, std::optional<std::string>>) {
+                    if (member->find_first_not_of(" \t\r\n") == std::string::npos) {
+                        section.complain(info->key, *node, "must not be empty: " + std::string(info->meaning));
+                    }
+                }
             } else {
                 read(member);
             }
@@ -314,7 +335,7 @@ void read_member(Section& section, const FieldInfo& field, Member& member) {
         const Node* node = section.require(info->key, requirement<Member>(*info));
         if (node != nullptr) {
             read_node(section, *node, section.path_of(info->key), *info, member);
-        } else if constexpr (Described<Member> || is_variant<Member>) {
+        } else if constexpr (Described<Member> || is_choice<Member>) {
             section.reading().lose_inputs();
         }
     }

@@ -51,13 +51,30 @@ inline std::string written_conditions(const std::vector<Condition>& conditions) 
     return table.empty() ? "{}" : "{ " + table + " }";
 }
 
-inline std::string written_polyline(const Polyline& line) {
-    std::string list = "[\n";
-    for (const Point& point : line) {
-        list += "    [" + written_quantity(point.x(), Dimension::length) + ", " +
-                written_quantity(point.y(), Dimension::length) + "],\n";
+inline std::string written(const WrittenValue& value) {
+    const auto* number = std::get_if<double>(&value);
+    return number != nullptr ? written_quantity(*number, Dimension::ratio) : in_quotes(std::get<std::string>(value));
+}
+
+inline std::string written_list(const std::vector<double>& values, Dimension dimension) {
+    std::string list;
+    for (const double value : values) {
+        list += (list.empty() ? "[" : ", ") + written_quantity(value, dimension);
     }
     return list + "]";
+}
+
+// Points with a unit stand on lines of their own.
+inline std::string written_polyline(const Polyline& line, Dimension dimension) {
+    const bool lines = dimension != Dimension::ratio;
+    std::string list;
+    for (const Point& point : line) {
+        list += (lines          ? "\n    "
+                 : list.empty() ? ""
+                                : ", ") +
+                written_list({point.x(), point.y()}, dimension) + (lines ? "," : "");
+    }
+    return "[" + list + (lines ? "\n]" : "]");
 }
 
 // Lines of values as one table.
@@ -91,6 +108,17 @@ void write_value(std::string& text, const FieldInfo& info, const Member& member,
         } else {
             write_value(text, info, *member, named);
         }
+    } else if constexpr (std::same_as<Member, bool>) {
+        if (member) {
+            write_line(text, info.key, "true");
+        }
+    } else if constexpr (std::same_as<Member, WrittenValue>) {
+        write_line(text, info.key, written(member));
+    } else if constexpr (std::same_as<Member, std::vector<double>>) {
+        if (!member.empty()) {
+            write_line(text, info.key,
+                       written_list(member, info.dimension == Dimension::named ? named : info.dimension));
+        }
     } else if constexpr (std::integral<Member>) {
         write_line(text, info.key, std::to_string(member));
     } else if constexpr (NumberType<Member>) {
@@ -105,7 +133,7 @@ void write_value(std::string& text, const FieldInfo& info, const Member& member,
     } else if constexpr (std::same_as<Member, PairOfTexts>) {
         write_line(text, info.key, list_in_quotes({member.begin(), member.end()}));
     } else if constexpr (std::same_as<Member, Polyline>) {
-        write_line(text, info.key, written_polyline(member));
+        write_line(text, info.key, written_polyline(member, info.dimension));
     } else if constexpr (std::same_as<Member, std::vector<Condition>>) {
         if (!member.empty()) {
             write_line(text, info.key, written_conditions(member));
@@ -141,7 +169,8 @@ template <class Member>
 inline constexpr bool is_value =
     NumberType<Member> || std::is_enum_v<Member> || std::same_as<Member, std::string> || is_list_of_texts<Member> ||
     std::same_as<Member, PairOfTexts> || std::same_as<Member, Polyline> ||
-    std::same_as<Member, std::vector<Condition>> || is_written_in_line<Member>;
+    std::same_as<Member, std::vector<Condition>> || std::same_as<Member, std::vector<double>> ||
+    std::same_as<Member, WrittenValue> || is_written_in_line<Member>;
 
 template <class Member>
 void write_section(std::string& text, const FieldInfo& info, const Member& member, const std::string& path,

@@ -236,7 +236,7 @@ std::optional<std::int64_t> read_whole_number(Reading& reading, const Node& node
     return std::nullopt;
 }
 
-Polyline read_polyline(Reading& reading, const Node& node, const std::string& path) {
+Polyline read_polyline(Reading& reading, const Node& node, const std::string& path, Dimension dimension) {
     Polyline points;
     if (node.kind != Node::Kind::array) {
         reading.complain(node.place, path, shown(node), "must be a list of points [x, y]");
@@ -247,13 +247,14 @@ Polyline read_polyline(Reading& reading, const Node& node, const std::string& pa
         Point& point = points.emplace_back(Point::Zero());
         if (element.kind != Node::Kind::array || element.elements.size() != 2) {
             reading.complain(element.place, place, shown(element),
-                             "must be a point [x, y], e.g. [\"0 ft\", \"350 ft\"]");
+                             dimension == Dimension::length ? "must be a point [x, y], e.g. [\"0 ft\", \"350 ft\"]"
+                                                            : "must be two numbers, [x, y]");
             continue;
         }
         for (const int axis : {0, 1}) {
             const Node& coordinate = element.elements[static_cast<std::size_t>(axis)];
-            point[axis] = read_number(reading, coordinate, indexed(place, static_cast<std::size_t>(axis)),
-                                      Dimension::length, any_number())
+            point[axis] = read_number(reading, coordinate, indexed(place, static_cast<std::size_t>(axis)), dimension,
+                                      any_number())
                               .value_or(0);
         }
     }

@@ -150,8 +150,8 @@ std::optional<WrittenValue> read_written(Reading& reading, const Node& node, con
 // Nothing, with a complaint, for a number that is not whole or out of the range.
 std::optional<std::int64_t> read_whole_number(Reading& reading, const Node& node, const std::string& path,
                                               const Interval& range);
-// Points [x, y] in metres.
-Polyline read_polyline(Reading& reading, const Node& node, const std::string& path);
+// Points [x, y], coordinates of a dimension.
+Polyline read_polyline(Reading& reading, const Node& node, const std::string& path, Dimension dimension);
 // Two texts; `meaning` says which in a complaint.
 std::array<std::string, 2> read_pair(Reading& reading, const Node& node, const std::string& path,
                                      std::string_view meaning);

@@ -263,7 +263,7 @@ std::string name_of_figure(const SweepRun& run, const SweptFigure& data) {
 void document_figure(const SweepRun& run, const SweptFigure& data, const ResultFolder& folder, Report& report) {
     const CaseSweep& sweep = run.sweep;
     const bool is_map = sweep.vary.size() > 1 && sweep.vary[1].values.size() > most_curves &&
-                        sweep.vary[0].equally_spaced && sweep.vary[1].equally_spaced;
+                        sweep.vary[0].equally_spaced() && sweep.vary[1].equally_spaced();
     if (sweep.vary.size() == 1 && sweep.vary.front().values.size() <= most_rows) {
         report.blocks.emplace_back(curves_table(title_of(sweep, data.each), sweep.vary.front(), data.curves));
     }
@@ -315,7 +315,7 @@ void document_crossings(const SweepRun& run, const ResultFolder& folder, Report&
 
 void document_sweep(const SweepRun& run, const ResultFolder& folder, Report& report) {
     folder.write(run.sweep.name + ".csv", sweep_csv(run));
-    if (run.sweep.draw == SweepDrawing::all) {
+    if (run.sweep.draw != SweepDrawing::crossings) {
         for (const SweptFigure& figure : run.figures) {
             document_figure(run, figure, folder, report);
         }
