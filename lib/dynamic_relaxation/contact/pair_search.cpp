@@ -54,7 +54,7 @@ bool beside(const Bodies& bodies, const RelaxationContact& contact, double short
     if (contact.gap >= 0) {
         return false;
     }
-    if (contact.gap < distance_between(bodies, contact.block, contact.other) - blend_way * shortest) {
+    if (contact.gap < initial_distance(bodies, contact.block, contact.other, 0).distance - blend_way * shortest) {
         return true;
     }
     const PlanePoint<> between = bodies.centroid[contact.block] - bodies.centroid[contact.other];
@@ -70,14 +70,20 @@ bool beside(const Bodies& bodies, const RelaxationContact& contact, double short
 
 }  // namespace
 
-double distance_between(const Bodies& bodies, std::size_t first, std::size_t second) {
+InitialDistance initial_distance(const Bodies& bodies, std::size_t first, std::size_t second, double margin) {
+    double behind = -std::numeric_limits<double>::infinity();  // the least distance of a corner behind an edge's line
     const auto over_edges_of = [&](std::size_t other, std::size_t block) {
         const PlanePoint<> between = bodies.centroid[block] - bodies.centroid[other];
         return greatest_distance(bodies.range[block], bodies.range[other], [&](std::size_t corner, std::size_t edge) {
-            return bodies.normal(edge).dot(between + (bodies.corner[corner] - bodies.corner[edge]));
+            const double gap = bodies.normal(edge).dot(between + (bodies.corner[corner] - bodies.corner[edge]));
+            behind = gap < -margin ? std::max(behind, gap) : behind;
+            return gap;
         });
     };
-    return std::max(over_edges_of(second, first), over_edges_of(first, second));
+    const double distance = std::max(over_edges_of(second, first), over_edges_of(first, second));
+    // Those farther behind are beside the edge, see above; twice the way, as rounding differs there.
+    const double shortest = std::min(bodies.shortest_edge[first], bodies.shortest_edge[second]);
+    return {distance, behind >= distance - 2 * blend_way * shortest};
 }
 
 void PairContacts::clear() {
