@@ -11,7 +11,7 @@
 
 namespace delabole {
 
-// What the work tells, from any thread, and heeds.
+// Takes what the work tells from any thread, and stops it when asked to.
 class BackgroundWatch {
   public:
     void tell(double share, std::string what);

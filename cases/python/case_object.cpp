@@ -121,7 +121,7 @@ const SensitivityStudy& sensitivity_of(const CaseFile& file) {
 py::dict sample_case(const CaseObject& object, std::optional<long> samples, const std::optional<std::string>& method,
                      std::optional<std::uint64_t> seed) {
     const SensitivityStudy& study = sensitivity_of(object.file);
-    // With every complaint about distributions and correlations.
+    // This raises every complaint about distributions and correlations.
     sensitivity_problem_of(object.file, 1, seed);
     PropagationSettings settings = study.propagation.value_or(PropagationSettings{});
     settings.samples = samples.value_or(settings.samples);

@@ -48,7 +48,7 @@ struct ClassSchema {
     std::vector<FieldSchema> fields = {};
 };
 
-// Of all models; every class stands behind those that it refers to.
+// The classes of all models; each stands behind those that it refers to.
 std::vector<ClassSchema> described_classes();
 
 }  // namespace delabole

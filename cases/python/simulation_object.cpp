@@ -151,7 +151,7 @@ py::array displacements(const SimulationObject& object) {
     return object.look(&motion.front().x, motion.size(), 2, sizeof(Motion));
 }
 
-// Of the moment at which the run began, after the static solve.
+// Displacements at the moment at which the run began, after the static solve.
 py::array first_displacements(const SimulationObject& object) {
     const std::vector<Motion>& origin = object.now().state().origin;
     return object.look(&origin.front().x, origin.size(), 2, sizeof(Motion));
@@ -190,7 +190,7 @@ py::array contact_blocks(const SimulationObject& object) {
     return object.look(reinterpret_cast<const std::uint32_t*>(blocks.data()), blocks.size(), 2, sizeof(ContactBlocks));
 }
 
-// Where the corners of contacts are now.
+// The places of the corners of contacts now.
 py::array_t<double> contact_points(const SimulationObject& object) {
     const Simulation& simulation = object.now();
     std::vector<PlanePoint<>> points;

@@ -21,7 +21,7 @@ namespace {
 
 // Sets the inputs to the values, computes the outputs; returns why there are none, or an empty text.
 using PointModel = std::function<std::string_view(std::span<const double> values, std::span<double> outputs)>;
-// Of one thread: it may keep a state.
+// Makes the model of one thread, which may keep a state.
 using PointModelMaker = std::function<PointModel()>;
 
 PointModelMaker any_model(const CaseModel& model, const PointColumns& columns) {

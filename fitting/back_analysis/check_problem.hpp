@@ -1,4 +1,4 @@
-// What is wrong with a back-analysis before it starts.
+// Faults of a back-analysis that are found before it starts.
 #pragma once
 
 #include "fitting/posterior/fit_problem.hpp"

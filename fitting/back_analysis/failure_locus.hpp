@@ -1,4 +1,4 @@
-// Where in the plane of two parameters the factor of safety is 1.
+// The curve in the plane of two parameters on which the factor of safety is 1.
 #pragma once
 
 #include "fitting/back_analysis/search.hpp"

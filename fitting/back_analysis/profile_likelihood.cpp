@@ -39,7 +39,7 @@ auto members_of(Type& knot) {
     return std::tie(knot.misfit, knot.point);
 }
 
-// What tracing one parameter gives.
+// The result of tracing one parameter.
 struct Traced {
     ProfileLikelihood profile;
     Knot lowest;

@@ -1,4 +1,4 @@
-// What every step of a back-analysis works with.
+// The problem and its work that every step of a back-analysis takes.
 #pragma once
 
 #include "fitting/mechanism/misfit.hpp"

@@ -1,4 +1,4 @@
-// What a mechanism explains at its best point, and what it cannot.
+// A summary of what a mechanism explains at its best point, and what it cannot.
 #pragma once
 
 #include "fitting/mechanism/fit_result.hpp"

@@ -20,7 +20,7 @@ namespace delabole {
 
 struct CostlyRuns;  // fitting/mechanism/costly_runs.hpp
 
-// What is changed while all else stays as given.
+// The part of the problem that is changed while all else stays as given.
 enum class EvidenceVariant {
     as_given,
     priors_halved,  // standard deviations of all priors

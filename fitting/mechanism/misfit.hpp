@@ -36,7 +36,7 @@ struct Residuals {
     std::string_view failure;
 };
 
-// What a residual is of.
+// The observation that a residual belongs to.
 struct Datum {
     std::string label;
     Relation relation;
@@ -81,7 +81,7 @@ class Misfit {
     double prior(std::span<const double> parameters) const;
     Evaluation value(std::span<const double> parameters, Priors priors) const;
     Residuals residuals(std::span<const double> parameters) const;
-    // What each of them is of, in their order.
+    // The observation of each of them, in their order.
     std::vector<Datum> data() const;
     Prediction predict(std::span<const double> parameters) const;
     // One row per quantity observation of the problem, in its order.

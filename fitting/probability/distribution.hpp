@@ -42,7 +42,7 @@ struct Lognormal {
     }
 };
 
-// From 0 up.
+// Its values go from 0 up.
 struct Exponential {
     double mean;  // > 0
     static constexpr std::string_view kind = "exponential";
@@ -117,7 +117,7 @@ struct Distribution {
 inline constexpr Interval lower_quantile = between(0, 0.5);
 inline constexpr Interval upper_quantile = between(0.5, 1);
 
-// What is wrong with one value of a distribution.
+// A fault of one value of a distribution.
 struct DistributionFault {
     std::string_view key;  // "standard_deviation", "lower", ...
     std::string message;   // the inequality it breaks

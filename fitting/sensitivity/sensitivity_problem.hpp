@@ -52,7 +52,7 @@ struct ParameterCorrelation {
     }
 };
 
-// What is absent is not done.
+// Analyses that are absent are not done.
 struct SensitivityStudy {
     std::string quantity;
     std::vector<UncertainParameter> parameters;

@@ -22,7 +22,7 @@ struct LogEvidence {
 // Weight of every mechanism that was sampled, in the order of the result; probability 0 for the others.
 std::vector<MechanismWeight> weigh(const FitResult& result);
 
-// In the order given. Without any evidence all have probability 0.
+// Weights in the order given. Without any evidence all have probability 0.
 std::vector<MechanismWeight> weigh(std::span<const LogEvidence> mechanisms);
 
 }  // namespace delabole

@@ -28,7 +28,7 @@
 
 namespace delabole {
 
-// What is asked of a mechanism's posterior.
+// The draws of a mechanism's posterior, with what measurements of it would read.
 struct MechanismDraws {
     std::string name;
     double probability;                       // of the mechanism, given the data so far

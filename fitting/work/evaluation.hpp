@@ -1,4 +1,4 @@
-// What one evaluation of an objective gives, and the account kept of many.
+// One evaluation of an objective, and the count of many.
 #pragma once
 
 #include <string>

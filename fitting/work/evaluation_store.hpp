@@ -32,7 +32,7 @@ class StoreError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// How many predictions a study asked the store for.
+// The number of predictions that a study asked the store for.
 struct StoreTraffic {
     long made = 0;             // computed and kept
     long found = 0;            // there already
@@ -52,7 +52,7 @@ class EvaluationStore {
     const std::filesystem::path& path() const;
     StoreTraffic traffic() const;
 
-    // Where the predictions of a model are kept.
+    // The row under which the predictions of a model are kept.
     std::int64_t shelf_of(std::string_view model);
 
     // The prediction of `model` for these values, from the shelf or computed and put there. Safe to call from several

@@ -1,4 +1,4 @@
-// How far a back-analysis or a sensitivity study has come.
+// The progress of a back-analysis or a sensitivity study.
 #pragma once
 
 #include <atomic>

@@ -79,7 +79,7 @@ struct SlopeBlock {
     MeshIndex rock;                 // index of a name
 };
 
-// What a cut has done, in the order of the cuts. None made: it misses the section, or its spacing is larger than that.
+// The joints that a cut has made, in the order of the cuts. None: it misses the section, or its spacing is larger.
 struct CutCount {
     std::size_t made = 0;     // blocks divided
     std::size_t dropped = 0;  // blocks that a joint of it would divide if it reached from side to side

@@ -46,7 +46,7 @@ struct Ray {
     double clearance = 0;  // of other corners from the way there
 };
 
-// Where a ray from the start of an edge into its face meets the outline.
+// The point at which a ray from the start of an edge into its face meets the outline.
 std::optional<Ray> cast(const SectionMesh& mesh, MeshIndex from, const PlanePoint<>& way, double snap) {
     const PlanePoint<>& start = mesh.start(from);
     double nearest = std::numeric_limits<double>::infinity();

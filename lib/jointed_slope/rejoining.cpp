@@ -1,4 +1,4 @@
-// What is put together again after all cuts: artificial divisions and slivers.
+// Puts together again, after all cuts, what was divided artificially, and slivers.
 #include "jointed_slope/cutting_work.hpp"
 
 #include <algorithm>

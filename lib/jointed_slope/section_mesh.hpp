@@ -16,7 +16,7 @@ namespace delabole {
 using MeshIndex = std::uint32_t;
 inline constexpr MeshIndex no_index = std::numeric_limits<MeshIndex>::max();
 
-// What an edge is where it is no joint.
+// Names for edges that are no joint.
 inline constexpr MeshIndex free_surface = no_index;     // of the outline
 inline constexpr MeshIndex intact_rock = no_index - 1;  // divided only because blocks are convex
 

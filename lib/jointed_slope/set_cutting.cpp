@@ -60,7 +60,7 @@ std::vector<double> joint_positions(const JointSetCut& set, std::uint64_t seed, 
     return positions;
 }
 
-// Where along a joint it may cut: its traces and the region.
+// The parts of a joint along which it may cut: its traces and the region.
 class Reach {
   public:
     Reach(const JointSetCut& set, std::uint64_t seed, Polygon<> region, double snap, double anchor)
@@ -118,7 +118,7 @@ class Reach {
     double anchor_;
 };
 
-// How far the joints of the set are shifted in the column of another set that holds a point.
+// The shift of the joints of the set in the column of another set that holds a point.
 double shift_at(const JointSetCut& set, const CutSet* columns, const PlanePoint<>& point) {
     if (columns == nullptr) {
         return 0;

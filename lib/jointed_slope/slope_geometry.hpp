@@ -22,7 +22,7 @@ struct SectionPoint {
     double y;
     static constexpr auto fields() {
         using P = SectionPoint;
-        // Where areas and what they are divided by neither overflow nor lose the section in its distance.
+        // Within these, areas and their quotients neither overflow nor lose the section in its distance.
         constexpr Interval range = within(-1e12, 1e12);
         return std::tuple{number("x", &P::x, Dimension::length, range, "in the section"),
                           number("y", &P::y, Dimension::length, range, "in the section")};

@@ -165,7 +165,7 @@ Samples samples_of(const KinematicsStudy& study, const std::vector<AnalysedSet>&
     return samples;
 }
 
-// Of the planes of a set, by their weights.
+// Counts the planes of a set by their weights.
 template <class Predicate>
 double share_of(const AnalysedSet& set, Predicate&& predicate) {
     double all = 0;

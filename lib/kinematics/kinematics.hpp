@@ -30,7 +30,7 @@ inline constexpr std::size_t most_joint_sets = 30;
 inline constexpr std::size_t most_poles = 10'000;
 // Of more poles than these, evenly chosen ones are intersected.
 inline constexpr std::size_t most_poles_intersected = 1'000;
-// At most 12; 8 unless the case says otherwise.
+// The number is 8 unless the case says otherwise, and at most 12.
 std::size_t most_sets_searched(const Kinematics& model);
 
 enum class KinematicsCheck {

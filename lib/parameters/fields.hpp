@@ -153,7 +153,7 @@ constexpr Interval right_open(double lower, double upper) {
     return {.lower = lower, .upper = upper, .upper_open = true};
 }
 
-// What a text names.
+// Kinds of things that a text may name.
 enum class NameOf {
     nothing,
     input,

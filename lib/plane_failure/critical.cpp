@@ -294,7 +294,7 @@ class Search {
                                                         : std::numeric_limits<double>::infinity();
     }
 
-    // Where the plane would meet the ground if there were no crack, above the daylighting point.
+    // The height above the daylighting point at which the plane would meet the ground if there were no crack.
     double highest_crack_base() const {
         PlaneFailure<> uncracked = problem_;
         uncracked.tension_crack.reset();

@@ -1,4 +1,4 @@
-// What a plane-failure case asks for beyond the factor of safety of the geometry it gives.
+// Questions of a plane-failure case beyond the factor of safety of the geometry that it gives.
 #pragma once
 
 #include "plane_failure/parameters.hpp"

@@ -179,7 +179,7 @@ T behind_crack(const Wedge<T>& wedge, const GroundSegment<T>& node) {
              wedge.crack.cosine * wedge.plane.cosine * node.above);
 }
 
-// From the base of the crack upwards to the first ground it meets.
+// Follows the crack from its base upwards to the first ground that it meets.
 template <class T>
 PlaneFailureCheck trace_crack_up(Wedge<T>& wedge, const Ground<T>& ground, const T& crack_dip, const T& face_dip) {
     if (behind_crack(wedge, ground.segments[0]) >= 0) {

@@ -65,7 +65,7 @@ constexpr std::array<std::string_view, 11> enum_names(WedgeFailureCheck) {
 template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;
 
-// Of a plane with dip d (above 90 deg: overturned) and dip direction a.
+// The upward normal of a plane with dip d (above 90 deg: overturned) and dip direction a.
 template <class T>
 Vector3<T> normal_of(const T& dip, const T& dip_direction) {
     using std::cos;

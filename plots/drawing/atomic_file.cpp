@@ -117,7 +117,7 @@ class TemporaryFile {
     }
 
   private:
-    // By a remover, between its creation and its lock.
+    // Says whether a remover took the file between its creation and its lock.
     bool taken_for_abandoned() const {
         if (!lock(descriptor_) && errno == EWOULDBLOCK) {
             return true;

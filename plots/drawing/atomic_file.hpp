@@ -22,7 +22,7 @@ class OutputError : public std::runtime_error {
     std::string reason_;
 };
 
-// What a value of errno means.
+// The meaning of a value of errno, in words.
 std::string reason_of(int error);
 
 // Writes `text` to a hidden temporary file beside `path`, forces it to the disk and renames it to `path`: afterwards

@@ -9,7 +9,7 @@ namespace delabole {
 // Length of the level (axis 0) or upright (axis 1) chord of a polygon through a point; 0 outside.
 double chord(const Polyline& outline, const Point& through, int axis);
 
-// With its first point repeated.
+// The outline with its first point repeated.
 Polyline closed(Polyline outline);
 
 struct Rectangle {

@@ -55,7 +55,7 @@ void shade_modes(const ForceAlongSlope& data, std::pair<double, double> height, 
 // does not fit.
 std::optional<Point> widest_place(const Polyline& outline, const Polyline& marks, const Point& text) {
     constexpr int steps = 40;
-    // In units of the text, which is a square of side 1 then.
+    // Lengths are in units of the text, which is a square of side 1 then.
     Polyline edge;
     Extent x;
     Extent y;

@@ -24,7 +24,7 @@ constexpr double greatest_plot_height = 680;  // px
 // Length of the arrow of the greatest force, px.
 constexpr double longest_arrow = 85;
 constexpr double shortest_arrow = 40;
-// Of any force: less would hide behind its head.
+// The least length of an arrow: a shorter one would hide behind its head.
 constexpr double visible_arrow = 18;
 
 struct Frame {
@@ -49,7 +49,7 @@ Polyline finite_points(const Polyline& line) {
     return result;
 }
 
-// At its elevation, without what cannot be drawn.
+// Moves a drawing to its elevation and leaves out what cannot be drawn.
 BlockDrawing prepared(BlockDrawing drawing) {
     const auto prepare = [&](Polyline& line) {
         line = finite_points(line);
@@ -392,7 +392,7 @@ class BlockPicture {
         const Polyline& water = drawing_.water;
         add_line(water, "water level", Colour::blue, Dash::solid, 2.5);
         if (!water.empty()) {
-            // In the middle, off the toe with its small blocks.
+            // The label stands in the middle, off the toe with its small blocks.
             const std::size_t index = (water.size() - 1) / 2;
             figure_.labels.push_back({.at = 0.5 * (water[index] + water[std::min(index + 1, water.size() - 1)]),
                                       .text = "▽",

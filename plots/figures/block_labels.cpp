@@ -22,7 +22,7 @@ struct Numeral {
     const DrawnBlock* block;
     Point at;
     double size;  // px
-    // Where not all are shown.
+    // The rule for labels where not all have room.
     enum class Thinned { counted, always, never } thinned;
 };
 
@@ -286,7 +286,7 @@ class BlockLabels {
         }
     }
 
-    // As many as do not run into each other.
+    // Keeps as many as do not run into each other.
     std::vector<Numeral> thinned_out(const std::vector<Numeral>& numerals) const {
         std::vector<Numeral> shown = numerals;
         for (const std::size_t step : {2, 5, 10, 20, 50, 100, 200, 500, 1000}) {

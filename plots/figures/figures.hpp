@@ -90,7 +90,7 @@ struct WaterDepthCurves {
 
 Figure factor_of_safety_against_water(const WaterDepthCurves& data);
 
-// What a laboratory measured; an absent range leaves that direction open.
+// The range that a laboratory measured; an absent one leaves that direction open.
 struct LaboratoryRange {
     std::string legend = {};
     std::optional<Interval> friction_angle = {};  // rad

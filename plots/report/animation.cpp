@@ -276,7 +276,7 @@ class Drawing {
                 digits[static_cast<std::size_t>(std::lround(shade * (levels - 1)))]};
     }
 
-    // In any way, against the last frame, which is what the page shows at first.
+    // Blocks that differ in any way from the last frame, which is what the page shows at first.
     std::vector<std::size_t> blocks_that_change() const {
         std::vector<std::size_t> result;
         for (std::size_t block = 0; block < animation_.blocks.size(); ++block) {

@@ -1,4 +1,4 @@
-// What lets an animation of the report move (animation.hpp).
+// The script that lets an animation of the report move (animation.hpp).
 #pragma once
 
 #include <string_view>

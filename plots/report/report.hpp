@@ -69,7 +69,7 @@ struct FigureRow {
     std::vector<FigureInReport> figures = {};
 };
 
-// What the result was made from and with: names and values.
+// Names and values of what the result was made from and with.
 struct Provenance {
     std::vector<std::pair<std::string, std::string>> entries = {};
 };

@@ -57,7 +57,7 @@ void check_profile(Reading& reading, const ProfileObservation& profile) {
     }
 }
 
-// What concerns several keys at once.
+// Checks what concerns several keys at once.
 void check_fit(Section& section, const CaseFit& fit) {
     Reading& reading = section.reading();
     check_unique(reading, "fit.mechanism", fit.mechanisms, &FitMechanism::name, "name", "names two mechanisms");

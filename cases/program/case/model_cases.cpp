@@ -9,7 +9,7 @@
 
 namespace delabole {
 
-// At the mechanism's own key where it has one, otherwise at the case's.
+// The complaint stands at the mechanism's own key where it has one, otherwise at the case's.
 void Checker::complain(const std::string& key, std::string message) {
     reading_->complain_at(reading_->knows(prefix_ + key) ? prefix_ + key : key, std::move(message));
 }

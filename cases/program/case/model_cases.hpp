@@ -20,7 +20,7 @@ class Checker {
   public:
     Checker(Reading& reading, std::string prefix) : reading_(&reading), prefix_(std::move(prefix)) {}
 
-    // At the mechanism's own key where it has one, otherwise at the case's.
+    // The complaint stands at the mechanism's own key where it has one, otherwise at the case's.
     void complain(const std::string& key, std::string message);
 
   private:

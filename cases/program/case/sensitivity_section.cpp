@@ -8,7 +8,7 @@
 namespace delabole {
 namespace {
 
-// What concerns several keys at once and is known to be wrong without the model.
+// Checks what concerns several keys at once and is known to be wrong without the model.
 void check_sensitivity(Reading& reading, const SensitivityStudy& study) {
     std::vector<std::string> names;
     for (std::size_t index = 0; index < study.parameters.size(); ++index) {

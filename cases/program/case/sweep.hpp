@@ -133,7 +133,7 @@ struct CurveStatement : CurveRemark {
     }
 };
 
-// What is drawn of a sweep with `each`.
+// The figures that are drawn of a sweep with `each`.
 enum class SweepDrawing { all, crossings };
 
 constexpr std::array<std::string_view, 2> enum_names(SweepDrawing) {

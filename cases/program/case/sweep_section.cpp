@@ -129,7 +129,7 @@ void check_curves(Reading& reading, const std::string& path, const CaseSweep& sw
     }
 }
 
-// What concerns several keys at once.
+// Checks what concerns several keys at once.
 void check_sweep(Section& section, const std::vector<CaseSweep>& before, const CaseSweep& sweep) {
     Reading& reading = section.reading();
     const std::string& path = section.path();

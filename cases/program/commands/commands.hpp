@@ -31,7 +31,7 @@ ExitCode outputs_command(const std::string& what, const Options& options);
 ExitCode verify_command(const Paths& cases, const Options& options);
 ExitCode reproduce_command(const std::string& what, const Options& options);
 
-// What reproduce accepts, with a line on each.
+// Names that `reproduce` accepts, with a line on each.
 std::vector<std::pair<std::string, std::string>> reproducible();
 
 }  // namespace delabole

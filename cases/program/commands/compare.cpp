@@ -46,7 +46,7 @@ std::string change_of(const Compared& one) {
     return before == nullptr || after == nullptr ? "" : value_in_words(*after - *before, one.dimension);
 }
 
-// In the order of the first case; what the second has alone follows.
+// Lists in the order of the first case; what the second has alone follows.
 template <class List, class ValueOf>
 std::vector<Compared> pair_up(const List& first, const List& second, const ValueOf& value_of) {
     std::vector<Compared> pairs;

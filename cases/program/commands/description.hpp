@@ -1,4 +1,4 @@
-// What the program offers, in plain words, and the texts made from it: completion of command lines and the manual page.
+// A description of the program in plain words, and the texts made from it: completion and the manual page.
 #pragma once
 
 #include <string>

@@ -30,7 +30,7 @@ auto with_progress(const Options& options, Work&& work) {
     });
 }
 
-// What keeps a result from being the answer; empty where nothing does.
+// The reason why a result is not the answer; empty where it is.
 std::string reservation_of_fit(const std::string& status) {
     if (status == "interrupted") {
         return "interrupted: the back-analysis was stopped early; what it had found is shown";
@@ -58,7 +58,7 @@ std::vector<std::string> choose_mechanisms(CaseFit& fit, const Options& options)
     return {};
 }
 
-// What the reader should know of mechanisms that were not fitted.
+// Tells of mechanisms that were not fitted.
 std::string left_out_in_words(const std::vector<std::string>& names) {
     return "Left out: " + list_in_words(names) +
            ". Every prediction is a run of dynamic relaxation; --with-costly fits such mechanisms too, in minutes.";

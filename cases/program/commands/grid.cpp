@@ -61,7 +61,7 @@ std::string vary_of(const std::string& option) {
     return text + " }";
 }
 
-// In place of what the case says of sweeps.
+// The sweep of the command line, in place of those of the case.
 Setting sweep_of(const Options& options) {
     if (options.vary.empty() || options.vary.size() > 2) {
         throw UsageError("grid: needs one or two --vary");

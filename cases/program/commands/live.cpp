@@ -17,7 +17,7 @@ namespace delabole {
 
 namespace {
 
-// Where there is a screen. Whether it works does not matter: the address is printed.
+// Opens the address where there is a screen. Whether it works does not matter: the address is printed.
 void open_in_browser(std::string address) {
     if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) {
         return;

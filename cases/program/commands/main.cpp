@@ -114,7 +114,7 @@ std::string reproduce_help() {
     return text;
 }
 
-// What the argument of a command may be, apart from files.
+// Words that the argument of a command may be, apart from files.
 std::vector<std::string> words_for(const std::string& command) {
     if (command == "init") {
         return delabole::starting_case_names();

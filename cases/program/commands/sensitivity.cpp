@@ -23,7 +23,7 @@ SensitivityResult study_with_progress(const SensitivityProblem& problem, const O
         &interrupt_flag());
 }
 
-// What keeps a result from being the answer; empty where nothing does.
+// The reason why a result is not the answer; empty where it is.
 std::string reservation(SensitivityStatus status) {
     switch (status) {
     case SensitivityStatus::finished:

@@ -57,7 +57,7 @@ TradeResult trade_with_progress(const TradeProblem& problem, const Options& opti
         interrupt_flag());
 }
 
-// What keeps a result from being the answer; empty where nothing does.
+// The reason why a result is not the answer; empty where it is.
 std::string reservation(const TradeResult& result, std::size_t settings) {
     switch (result.status) {
     case TradeStatus::finished:

@@ -33,7 +33,7 @@ std::string new_token() {
     return token;
 }
 
-// In a time that does not tell how much of it is right.
+// Compares in a time that does not tell how much of the text is right.
 bool same(std::string_view given, std::string_view right) {
     unsigned difference = given.size() == right.size() ? 0 : 1;
     for (std::size_t index = 0; index < right.size(); ++index) {

@@ -154,7 +154,7 @@ std::vector<Condition> LiveSession::conditions(const Json& request) const {
             throw LiveRefusal(name + " has to be a number");
         }
         const auto shown = value.get<double>();
-        // What is shown as the case's own value is that value, to the last bit.
+        // A value shown as the case's own is that value, to the last bit.
         const double si = shown == in_display_unit(input.value, input.dimension)
                               ? input.value
                               : shown * display_unit(input.dimension).si_per_unit;

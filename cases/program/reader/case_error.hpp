@@ -1,4 +1,4 @@
-// What is wrong with a case, all of it at once.
+// All that is wrong with a case, thrown at once.
 #pragma once
 
 #include <cstddef>

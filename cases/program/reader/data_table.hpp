@@ -44,7 +44,7 @@ std::vector<TableColumnField> table_fields() {
     return fields;
 }
 
-// What `check` of a table that has nothing to say about its rows as a whole is.
+// The `check` of a table whose rows as a whole need none.
 inline constexpr auto any_rows = [](Reading&, const auto&, const std::vector<Node>&) {};
 
 // Throws CaseError with all that is wrong, each with line and column; `name` names the text in messages. Rows that are

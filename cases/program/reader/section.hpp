@@ -62,7 +62,7 @@ class Reading {
     bool inputs_known_ = true;
 };
 
-// What names in a section may refer to.
+// The names that a section may refer to.
 struct ModelNames {
     std::string mechanism;
     std::vector<Quantity> inputs;

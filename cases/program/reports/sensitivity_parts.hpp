@@ -1,4 +1,4 @@
-// What the parts of the report of a sensitivity study share; some of it serves fits and recoveries as well.
+// Parts that the reports of sensitivity studies share; some serve fits and recoveries as well.
 #pragma once
 
 #include "cases/program/results/result_folder.hpp"
@@ -15,7 +15,7 @@ namespace delabole {
 // One cell of a CSV file.
 using Cell = std::variant<double, std::string>;
 
-// What all parts need to know of the study.
+// The study as all parts of its report need it.
 struct StudySubject {
     const SensitivityStudy& study;
     StudiedQuantity quantity;

@@ -9,7 +9,7 @@
 
 namespace delabole {
 
-// What the errors are errors of.
+// The quantity whose error is told, and its accurate value.
 struct TradeTruth {
     std::string quantity;     // "critical_tilt"
     Dimension dimension;      // of it

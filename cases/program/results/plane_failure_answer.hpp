@@ -1,4 +1,4 @@
-// What is computed of a case of plane failure.
+// The answer to a case of plane failure.
 #pragma once
 
 #include "plane_failure/plane_failure.hpp"

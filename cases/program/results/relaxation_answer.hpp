@@ -1,4 +1,4 @@
-// What is computed of a case of dynamic relaxation.
+// The answer to a case of dynamic relaxation.
 #pragma once
 
 #include "dynamic_relaxation/scene/slope_scene.hpp"

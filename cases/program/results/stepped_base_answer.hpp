@@ -1,4 +1,4 @@
-// What is computed of a case of columns on a stepped base.
+// The answer to a case of columns on a stepped base.
 #pragma once
 
 #include "limit_equilibrium/stepped_base/stepped_base_study.hpp"

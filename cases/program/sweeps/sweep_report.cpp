@@ -31,7 +31,7 @@ Axis axis_of(const SweptInput& input) {
 
 using Places = std::vector<std::size_t>;  // of curves in their sweep
 
-// Of curves of one dimension.
+// The axis of curves of one dimension.
 Axis axis_of_outputs(const SweepRun& run, const SweptFigure& data, const Places& curves) {
     const std::string& first = run.sweep.curves[curves.front()].output;
     Axis axis = axis_of(first, data.curves[curves.front()].dimension);

@@ -207,7 +207,7 @@ struct StatedCurves {
     std::vector<SweptCurve> curves;
 };
 
-// Of every figure its curves; of crossings over `each` one set of curves.
+// Every figure has its curves; crossings over `each` are one set of curves.
 std::vector<StatedCurves> stated_curves(const SweepRun& run) {
     std::vector<StatedCurves> all;
     const CaseSweep& sweep = run.sweep;

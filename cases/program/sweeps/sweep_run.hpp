@@ -45,7 +45,7 @@ SweepRun run_sweep(const CaseFile& file, const CaseSweep& sweep, const SweepWork
 // "a / b = 3"
 std::string each_in_words(const SweptInput& each, double value);
 
-// Of a sweep with `each`, its crossings as curves over the values of that.
+// The crossings of a sweep with `each`, as curves over the values of that.
 std::vector<SweptCurve> crossing_curves(const SweepRun& run);
 
 // Printed crossings and statements beside the computed ones.

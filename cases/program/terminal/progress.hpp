@@ -7,7 +7,7 @@
 
 namespace delabole {
 
-// From the pace of all the work and from that of late.
+// Tells the time left from the pace of all the work and from that of late.
 class TimeLeft {
   public:
     // Of work of which a share, more than 0, is done after so many seconds: "12 s left", or, where the two paces differ

@@ -5,7 +5,7 @@
 
 namespace delabole {
 
-// With one friction angle on joints and bases.
+// The columns of Appendix A with one friction angle on joints and bases.
 SteppedBase<> appendix_a(double friction_angle);
 
 // Heights, width and steps in metres; a metre there is an inch of the blocks of chapter 5.

@@ -22,7 +22,7 @@ constexpr std::string_view doubt_meaning = "what is doubtful in the printed row;
 
 enum class SlopeBehaviour { stable, limiting, unstable };
 
-// As printed.
+// The words as they are printed.
 constexpr std::array<std::string_view, 3> enum_names(SlopeBehaviour) {
     return {"S", "L.E.", "U"};
 }

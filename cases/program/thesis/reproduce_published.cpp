@@ -72,7 +72,7 @@ struct Problem {
 
     const RelaxationStudy& study() const { return std::get<RelaxationStudy>(file.model); }
     Dimension dimension() const { return dimension_of(parameter_of(*study().critical)); }
-    // In the unit of the published values.
+    // The value in the unit of the published ones.
     double shown(double value) const { return in_display_unit(value, dimension()); }
 };
 

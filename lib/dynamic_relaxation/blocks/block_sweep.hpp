@@ -10,7 +10,7 @@
 
 namespace delabole {
 
-// What all blocks of a scene keep, besides their bodies.
+// Numbers that all blocks of a scene keep, besides their bodies.
 struct BlockScales {
     std::vector<double> inverse_radius = {};  // 1/m
     std::vector<double> inverse_weight = {};  // m/N
@@ -40,7 +40,7 @@ struct NoticedMotion {
     }
 };
 
-// What a sweep reads and changes: arrays of the blocks.
+// The arrays of the blocks that a sweep reads and changes.
 struct BlockSweep {
     const Bodies& bodies;
     const BlockScales& scales;
@@ -59,7 +59,7 @@ struct BlockSweep {
     double* travelled;
     std::uint32_t* checks_at_rest;  // set to zero where a block is not
     NoticedMotion& noticed;
-    // Where blocks are carried along by a base that turns: its motion before the step, whichever is moved first.
+    // The motion before the step of a base that turns and carries blocks along, whichever is moved first.
     Motion base = {};
 };
 

@@ -1,4 +1,4 @@
-// Where the faces of two blocks lie on each other in the initial geometry, and how they have parted since.
+// Faces of two blocks that lie on each other in the initial geometry, and how they have parted since.
 #pragma once
 
 #include "dynamic_relaxation/blocks/bodies.hpp"

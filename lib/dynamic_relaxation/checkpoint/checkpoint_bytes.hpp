@@ -32,7 +32,7 @@ constexpr std::array<std::string_view, 5> enum_names(CheckpointCheck) {
 // `hash` tells what the body depends on: it must be the same at opening.
 std::string seal_checkpoint(std::uint64_t hash, std::string_view body);
 
-// What stands before the body: mark, version, hash, length.
+// Mark, version, hash and length stand before the body.
 inline constexpr std::size_t checkpoint_header_size = 32;
 
 // Whether the rest of a file is worth reading, by its first bytes, as many as the header has, and its size.

@@ -136,7 +136,7 @@ OutlineShift shift_by(const Bond& bond, const FacePosition& at) {
     return {sense * of_centroid.x(), sense * of_centroid.y(), sense * angle};
 }
 
-// What it breaks by, if it is overloaded.
+// Says by what a bond breaks, if it is overloaded.
 BondState state_under(const Bond& bond, const BondLoading& loading) {
     if (loading.worst() <= 1) {
         return BondState::whole;

@@ -1,4 +1,4 @@
-// What lies between two blocks each, found again by block.
+// Items that lie between two blocks each, found again by block.
 #pragma once
 
 #include <cstddef>

@@ -48,7 +48,7 @@ std::size_t ContactForces::evaluate_all(const ContactSweep& sweep) {
 
 std::size_t ContactForces::apply(const std::vector<Motion>& motion, const std::vector<double>& travelled,
                                  const std::vector<char>& moved, double step, ContactList& list) {
-    // From this share of the blocks on it costs less to go through all contacts in their order.
+    // Once one block in so many is awake it costs less to go through all contacts in their order.
     constexpr std::size_t many = 8;
     ++round_;
     std::size_t moved_count = 0;

@@ -20,7 +20,7 @@
 
 namespace delabole {
 
-// Where a corner is over an edge, and how it moves. Number: double, or lanes for many contacts at once.
+// The place of a corner over an edge, and its motion. Number: double, or lanes for many contacts at once.
 template <class Number>
 struct ContactPositionOf {
     Number normal_x;
@@ -140,7 +140,7 @@ inline bool takes_over(const EdgeEnds& ends, const RelaxationContact& contact, c
     return takes_over<double>(ends, contact.to_end, at);
 }
 
-// How fast a corner leaves its edge and moves along it, m/s.
+// The speeds at which a corner leaves its edge and moves along it, m/s.
 template <class Number>
 struct ContactVelocity {
     Number opening;

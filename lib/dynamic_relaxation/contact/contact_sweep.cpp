@@ -110,7 +110,7 @@ DELABOLE_INLINED EdgeEndsOf<Lanes> ends_of(const ContactSweep& sweep, const Part
     return gather_ends<Lanes>(rows);
 }
 
-// What the contacts of a part have to do. A bit for each.
+// The work that the contacts of a part have to do, a bit for each.
 struct Duty {
     unsigned bear = 0;       // those that touch and whose blocks have moved
     unsigned may_begin = 0;  // those whose blocks have moved and that do not touch and can have come to

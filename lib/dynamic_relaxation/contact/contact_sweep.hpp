@@ -11,7 +11,7 @@
 
 namespace delabole {
 
-// What a sweep reads and changes: arrays of the blocks, and those of the list of contacts.
+// The arrays of the blocks and of the list of contacts that a sweep reads and changes.
 struct ContactSweep {
     const Motion* motion;
     const double* travelled;  // of each block, since the start; no point of it has come farther

@@ -73,7 +73,7 @@ using EdgeEnds = EdgeEndsOf<double>;
 using JointLaw = JointLawOf<double>;
 using ContactLaw = ContactLawOf<double>;
 
-// Where a contact is in the initial geometry.
+// The place of a contact in the initial geometry.
 template <class Number>
 struct ContactShapeOf {
     Number arm_x{};  // of the corner, about its block's centroid
@@ -87,7 +87,7 @@ struct ContactShapeOf {
     Number to_end{};      // from the corner to the edge's end, likewise
 };
 
-// What every step asks for.
+// Numbers of each contact that every step asks for.
 struct ContactBlocks {
     std::uint32_t block;  // of the corner
     std::uint32_t other;  // of the edge

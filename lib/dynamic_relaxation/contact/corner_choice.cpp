@@ -30,7 +30,7 @@ PlanePoint<> parting(const RelaxationContact& contact, const ContactPosition& at
     return sense * PlanePoint<>(at.normal_x, at.normal_y);
 }
 
-// What a contact at a corner on a corner does in a trial, if there is one.
+// The part of a contact at a corner on a corner in a trial, if there is one.
 enum class InTrial { no, yields, insists };
 
 class Corners {

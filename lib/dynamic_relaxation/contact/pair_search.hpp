@@ -13,7 +13,7 @@
 
 namespace delabole {
 
-// What a pair has had so far, or has now. Twins are counted from the pair's first contact.
+// The contacts that a pair has had so far, or has now. Twins are counted from the pair's first contact.
 struct PairContacts {
     std::vector<RelaxationContact> contact = {};
     std::vector<ContactLaw> law = {};  // of each contact, whatever its number says
@@ -25,7 +25,7 @@ struct PairContacts {
     void clear();
 };
 
-// How the blocks of a pair lay when it was last looked at.
+// The places of the blocks of a pair when it was last searched.
 struct PairPose {
     double x = 0;  // m, displacement of the first block against the second
     double y = 0;

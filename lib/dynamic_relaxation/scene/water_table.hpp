@@ -18,7 +18,7 @@ struct FaceDepth {
     double depth;  // m below the table, at least 0, linear from each place to the next
 };
 
-// From the start of a straight face to its end. The two must be apart.
+// Depths from the start of a straight face to its end. The two must be apart.
 std::vector<FaceDepth> depths_along(const std::vector<SectionPoint>& table, const PlanePoint<>& start,
                                     const PlanePoint<>& end);
 

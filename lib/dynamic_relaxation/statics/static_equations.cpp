@@ -13,7 +13,7 @@ namespace {
 
 using Direction = Eigen::Matrix<double, 6, 1>;
 
-// What a contact does in a given state, and how that changes with the motion of its two blocks.
+// The force of a contact in a given state, and how it changes with the motion of its two blocks.
 struct Response {
     Eigen::Matrix<double, 6, 1> force = Eigen::Matrix<double, 6, 1>::Zero();
     Eigen::Matrix<double, 6, 6> stiffness = Eigen::Matrix<double, 6, 6>::Zero();

@@ -56,7 +56,7 @@ class StaticEquations {
     // Motion that would balance the forces if tangents stayed what they are: three numbers for each free block. Nothing
     // where the equations have no solution.
     std::optional<Eigen::VectorXd> change(const PseudoViscosity& resisting, const Eigen::VectorXd& forces);
-    // What pseudo-viscosity holds against blocks that have moved so far.
+    // The forces of pseudo-viscosity against blocks that have moved so far.
     Eigen::VectorXd resistance(const PseudoViscosity& resisting, const Eigen::VectorXd& moved) const;
 
     // Turns are about their own centre, exact to second order: what rolls over its toe stays on it.

@@ -213,7 +213,7 @@ class WeakeningSlope {
     double fastest_late_ = 0;
 };
 
-// What the search ends with, where a run did not come to rest.
+// The search ends with this status where a run did not come to rest.
 StrengthStatus status_of(Standing standing, StrengthStatus failed) {
     switch (standing) {
     case Standing::interrupted:

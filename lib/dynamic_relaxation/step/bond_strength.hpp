@@ -1,4 +1,4 @@
-// How strong the rock of a bonded slope must be to stand.
+// The strength of rock that a bonded slope needs to stand.
 //
 // Friction has no scale, so what decides whether columns break is the strength of the bonds over the stress that weight
 // raises in them. The slope first comes to rest with bonds too strong to break. Then it is run on from there with less

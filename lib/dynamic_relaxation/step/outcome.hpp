@@ -1,4 +1,4 @@
-// What a run of dynamic relaxation found.
+// The result of a run of dynamic relaxation.
 #pragma once
 
 #include "dynamic_relaxation/scene/scene.hpp"

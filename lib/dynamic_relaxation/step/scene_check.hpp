@@ -1,4 +1,4 @@
-// What dynamic relaxation refuses to run.
+// Scenes that dynamic relaxation refuses to run.
 #pragma once
 
 #include "dynamic_relaxation/scene/scene.hpp"

@@ -1,4 +1,4 @@
-// What a run looks at every so many steps: whether it is over, whether a crack has opened, which blocks rest.
+// The checks of a run every so many steps: whether it is over, whether a crack has opened, which blocks rest.
 #include "dynamic_relaxation/contact/corner_choice.hpp"
 #include "dynamic_relaxation/statics/face_assembly.hpp"
 #include "dynamic_relaxation/statics/static_check.hpp"
@@ -152,7 +152,7 @@ bool Simulation::held_by_corners() {
     return true;
 }
 
-// What the contacts do not tell: whether blocks lie in each other, and at the end whether the energy is accounted for.
+// Checks what the contacts do not tell: whether blocks lie in each other, and at the end whether energy balances.
 void Simulation::audit() {
     const bool ends = !running();
     if (!ends && state_.steps % steps_between_audits != 0) {

@@ -1,4 +1,4 @@
-// What a run tells: its energy balance and its result.
+// The energy balance of a run and its result.
 #include "dynamic_relaxation/contact/contact_law.hpp"
 #include "dynamic_relaxation/step/bolt_forces.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"

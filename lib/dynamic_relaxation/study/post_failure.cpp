@@ -23,7 +23,7 @@ PlanePoint<> drawn_corner(const Bodies& bodies, std::size_t corner) {
     return bodies.centroid[bodies.block_of[corner]] + bodies.corner[corner];
 }
 
-// Where an upright line runs through a block.
+// The part of an upright line that runs through a block.
 struct Chord {
     double bottom = infinity;
     double top = -infinity;
@@ -45,7 +45,7 @@ Chord chord_at(const Bodies& bodies, std::size_t block, double x) {
     return chord;
 }
 
-// What is seen along one upright line.
+// The blocks and the ground met along one upright line.
 struct Station {
     double x = 0;
     double ground = -infinity;

@@ -228,7 +228,7 @@ struct RelaxationAnswer {
 // Called now and then with the share of the work done, 0 to 1; returning false ends the work as interrupted.
 using RelaxationWatch = std::function<bool(double share)>;
 
-// What the search on one path has found so far.
+// The state of the search on one path so far.
 struct SearchProgress {
     std::vector<CriticalProbe> probe = {};             // finished runs, in their order
     std::optional<RelaxationState> probe_state = {};   // of the run after them, where one has begun
@@ -282,7 +282,7 @@ struct RelaxationRun {
     }
 };
 
-// As relax() checks them.
+// The same checks as those of relax().
 SceneFault check(const RelaxationStudy& study);
 
 // The run at the case's own values, from where it has come to; afterwards `progress` holds it whole.
@@ -293,7 +293,7 @@ RelaxationRun run(const RelaxationStudy& study, const StudyWork& work = {});
 RelaxationAnswer answer_of(const RelaxationResult& result);
 RelaxationAnswer answer_of(const RelaxationRun& run);
 
-// What has failed of a slope at any time of a run. Nothing for other scenes.
+// The part of a slope that has failed at any time of a run. Nothing for other scenes.
 std::optional<PostFailure> post_failure_of(const RelaxationStudy& study, const RelaxationRun& run,
                                            const std::vector<Motion>& motion, const std::vector<char>& removed);
 
@@ -303,7 +303,7 @@ CriticalPlan critical_plan(const RelaxationStudy& study);
 // Whether blocks are taken away during the run.
 bool has_stages(const RelaxationStudy& study);
 
-// What a search found on one path.
+// The critical value that a search found on one path.
 struct PathValue : CriticalValue {
     LoadingPath path = LoadingPath::consolidated;
     std::optional<double> consolidated_at = {};  // value at which the blocks came to rest; absent on other paths

@@ -231,7 +231,7 @@ class Retrogression {
                             study_.post_failure.value_or(PostFailureRequest{}));
     }
 
-    // At the onset of the stage in which half of the area that fails in the end has gone.
+    // The failure at the onset of the stage in which half of the area that fails in the end has gone.
     PostFailure early_failure(const RelaxationRun& made) const {
         const double half = made.post_failure->answer.failed_area / 2;
         std::vector<char> failed(bodies_.size(), 0);

@@ -79,7 +79,7 @@ LpBound bound_of(const std::vector<RowMember<double>>& members) {
     return largest_tilt(assembly);
 }
 
-// What the mechanism of the programme does.
+// Says which blocks the mechanism of the programme slides or turns.
 RowState failure_in(const std::vector<VirtualMotion>& mechanism) {
     constexpr double still = 1e-9;  // of motions scaled to about 1
     bool slides = false;

@@ -57,7 +57,7 @@ struct JointForce {
     T height;  // above the base of the column below
 };
 
-// What the lowest column lacks. Both negative: it stands. Both finite unless a column above cannot be held at all.
+// The push that the lowest column lacks. Both negative: it stands. Both are finite unless no push holds a column above.
 template <class T = double>
 struct ToeBalance {
     T overturning_moment;  // about its toe corner, N

@@ -103,7 +103,7 @@ class BaseSearch {
         return minimise_scalar(at, slope, range.lower, range.upper, points);
     }
 
-    // Where the base meets the ground if nothing ends it before.
+    // Ends of the base where it meets the ground, if nothing ends it before.
     Range extents() {
         const double height = scene_.slope->height;
         const double lower = request_.lower_end_height.value_or(height / 100);

@@ -155,7 +155,7 @@ double PathLattice::ground(double x) const {
     return x < crest.x() ? std::min(behind, cot_face_ > 0 ? x / cot_face_ : behind) : behind;
 }
 
-// Of the height of the ground from the toe to x.
+// The integral of the height of the ground from the toe to x.
 double PathLattice::ground_integral(double x) const {
     const double in_face = std::min(x, crest.x());
     const double behind = x - in_face;
@@ -171,7 +171,7 @@ bool PathLattice::inside(const Point& point) const {
     return face_.normal.dot(point) < face_.offset - tolerance_ && upper_.normal.dot(point) < upper_.offset - tolerance_;
 }
 
-// Where a ray from inside comes out; rock goes on for ever below.
+// The point at which a ray from inside comes out; rock goes on for ever below.
 Point PathLattice::exit(const Point& from, const Point& along) const {
     double distance = std::numeric_limits<double>::infinity();
     for (const SectionLine& side : {face_, upper_}) {

@@ -25,7 +25,7 @@ struct Push {
     double depth = 0;
 };
 
-// At one strength.
+// The limits of columns and joints at one strength.
 struct ColumnLaw {
     double joint, base, cohesion;  // tangents; Pa
     double sine, cosine;           // of the sum of the dips of joints and steps

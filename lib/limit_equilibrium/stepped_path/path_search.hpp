@@ -71,7 +71,7 @@ struct CriticalPath {
 
 CriticalPath least_stable_path(const SteppedPath& problem, const PathLattice& lattice);
 
-// Of one surface.
+// The same for one surface alone.
 Limit factor_of_safety(const SteppedPath& problem, const PathLattice& lattice, const LatticePath& path);
 
 // How each column of a surface moves at the strength divided by `factor`, from the toe up, and the push on it from

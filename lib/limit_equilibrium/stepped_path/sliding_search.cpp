@@ -154,7 +154,7 @@ class SlidingGraph {
     double unit_weight_;
     double dip_;
     double opening_;
-    // By riser and level: from the face, from the riser before, to the level above, to the ground.
+    // Tables by riser and level: from the face, from the riser before, to the level above, to the ground.
     std::vector<std::vector<std::optional<Ratio>>> start_, step_, rise_, finish_;
 };
 

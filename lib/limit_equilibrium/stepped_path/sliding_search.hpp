@@ -8,7 +8,7 @@ namespace delabole {
 
 CriticalPath least_stable_sliding(const SteppedPath& problem, const PathLattice& lattice);
 
-// Of one surface.
+// The same for one surface alone.
 Limit sliding_limit(const SteppedPath& problem, const PathLattice& lattice, const LatticePath& path);
 
 }  // namespace delabole

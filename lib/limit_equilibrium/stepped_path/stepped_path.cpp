@@ -210,7 +210,7 @@ void describe_surface(const PathLattice& lattice, SteppedPathResult& result) {
     result.lower_roughness = std::sqrt(squares / length);
 }
 
-// At a limit where the next joint would lie beyond it.
+// A surface is at a limit where the next joint would lie beyond it.
 void set_extent(const SteppedPath& problem, const PathLattice& lattice, const LatticePath& path,
                 SteppedPathResult& result) {
     const bool on_riser = problem.search.mechanism == SteppedPathMechanism::sliding || path.wedge;

@@ -7,7 +7,7 @@
 
 namespace delabole {
 
-// Of joint and rock bridges together.
+// The strength of joint and rock bridges together.
 struct SurfaceStrength {
     double step_friction, step_cohesion;  // tangent; Pa
     double riser_tension;

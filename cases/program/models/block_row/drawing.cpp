@@ -20,7 +20,7 @@ struct Plane {
     Point at(double u, double v) const { return u * along + v * up; }
 };
 
-// Where each block is, along the plane, before the motion.
+// The place of each block along the plane before the motion.
 std::vector<double> toes_of(const BlockRow<>& row) {
     std::vector<double> toes;
     double u = 0;

@@ -59,7 +59,7 @@ std::optional<std::size_t> column_named(const std::vector<PoleCell>& header,
     return std::nullopt;
 }
 
-// How two columns give a plane.
+// A way in which two columns give a plane.
 struct PoleColumns {
     std::size_t inclination;
     std::size_t azimuth;

@@ -48,7 +48,7 @@ void append_summary(Analysis& analysis, const KinematicsResult& result) {
                result.pair, [](const auto& pair) { return pair.direct_toppling; }, pair_name));
 }
 
-// To a tenth of a degree; what is zero but for rounding is zero.
+// Rounds to a tenth of a degree; what is zero but for rounding is zero.
 std::string tenths_shown(double angle) {
     return human_number(std::round(angle / degrees(0.1)) / 10, 4);
 }

@@ -1,4 +1,4 @@
-// What is impossible about a plane failure, and which value is to blame.
+// Tells what is impossible about a plane failure, and which value is to blame.
 #include "cases/program/reader/units.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "plane_failure/plane_failure.hpp"
@@ -200,7 +200,7 @@ std::string broken_limit(const PlaneFailure<>& problem, std::string_view failure
     return {};
 }
 
-// In general, where no number says more.
+// The general sentence, where no number says more.
 Impossibility in_general(std::string_view failure) {
     const std::vector<std::string> crack_position = {"tension_crack.distance_behind_crest", "tension_crack.depth",
                                                      "tension_crack.base_below_crest", "tension_crack.base_elevation"};

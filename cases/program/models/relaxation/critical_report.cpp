@@ -152,7 +152,7 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
     }
 }
 
-// What a search found, with its bracket.
+// Sentences on what a search found, with its bracket.
 std::vector<std::string> search_sentences(const CriticalPlan& plan, const CriticalAnswer& critical) {
     const Dimension dimension = dimension_of(plan.parameter);
     const bool is_factor = plan.parameter == CriticalParameter::strength_reduction;

@@ -71,7 +71,7 @@ Figure start_figure(const RelaxationRun& made, const Bodies& bodies) {
     return block_figure(drawing);
 }
 
-// What opens a joint so far that it shows, over the middling block's size.
+// The opening at which a joint shows, over the median size of blocks.
 constexpr double open_share = 0.03;
 
 void add_cracks(BlockDrawing& drawing, const RelaxationRun& made, const Bodies& bodies, double tilt) {

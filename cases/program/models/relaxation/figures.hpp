@@ -10,7 +10,7 @@
 
 namespace delabole {
 
-// From the scene's frame, in which gravity is tilted, to one with gravity downwards.
+// Turns the scene's frame, in which gravity is tilted, to one with gravity downwards.
 class Upright {
   public:
     explicit Upright(double tilt) : cosine_(std::cos(tilt)), sine_(std::sin(tilt)) {}
@@ -31,7 +31,7 @@ inline std::string label_of(std::size_t block, bool fixed) {
     return fixed ? "F" : std::to_string(block + 1);
 }
 
-// In metres or, below one, millimetres; 0 where it is rounding.
+// A length in metres or, below one, millimetres; 0 where it is rounding.
 std::string length_in_words(double length);
 
 // Blocks at the start and at the end, velocities, contact forces, the table of blocks; nothing where there was no run.

@@ -167,7 +167,7 @@ Figure curves(const RelaxationHistory& history, const std::vector<Column>& colum
         const bool again = index >= curve_colours.size();
         line.colour = curve_colours[(again ? index - 1 : index) % curve_colours.size()];
         line.dash = again ? Dash::dashed : Dash::solid;
-        // Where another curve covers it, both are seen.
+        // A wider line is seen on both sides of another curve that covers it.
         line.width *= index == 0 ? 2 : 1;
         constexpr double rounding = 1e-12;  // m, rad, N/m or J/m
         bool any = false;

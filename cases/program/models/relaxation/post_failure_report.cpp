@@ -1,4 +1,4 @@
-// What is left standing of a jointed slope, in the report of its run.
+// The ground left standing of a jointed slope, in the report of its run.
 #include "cases/program/models/relaxation/figures.hpp"
 #include "plots/drawing/text.hpp"
 #include "plots/figures/block_figures.hpp"

@@ -21,7 +21,7 @@ namespace delabole {
 
 namespace {
 
-// What a run took against what a search takes, as far as progress is concerned.
+// The share of the work that a run takes beside a search, for the progress shown.
 constexpr double share_of_run = 0.2;
 
 std::string block_name(std::size_t index) {

@@ -17,7 +17,7 @@ constexpr int steps = 90;
 double slip_inclination(double slenderness_angle, double friction_angle) {
     double low = slenderness_angle;
     double high = right_angle;
-    // To far less than the width of a line.
+    // The curve is found to far less than the width of a line.
     for (int halving = 0; halving < 50; ++halving) {
         const double middle = (low + high) / 2;
         (toe_slip_friction_angle(middle, slenderness_angle) < friction_angle ? low : high) = middle;

@@ -22,7 +22,7 @@ struct Axes {
     Point at(const Column<>& column, double u, double v) const { return at(column.base_u + u, column.base_v + v); }
 };
 
-// From in front of the toe to a distance behind it.
+// The ground from in front of the toe to a distance behind it.
 Polyline ground_line(const SlopeSection<>& slope, double end) {
     Polyline ground{Point(-slope.height / 4, 0), Point(0, 0),
                     Point(slope.height / std::tan(slope.face_dip), slope.height)};

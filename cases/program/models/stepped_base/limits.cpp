@@ -1,4 +1,4 @@
-// What is impossible about columns on a stepped base, and which value is to blame.
+// Tells what is impossible about columns on a stepped base, and which value is to blame.
 #include "cases/program/reader/units.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "limit_equilibrium/columns/base_profile.hpp"

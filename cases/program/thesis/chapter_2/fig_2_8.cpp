@@ -12,7 +12,7 @@ namespace {
 
 constexpr double water_unit_weight = 9810;
 
-// That of the case, with what is not printed and what is changed.
+// The problem of the case, with what is not printed and what is changed.
 PlaneFailure<> problem(double unit_weight, double z, double cohesion) {
     static const PlaneFailure<> printed =
         std::get<PlaneFailureStudy<>>(built_in_case("plane_failure", "fig_2_8").model).model;

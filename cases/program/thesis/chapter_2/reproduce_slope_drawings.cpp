@@ -20,7 +20,7 @@ constexpr double foot_level = 350;
 constexpr double knee_level = 425;
 constexpr double top_level = 575;
 
-// From the foot of the failure up the lower surface and the upper one.
+// The line from the foot of the failure up the lower surface and the upper one.
 Polyline surface(double lower, double upper) {
     const double knee = (knee_level - foot_level) / std::tan(lower);
     return {Point(0, foot_level), Point(knee, knee_level),

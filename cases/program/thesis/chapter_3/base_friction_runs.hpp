@@ -51,7 +51,7 @@ struct StrengthFit {
     long evaluations;
 };
 
-// Of the fitted scenes whose need is known.
+// Fits the strength to the scenes whose need is known.
 StrengthFit fit_strength(const std::vector<BaseFrictionState>& states, const std::vector<BaseFrictionScene>& scenes,
                          const std::vector<SceneNeed>& needs);
 

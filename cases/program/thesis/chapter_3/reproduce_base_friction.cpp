@@ -128,7 +128,7 @@ Figure behaviour_figure(const States& states) {
         const auto same = [&](const BaseFrictionState& other) { return (place_of(other) - place).norm() < 0.1; };
         const long all = count(states, same);
         const long before = std::count_if(states.data(), &state, same);
-        // In lines of six, one above the other, centred at the place.
+        // Numbers stand in lines of six, one above the other, centred at the place.
         const long line = before / 6;
         const long in_line = std::min(6L, all - 6 * line);
         const double right = 0.6 * (static_cast<double>(before % 6) - static_cast<double>(in_line - 1) / 2);

@@ -215,7 +215,7 @@ std::vector<RowOfHeights> rows_of_heights(double friction) {
 // Friction, the same everywhere, at which nine columns begin to move at a tilt, but by sliding alone.
 std::optional<double> friction_of_nine_columns(double tilt) {
     std::vector<double> candidates;
-    // From where nothing slides at that tilt.
+    // The scan begins where nothing slides at that tilt.
     for (double friction = tilt / degrees(1) + 0.5; friction <= 44.5; friction += 1) {
         candidates.push_back(degrees(friction));
     }
@@ -242,7 +242,7 @@ struct Tally {
     Json json() const { return {{"met", met}, {"of", of}}; }
 };
 
-// In front of the column of 3 inches, which is the third from the top.
+// Counts cracks in front of the column of 3 inches, which is the third from the top.
 Tally cracks_at_three_inches(const std::vector<RowOfHeights>& rows) {
     Tally score;
     for (const RowOfHeights& row : rows) {

@@ -28,7 +28,7 @@ double in_degrees(double tangent_of_angle);
 // Degrees; NaN, a gap in a curve, where the tangent of an equation is no tilt between 0 and 90 deg.
 double tilt_or_gap(double tangent_of_tilt);
 
-// Of a function over so many equal steps.
+// The curve of a function over so many equal steps.
 Line curve(double from, double to, const std::string& legend, Colour colour, Dash dash,
            const std::function<double(double)>& value, int steps = 100);
 

@@ -24,7 +24,7 @@ struct CleanRun {
     double largest_speed = 0;  // m/s, of any corner of a free block, all run long
 };
 
-// As typed by nobody: blocks and bases touch exactly.
+// The geometry as it is meant: blocks and bases touch exactly.
 std::vector<HockingBlock> exact_blocks(const Chapter5Run& run);
 
 // Initial geometry along the base, gravity tilted. `blocks` as of make_blocks; their dip is that of the run.

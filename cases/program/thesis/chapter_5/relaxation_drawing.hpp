@@ -21,7 +21,7 @@ struct JointOpening {
     double width = 0;        // m; negative: they overlap
 };
 
-// Of at least two columns, between which the widest joint is.
+// The widest joint between two of at least two columns.
 JointOpening widest_opening(const Chapter5Run& run, const HockingPrint& print);
 
 // The last print not after a cycle.
@@ -35,7 +35,7 @@ struct HistoryOf {
     std::string legend = {};
     const HockingResult* result = nullptr;
     std::function<double(const HockingPrint&)> value = {};
-    // Of the clean engine: dashed, in the colour of the history before it.
+    // A history of the clean engine: dashed, in the colour of the history before it.
     bool clean = false;
 };
 

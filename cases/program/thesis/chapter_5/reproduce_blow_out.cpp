@@ -17,7 +17,7 @@ std::string in_inches(double metres, int digits) {
     return human_number(metres / inch, digits) + " in";
 }
 
-// What may be mended.
+// The parts of the listing that may be mended.
 struct Variant {
     std::string name;
     HockingSlotMemory memory;
@@ -50,7 +50,7 @@ CountRange blow_outs(const std::vector<HockingResult>& results) {
     return found;
 }
 
-// From half a degree below atan(b/a) to half a degree above.
+// Inclinations go from half a degree below atan(b/a) to half a degree above.
 constexpr int inclinations = 51;
 constexpr int middle = inclinations / 2;
 

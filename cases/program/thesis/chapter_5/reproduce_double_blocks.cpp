@@ -50,7 +50,7 @@ ClosedGap close_gap() {
     stage.columns.gap = 1e-5;
     stage.settings.tilting.reset();
     stage.settings.cycles = 2500;
-    // Where two blocks with a gap stand.
+    // The place at which two blocks with a gap stand.
     stage.columns.dip = degrees(18);
     const std::vector<HockingBlock> start = make_blocks(stage.columns);
     const HockingResult consolidated = run_hocking(start, stage.settings);

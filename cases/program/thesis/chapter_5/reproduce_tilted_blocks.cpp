@@ -92,7 +92,7 @@ struct Tilted {
     std::vector<HockingResult> two;
 };
 
-// By the part turned, gravity first.
+// Results by the part turned, gravity first.
 using OfIngredient = std::array<Tilted, 2>;
 
 constexpr std::array parts{TiltedPart::gravity, TiltedPart::base};
