@@ -5,7 +5,6 @@
 #include "strength/shear_strength.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace delabole {
 
@@ -15,7 +14,7 @@ void Checker::complain(const std::string& key, std::string message) {
 }
 
 void check_whole(Checker& checker, const std::string& key, const std::optional<double>& number) {
-    if (number && *number != std::floor(*number)) {
+    if (number && !is_whole(*number)) {
         checker.complain(key, "must be a whole number");
     }
 }

@@ -3,14 +3,8 @@
 #include "cases/program/reader/described_reader.hpp"
 #include "cases/program/reader/units.hpp"
 
-#include <cmath>
-
 namespace delabole {
 namespace {
-
-bool is_whole(double number) {
-    return number == std::floor(number);
-}
 
 void check_support_design(Reading& reading, const SupportDesign& design, const CaseModel& model) {
     if (find_quantity(named_inputs(model), "support[1].rows") == nullptr) {

@@ -7,6 +7,7 @@
 
 #include "parameters/fields.hpp"
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -35,6 +36,10 @@ bool looks_like_quantity(std::string_view text);
 using WrittenValue = std::variant<double, std::string>;
 
 ParsedQuantity parse_value(const WrittenValue& value, Dimension dimension);
+
+inline bool is_whole(double number) {
+    return number == std::floor(number);
+}
 
 // "a length", "an angle", ...
 std::string_view dimension_phrase(Dimension dimension);

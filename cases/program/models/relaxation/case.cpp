@@ -11,7 +11,6 @@
 #include "fitting/work/words.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace delabole {
 namespace {
@@ -29,10 +28,6 @@ void check_joint(Checker& checker, const std::string& key, const RelaxationJoint
     if (joint.shear_stiffness && !joint.normal_stiffness) {
         checker.complain(key + ".shear_stiffness", "needs normal_stiffness beside it");
     }
-}
-
-bool is_whole(double number) {
-    return number == std::floor(number);
 }
 
 void check_joint_number(Checker& checker, const std::string& key, const std::optional<double>& number,
