@@ -56,12 +56,7 @@ Node tree_within(const py::handle& object, int depth) {
         node.boolean = py::cast<bool>(object);
     } else if (is_small_integer(object)) {
         node.kind = Node::Kind::integer;
-        // Python's own errors: an array is no index, and a number of forty digits does not fit.
-        const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(object.ptr()));
-        node.integer = index ? PyLong_AsLongLong(index.ptr()) : -1;
-        if (PyErr_Occurred() != nullptr) {
-            throw py::error_already_set();
-        }
+        node.integer = py::cast<std::int64_t>(py::int_(py::reinterpret_borrow<py::object>(object)));
         node.real = static_cast<double>(node.integer);
     } else if (py::hasattr(object, "__float__")) {
         node.kind = Node::Kind::real;

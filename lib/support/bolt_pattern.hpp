@@ -71,7 +71,8 @@ struct BoltPattern {
     T head_height(int row) const { return T(lowest_height + T(row) * row_spacing); }
 };
 
-// N/m, of a row whose bolts have that length in the rock that moves; negative where they do not cross its surface.
+// N/m, of a row whose bolts have that length in the rock that moves; nothing where they do not cross its surface, of
+// which a negative length tells.
 template <class T>
 T force_of_row(const BoltPattern<T>& pattern, const T& length_in_moving_rock) {
     const T behind = pattern.length - length_in_moving_rock;

@@ -79,7 +79,7 @@ def test_what_is_wrong_is_said_in_the_words_of_the_reader():
         delabole.FailurePlane(dip=object())
     with pytest.raises(TypeError, match="array"):
         delabole.FailurePlane(dip=np.array([0.1, 0.2]))
-    with pytest.raises(OverflowError):
+    with pytest.raises(delabole.CaseError, match=r'"1e\+40 rad": must be between 0 and 90 deg'):
         delabole.FailurePlane(dip=10**40)
     with pytest.raises(UnicodeEncodeError):
         delabole.FailurePlane(dip="\ud800")
