@@ -23,6 +23,21 @@ bool has_evidence(const MechanismFit& fit) {
     return fit.posterior && fit.posterior->evidence().status == EvidenceStatus::estimated;
 }
 
+struct Part {
+    const char* legend;
+    Colour colour;
+    double length;
+};
+
+std::array<Part, 4> parts_of(const MechanismPosterior& posterior) {
+    return {{{"misfit of the best point", Colour::vermilion, posterior.least_misfit / 2},
+             {"share of the priors that the data leave", Colour::sky, -posterior.log_occam_factor()},
+             {"data about which it says nothing", Colour::grey, 2.0 * posterior.missing_data},
+             {"field evidence about which it says nothing", Colour::orange, 2.0 * posterior.missing_field_evidence}}};
+}
+
+}  // namespace
+
 std::string variant_in_words(EvidenceVariant variant) {
     switch (variant) {
     case EvidenceVariant::as_given:
@@ -44,21 +59,6 @@ std::string variant_in_words(EvidenceVariant variant) {
     }
     return {};
 }
-
-struct Part {
-    const char* legend;
-    Colour colour;
-    double length;
-};
-
-std::array<Part, 4> parts_of(const MechanismPosterior& posterior) {
-    return {{{"misfit of the best point", Colour::vermilion, posterior.least_misfit / 2},
-             {"share of the priors that the data leave", Colour::sky, -posterior.log_occam_factor()},
-             {"data about which it says nothing", Colour::grey, 2.0 * posterior.missing_data},
-             {"field evidence about which it says nothing", Colour::orange, 2.0 * posterior.missing_field_evidence}}};
-}
-
-}  // namespace
 
 std::optional<Figure> evidence_figure(const FitResult& result) {
     std::vector<const MechanismFit*> fits;

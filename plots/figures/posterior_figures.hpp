@@ -5,8 +5,12 @@
 #include "plots/drawing/figure.hpp"
 
 #include <optional>
+#include <string>
 
 namespace delabole {
+
+// "flat priors", "half the model error".
+std::string variant_in_words(EvidenceVariant variant);
 
 // What the logarithm of each mechanism's evidence is made of, as bars to the left of 0, the shortest on top: misfit of
 // the best point, share of the prior that the data leave, data and field evidence about which it says nothing; the 95 %

@@ -34,6 +34,7 @@ ColumnScene<> goodman_bray() {
             .line_load = {},
             .point_load = {},
             .bolt = {},
+            .support = {},
             .slide_head = {}};
 }
 

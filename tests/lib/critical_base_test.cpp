@@ -27,6 +27,7 @@ ColumnScene<> scene_of_base(double inclination, std::optional<double> end_height
         .line_load = {},
         .point_load = {},
         .bolt = {},
+        .support = {},
         .slide_head = {}};
 }
 

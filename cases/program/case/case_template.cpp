@@ -58,7 +58,7 @@ constexpr auto examples = std::to_array<ExampleNumber>({
     {"rows", 3.0},
     {"lowest_height", 2.0},
     {"row_spacing", 2.0},
-    {"length", 8.0},
+    {"length", 3.0},
     {"head_x", 0.0},
     {"head_y", 1.0},
     {"axial_stiffness", 100e6},

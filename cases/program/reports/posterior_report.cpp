@@ -92,28 +92,6 @@ Table evidence_table_of(const Weighed& all) {
     return table;
 }
 
-std::string in_words(EvidenceVariant variant) {
-    switch (variant) {
-    case EvidenceVariant::as_given:
-        return "everything as given";
-    case EvidenceVariant::priors_halved:
-        return "priors half as wide";
-    case EvidenceVariant::priors_doubled:
-        return "priors twice as wide";
-    case EvidenceVariant::priors_flat:
-        return "flat priors";
-    case EvidenceVariant::prior_means_lower:
-        return "prior means one standard deviation lower";
-    case EvidenceVariant::prior_means_higher:
-        return "prior means one standard deviation higher";
-    case EvidenceVariant::model_error_halved:
-        return "half the model error of the factor of safety";
-    case EvidenceVariant::model_error_doubled:
-        return "twice the model error of the factor of safety";
-    }
-    return {};
-}
-
 // Says whether the order of the mechanisms is the same whatever is changed.
 std::string dependence_in_words(const Weighed& all) {
     const auto& variants = all.fits.front()->posterior->evidences;
@@ -130,7 +108,7 @@ std::string dependence_in_words(const Weighed& all) {
         std::vector<std::string> where;
         for (std::size_t variant = 1; variant < variants.size() && other != first_of(0); ++variant) {
             if (first_of(variant) == other) {
-                where.push_back(in_words(variants[variant].variant));
+                where.push_back(variant_in_words(variants[variant].variant));
             }
         }
         if (!where.empty()) {
@@ -149,9 +127,7 @@ std::string dependence_in_words(const Weighed& all) {
 Table dependence_table(const Weighed& all) {
     Table table{"ln evidence, field evidence included, when priors and model error are changed", {{"mechanism"}}};
     for (const VariantEvidence& variant : all.fits.front()->posterior->evidences) {
-        std::string word(word_of(variant.variant));
-        std::replace(word.begin(), word.end(), '_', ' ');
-        table.columns.emplace_back(word, true);
+        table.columns.emplace_back(variant_in_words(variant.variant), true);
     }
     for (const MechanismFit* fit : all.fits) {
         std::vector<std::string> row = {fit->name};

@@ -214,8 +214,8 @@ SensitivityDocuments document_sensitivity(const CaseFile& file, const Sensitivit
     }
     constexpr std::size_t most = 3;
     HeadCard head{AnswerTone::open, sentences, {}};
-    std::ranges::stable_partition(
-        head.sentences, [](const std::string& sentence) { return sentence.starts_with("Probability of failure"); });
+    std::stable_partition(head.sentences.begin(), head.sentences.end(),
+                          [](const std::string& sentence) { return sentence.starts_with("Probability of failure"); });
     if (sentences.size() > most) {
         details.blocks.emplace_back(Heading{"Further findings"});
         details.blocks.emplace_back(BulletList{{head.sentences.begin() + most, head.sentences.end()}});

@@ -106,8 +106,8 @@ class ColumnSearch {
                 return;
             }
             std::ranges::stable_sort(list_, std::ranges::greater{}, &Need::need);
-            const auto equal = std::ranges::unique(list_, {}, &Need::need);
-            list_.erase(equal.begin(), equal.end());
+            const auto equal = [](const Need& one, const Need& next) { return one.need == next.need; };
+            list_.erase(std::unique(list_.begin(), list_.end(), equal), list_.end());
             if (list_.size() > most_needs) {
                 const double step = static_cast<double>(list_.size() - 1) / (most_needs - 1);
                 for (std::size_t place = 1; place < most_needs; ++place) {
