@@ -49,15 +49,27 @@ struct SlideHeadThrust {
     T own_factor_of_safety;  // of the wedge without columns, at the given strength; infinite where nothing drives it
 };
 
+// What of a wedge's joint is the same at every strength and for all wedges on joints of one set.
+template <class T = double>
+struct SlideHeadJoint {
+    SineCosine<T> dip;
+    SineCosine<T> opening;  // its dip less that of the columns' base
+    T friction;             // tangent
+
+    SlideHeadJoint(const SlideHeadWedge<T>& wedge, const T& base_dip)
+        : dip(sine_cosine(wedge.joint_dip)), opening(sine_cosine(T(wedge.joint_dip - base_dip))), friction([&] {
+              using std::tan;
+              return T(tan(wedge.friction_angle));
+          }()) {}
+};
+
 // joint_friction: tangent of the friction angle of the columns' joints. strength_reduction divides it, the friction of
 // the wedge's own joint and its cohesion. A wedge that jams gives no thrust, and says so.
 template <class T>
-SlideHeadThrust<T> slide_head_thrust(const SlideHeadWedge<T>& wedge, const T& base_dip, const T& joint_friction,
-                                     const T& strength_reduction) {
-    using std::tan;
-    const SineCosine<T> dip = sine_cosine(wedge.joint_dip);
-    const SineCosine<T> opening = sine_cosine(T(wedge.joint_dip - base_dip));
-    const T own_friction = tan(wedge.friction_angle) / strength_reduction;
+SlideHeadThrust<T> slide_head_thrust(const SlideHeadWedge<T>& wedge, const SlideHeadJoint<T>& joint,
+                                     const T& joint_friction, const T& strength_reduction) {
+    const auto& [dip, opening, tangent] = joint;
+    const T own_friction = tangent / strength_reduction;
     const T friction = joint_friction / strength_reduction;
     const T driving = -(wedge.force_x * dip.cosine + wedge.force_y * dip.sine);
     const T into_joint = wedge.force_x * dip.sine - wedge.force_y * dip.cosine - wedge.water_force;
@@ -100,6 +112,11 @@ SlideHeadThrust<T> slide_head_thrust(const SlideHeadWedge<T>& wedge, const T& ba
     height = height > 0 ? (height < wedge.face_length ? height : wedge.face_length) : T(0);
     thrust.height = wedge.face_base + height;
     return thrust;
+}
+template <class T>
+SlideHeadThrust<T> slide_head_thrust(const SlideHeadWedge<T>& wedge, const T& base_dip, const T& joint_friction,
+                                     const T& strength_reduction) {
+    return slide_head_thrust(wedge, SlideHeadJoint<T>(wedge, base_dip), joint_friction, strength_reduction);
 }
 
 namespace detail {

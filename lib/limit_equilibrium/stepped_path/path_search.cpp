@@ -76,56 +76,67 @@ struct ColumnLaw {
 class ColumnSearch {
   public:
     ColumnSearch(const SteppedPath& problem, const PathLattice& lattice)
-        : problem_(problem), lattice_(lattice), strength_(problem), base_dip_(degrees(90) + problem.columns->dip) {}
+        : problem_(problem),
+          lattice_(lattice),
+          strength_(problem),
+          joint_friction_(std::tan(problem.columns->friction_angle)) {
+        for (const std::vector<PathWedge>& behind : lattice.wedges) {
+            if (!wedge_joint_ && !behind.empty()) {
+                const double normal_to_joints = degrees(90) + problem.columns->dip;
+                wedge_joint_.emplace(behind.front().loads, normal_to_joints);
+            }
+        }
+    }
 
     static constexpr std::size_t no_wedge = static_cast<std::size_t>(-1);
     // What stands above a column: the next one on a level, with the need that has a place in the list of its needs; or,
-    // the level being one past the last, a wedge or a crack.
+    // the level being one past the last, a wedge, or a crack in the place of one.
     struct Choice {
-        std::size_t level, wedge, place;
+        std::size_t level, place;
     };
     struct Need {
         double need;
         Choice where;
     };
-    // Needs of one column, or of one of several, over surfaces that move, and where they come from: the greatest alone,
-    // or all of them. Of more than `most_needs` those are left whose ranks are evenly spaced.
-    class Needs {
-      public:
-        static constexpr std::size_t most_needs = 64;
-
-        void add(double need, const Choice& where, bool all) {
-            if (all || list_.empty()) {
-                list_.push_back({need, where});
-            } else if (need > list_.front().need) {
-                list_.front() = {need, where};
-            }
-        }
-        void thin() {
-            if (list_.size() < 2) {
-                return;
-            }
-            std::ranges::stable_sort(list_, std::ranges::greater{}, &Need::need);
-            const auto equal = [](const Need& one, const Need& next) { return one.need == next.need; };
-            list_.erase(std::unique(list_.begin(), list_.end(), equal), list_.end());
-            if (list_.size() > most_needs) {
-                const double step = static_cast<double>(list_.size() - 1) / (most_needs - 1);
-                for (std::size_t place = 1; place < most_needs; ++place) {
-                    list_[place] = list_[static_cast<std::size_t>(std::lround(static_cast<double>(place) * step))];
-                }
-                list_.resize(most_needs);
-            }
-        }
-        const std::vector<Need>& list() const { return list_; }
-
-      private:
-        std::vector<Need> list_;  // once thin: from the greatest down
+    static constexpr std::size_t most_needs = 64;
+    // Some of a list of needs, which are sorted from the greatest down.
+    struct Span {
+        std::size_t first = 0, end = 0;
     };
+
+    // Of needs from `first` on, sorted but for a few: of equal ones the first stays, and of more than `most_needs`
+    // those whose ranks are evenly spaced.
+    static void thin(std::vector<Need>& list, std::size_t first) {
+        const auto begin = list.begin() + static_cast<std::ptrdiff_t>(first);
+        for (auto next = begin; next != list.end(); ++next) {
+            if (next != begin && std::prev(next)->need < next->need) {
+                std::rotate(std::ranges::upper_bound(begin, next, next->need, std::ranges::greater{}, &Need::need),
+                            next, next + 1);
+            }
+        }
+        const auto equal = [](const Need& one, const Need& next) { return one.need == next.need; };
+        list.erase(std::unique(begin, list.end(), equal), list.end());
+        const std::size_t last = list.size() - first - 1;
+        if (last >= most_needs && last < list.size()) {
+            constexpr std::size_t steps = most_needs - 1;
+            for (std::size_t place = 1; place <= steps; ++place) {
+                list[first + place] = list[first + (2 * place * last + steps) / (2 * steps)];
+            }
+            list.resize(first + most_needs);
+        }
+    }
+    // A need joins those from `first` on: all of them, or the greatest alone.
+    static void add(std::vector<Need>& list, std::size_t first, const Need& need, bool all) {
+        if (all || list.size() == first) {
+            list.push_back(need);
+        } else if (need.need > list[first].need) {
+            list[first] = need;
+        }
+    }
 
     // Nothing where the wedge does not push.
     std::optional<Push> wedge_push(const PathWedge& wedge, double factor) const {
-        const SlideHeadThrust<> thrust =
-            slide_head_thrust(wedge.loads, base_dip_, std::tan(problem_.columns->friction_angle), factor);
+        const SlideHeadThrust<> thrust = slide_head_thrust(wedge.loads, *wedge_joint_, joint_friction_, factor);
         return thrust.force > 0 ? std::optional(Push{thrust.force, thrust.shear / thrust.force,
                                                      std::max(0.0, wedge.depth - thrust.height)})
                                 : std::nullopt;
@@ -162,18 +173,57 @@ class ColumnSearch {
         return lacking(path, factor, [](auto&&...) {});
     }
 
+    // By column, the lowest level from which on the needs of all surfaces are handed down: from there on a column below
+    // may be steadied by a lesser push.
+    std::vector<std::size_t> levels_with_all_needs(const ColumnLaw& law) const {
+        std::vector<std::size_t> lowest(lattice_.cells.size() + 1, lattice_.levels);
+        for (std::size_t column = 0; column < lattice_.cells.size(); ++column) {
+            for (std::size_t level = lattice_.levels; level-- > 0;) {
+                const PathCell& cell = lattice_.cells[column][level];
+                if (cell.exists && (law.may_be_steadied(cell) || (!cell.at_face && level >= lowest[column]))) {
+                    lowest[column + 1] = level;
+                }
+            }
+        }
+        return lowest;
+    }
+
+    // The needs of a column on a level, of `needs_`, with those on higher levels, of `here_`.
+    Span join(const Span& higher, const Span& own, std::size_t level, bool all) {
+        const std::size_t first = here_.size();
+        std::size_t place = own.first;
+        const auto take = [&] {
+            here_.push_back({needs_[place].need, {level, place - own.first}});
+            ++place;
+        };
+        for (std::size_t other = higher.first; other < higher.end; ++other) {
+            while (place < own.end && needs_[place].need > here_[other].need) {
+                take();
+            }
+            here_.push_back(Need(here_[other]));
+        }
+        while (place < own.end) {
+            take();
+        }
+        if (all) {
+            thin(here_, first);
+        } else if (here_.size() > first) {
+            here_.resize(first + 1);
+        }
+        return {first, here_.size()};
+    }
+
     // The surface whose toe lacks most at a strength.
-    double most_lacking(double factor, LatticePath& path) const {
+    double most_lacking(double factor, LatticePath& path) {
         const ColumnLaw law(problem_, strength_, factor);
         const std::size_t count = lattice_.cells.size();
         const std::size_t levels = lattice_.levels;
-        const bool all = std::ranges::any_of(lattice_.cells, [&](const std::vector<PathCell>& column) {
-            return std::ranges::any_of(column,
-                                       [&](const PathCell& cell) { return cell.exists && law.may_be_steadied(cell); });
-        });
-        std::vector<Needs> chosen(count * levels);
-        // Needs of the next column on each level or a higher one.
-        std::vector<Needs> above(levels);
+        const std::vector<std::size_t> all_from = levels_with_all_needs(law);
+        std::vector<Span> chosen(count * levels);  // among `needs_`
+        needs_.clear();
+        // Needs of the next column on each level or a higher one, among `above_`.
+        std::vector<Span> above(levels);
+        above_.clear();
         double most = -infinity;
         Choice toe{};
         std::size_t first = 0;
@@ -184,47 +234,53 @@ class ColumnSearch {
             for (const PathWedge& wedge : lattice_.wedges[column]) {
                 pushes.push_back(wedge_push(wedge, factor));
             }
-            std::vector<Needs> here(levels);
+            std::vector<Span> here(levels);
+            here_.clear();
             for (std::size_t level = levels; level-- > 0;) {
-                if (level + 1 < levels) {
-                    here[level] = here[level + 1];
-                }
+                const Span higher = level + 1 < levels ? here[level + 1] : Span{};
+                here[level] = higher;
                 const PathCell& cell = lattice_.cells[column][level];
                 if (!cell.exists) {
                     continue;
                 }
-                Needs& own = chosen[column * levels + level];
+                const bool all = !cell.at_face && level >= all_from[column];
+                const std::size_t begin = needs_.size();
                 // A column that needs nothing does not move; at the face any surface counts.
                 const auto offer = [&](const Push& push, const Choice& above_it) {
                     const double need = law.needed(cell, push);
                     if (cell.at_face || need > 0) {
-                        own.add(need, above_it, all);
+                        add(needs_, begin, {need, above_it}, all);
                     }
                 };
-                for (const Need& need : above[level].list()) {
-                    offer(law.from(need.need), need.where);
+                Span from = above[level];
+                if (!all && !law.may_be_steadied(cell)) {
+                    from.end = std::min(from.end, from.first + 1);
+                }
+                for (; from.first < from.end; ++from.first) {
+                    offer(law.from(above_[from.first].need), above_[from.first].where);
                 }
                 if (crack_allowed) {
-                    offer({}, {levels, no_wedge, 0});
+                    offer({}, {levels, no_wedge});
                 }
                 for (std::size_t index = 0; index < pushes.size(); ++index) {
                     if (pushes[index] && lattice_.wedges[column][index].depth <= cell.upper_reach) {
-                        offer(*pushes[index], {levels, index, 0});
+                        offer(*pushes[index], {levels, index});
                     }
                 }
-                own.thin();
-                if (!cell.at_face) {
-                    for (std::size_t place = 0; place < own.list().size(); ++place) {
-                        here[level].add(own.list()[place].need, {level, no_wedge, place}, all);
+                thin(needs_, begin);
+                chosen[column * levels + level] = {begin, needs_.size()};
+                if (cell.at_face) {
+                    if (needs_.size() > begin && needs_[begin].need > most) {
+                        most = needs_[begin].need;
+                        first = column;
+                        toe = {level, 0};
                     }
-                    here[level].thin();
-                } else if (!own.list().empty() && own.list().front().need > most) {
-                    most = own.list().front().need;
-                    first = column;
-                    toe = {level, no_wedge, 0};
+                    continue;
                 }
+                here[level] = join(higher, {begin, needs_.size()}, level, all);
             }
-            above = std::move(here);
+            above.swap(here);
+            above_.swap(here_);
         }
         path = {first + 1, {}, {}};
         if (!(most > -infinity)) {
@@ -232,10 +288,10 @@ class ColumnSearch {
         }
         for (std::size_t column = first;; ++column) {
             path.level.push_back(toe.level);
-            toe = chosen[column * levels + toe.level].list()[toe.place].where;
+            toe = needs_[chosen[column * levels + toe.level].first + toe.place].where;
             if (toe.level == levels) {
-                if (toe.wedge != no_wedge) {
-                    path.wedge = toe.wedge;
+                if (toe.place != no_wedge) {
+                    path.wedge = toe.place;
                 }
                 return most;
             }
@@ -275,7 +331,7 @@ class ColumnSearch {
         return {lacking(path, factor) <= share * scale ? LimitState::found : LimitState::abrupt, factor, evaluations};
     }
 
-    CriticalPath search() const {
+    CriticalPath search() {
         CriticalPath critical;
         critical.factor_of_safety = infinity;
         LatticePath path;
@@ -308,7 +364,9 @@ class ColumnSearch {
     const SteppedPath& problem_;
     const PathLattice& lattice_;
     SurfaceStrength strength_;
-    double base_dip_;  // of normals to the joints between columns
+    double joint_friction_;  // tangent, between columns
+    std::optional<SlideHeadJoint<>> wedge_joint_;
+    std::vector<Need> needs_, above_, here_;  // while a surface is looked for
 };
 
 }  // namespace
