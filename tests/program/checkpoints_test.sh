@@ -19,7 +19,7 @@ parameter = "friction"
 lower = "5 deg"
 upper = "60 deg"
 EOF
-settings=(--set scene.base.friction_angle="9.5 deg" --set settings.collapse_displacement=20 --set settings.step_fraction=0.01)
+settings=(--set scene.base.friction_angle="9.5 deg" --set settings.collapse_displacement=20 --set settings.step_fraction=0.02)
 
 # Of a result folder, all that does not tell when it was made.
 answers() {

@@ -295,6 +295,44 @@ upper = "4 m"
 CASE
 }
 
+# No number that is none, in any form, in what a reader or a program reads.
+expect_only_numbers() {
+    local file
+    while IFS= read -r file; do
+        checks=$((checks + 1))
+        if grep -nwiE '(nan|-nan|infinity|inf|-inf)' "$file" | grep -vF 'd="M' >"$scratch/bad_numbers"; then
+            fail "$file: $(head -n 3 "$scratch/bad_numbers")"
+        fi
+    done < <(find "$1" -name '*.json' -o -name '*.csv' -o -name '*.toml' -o -name '*.html' -o -name '*.svg')
+}
+
+expect_figures() {
+    local folder=$1 script figures=0
+    for script in "$folder"/figures/*.gp; do
+        expect "${script%.gp}.svg is whole" contains "${script%.gp}.svg" '</svg>'
+        expect "${script%.gp}.png is there" test -s "${script%.gp}.png"
+        figures=$((figures + 1))
+    done
+    expect "figures in the report" test "$(grep -c '<figure>' "$folder/report.html")" == "$figures"
+    expect "at least $2 figures" test "$figures" -ge "$2"
+}
+
+# result.json is the last file to be written: where it is, the rest is. Files of one tick of the clock are equally old.
+expect_result_is_newest() {
+    checks=$((checks + 1))
+    local newer
+    newer=$(find "$1" -type f -newer "$1/result.json")
+    [[ -z $newer ]] || fail "newer than $1/result.json: $newer"
+}
+
+# A report in a browser, on a desk, on a phone and on paper.
+in_browser() {
+    local name=$1
+    checks=$((checks + 1))
+    "$source_folder/tests/plots/report_in_browser" "$name/report.html" \
+        ${REPORTS_SCREENSHOTS:+"$REPORTS_SCREENSHOTS/$name"} || fail "the report of $name"
+}
+
 finish() {
     printf '%d checks, %d failed\n' "$checks" "$failures"
     [[ $failures == 0 ]]

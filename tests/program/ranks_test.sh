@@ -15,6 +15,8 @@ fi
 # More ranks than processors, also as root in a container.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
+# Ranks that wait leave the processor to the others.
+export OMPI_MCA_mpi_yield_when_idle=1
 
 ranks() {
     local count=$1
@@ -39,7 +41,7 @@ probability=$source_folder/cases/plane_failure/sau_mau_ping_probability.toml
 write_good_fit good_fit.toml
 cp "$source_folder/cases/delabole_1967/delabole_1967.toml" delabole.toml
 fit=(fit delabole.toml --set fit.starts=5 --set fit.evaluations_per_start=200 --set fit.profile_points=7
-    --set fit.map_points=9)
+    --set fit.map_points=9 --set fit.posterior.chains=2 --set fit.posterior.draws=400)
 
 title "one rank"
 delabole sensitivity "$probability" --out sensitivity_1 --quiet

@@ -5,14 +5,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 write_good_case good.toml
 printf '\n[critical]\nfind = "failure_plane"\nunder = "given_water"\n' >>good.toml
-mkdir none
-
-in_browser() {
-    local name=$1
-    checks=$((checks + 1))
-    "$source_folder/tests/plots/report_in_browser" "$name/report.html" \
-        ${REPORTS_SCREENSHOTS:+"$REPORTS_SCREENSHOTS/$name"} || fail "the report of $name"
-}
 
 title "fit of the Delabole failure"
 delabole fit "$source_folder/cases/delabole_1967/delabole_1967.toml" --out fit
@@ -23,11 +15,6 @@ title "run, with a critical search"
 delabole run good.toml --out run
 expect_status 0
 in_browser run
-
-title "reproduce"
-delabole reproduce --out reproduce
-expect_status 0
-in_browser reproduce
 
 title "the page of a case with long words and markup in its texts"
 delabole run good.toml --out markup --set "title=<script>console.log('x')</script> & \"quotes\"" \

@@ -48,28 +48,29 @@ struct ColumnLaw {
     double unresisted(const PathCell& cell, const Push& push) const {
         return cell.down_dip - base * cell.normal - cohesion * cell.base_length + push.force * effect(push.drag);
     }
+    // What a column needs from below against each; at the face, what it lacks, which may be negative.
     double against_turning(const PathCell& cell, const Push& push) const {
         const double moment = overturning(cell, push);
+        if (cell.at_face) {
+            return moment / std::max(cell.upper_reach, cell.base_length);
+        }
         return !(moment > 0) ? 0 : cell.lower_contact > 0 ? moment / cell.lower_contact : infinity;
     }
     double against_sliding(const PathCell& cell, const Push& push) const {
         const double lacking = unresisted(cell, push);
+        if (cell.at_face) {
+            return lacking;
+        }
         return !(lacking > 0) ? 0 : push_effect > 0 ? lacking / push_effect : infinity;
     }
-    // What the column needs from below; at the face, what it lacks, which may be negative.
     double needed(const PathCell& cell, const Push& push) const {
-        if (!(push.force < infinity)) {
-            return infinity;
-        }
-        if (cell.at_face) {
-            return std::max(overturning(cell, push) / std::max(cell.upper_reach, cell.base_length),
-                            unresisted(cell, push));
-        }
-        return std::max(against_turning(cell, push), against_sliding(cell, push));
+        return push.force < infinity ? std::max(against_turning(cell, push), against_sliding(cell, push)) : infinity;
     }
-    // Whether more push from above may ask less of what is below.
+    // Whether more push from above may ask less of what is below. Against sliding it asks more; where turning asks less
+    // than that without a push, it always does.
     bool may_be_steadied(const PathCell& cell) const {
-        return !(push_effect > 0) || (cell.overturning > 0 && cell.push_arm + joint * cell.drag_arm < 0);
+        return !(push_effect > 0) || (cell.overturning > 0 && cell.push_arm + joint * cell.drag_arm < 0 &&
+                                      against_turning(cell, {}) > against_sliding(cell, {}));
     }
 };
 
@@ -399,11 +400,8 @@ std::vector<MovingColumn> moving_columns(const SteppedPath& problem, const PathL
             MovingColumn& column = columns[index];
             column.push = push.force;
             column.depth = push.depth;
-            const double turning = cell.at_face
-                                       ? law.overturning(cell, push) / std::max(cell.upper_reach, cell.base_length)
-                                       : law.against_turning(cell, push);
-            const double sliding = cell.at_face ? law.unresisted(cell, push) : law.against_sliding(cell, push);
-            column.mode = turning >= sliding ? ColumnMode::topples : ColumnMode::slides;
+            column.mode = law.against_turning(cell, push) >= law.against_sliding(cell, push) ? ColumnMode::topples
+                                                                                             : ColumnMode::slides;
         });
     return columns;
 }

@@ -25,10 +25,10 @@
 // d = 0, where columns touch; a wedge behind the last one (slide_head.hpp) touches it where that says.
 // At given strength more push on a column asks more of what is below, so that of all surfaces above it the one with the
 // greatest need asks most: dynamic programming over columns and levels finds the surface whose toe lacks most. It does
-// not where e < 0, and for a column that its loads turn and that is squatter than its own drag, O > 0 and A + m B < 0:
-// where there is one, the needs of all surfaces are handed down, from the 65th on those of evenly spaced ranks. Such a
-// column also stands the better the more the weak ones above it push, so that a slope may stand at one strength and
-// fail at a greater one. F is found from the weak side: strengths above the first at which all surfaces stand are not
+// not where e < 0, and for a column that its loads turn rather than slide and that is squatter than its own drag, O > 0
+// and A + m B < 0: what stands above such a one hands down the needs of all surfaces, from the 65th on those of evenly
+// spaced ranks. Such a column also stands the better the more the weak ones above it push, so that a slope may stand at
+// one strength and fail at a greater one. F is found from the weak side: strengths above the first at which all surfaces stand are not
 // tried. A wedge that is lifted off its riser drags by less than m (slide_head.hpp).
 // The factor of safety of that surface alone is at most F; taken for F, the search is repeated until no surface fails.
 // It ends because surfaces are finite in number and each F is less than the one before.

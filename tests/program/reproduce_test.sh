@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# What reproduce leaves: of all the thesis and of one part, whole, with figures, printed beside computed.
+source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
+
+expect_complete_results_of_reproduce() {
+    expect_status 0
+    expect "report" contains "$1/report.html" '</html>'
+    expect "result.json is JSON" is_json "$1/result.json"
+    expect_only_numbers "$1"
+    expect_no_leftovers "$1"
+    expect_result_is_newest "$1"
+}
+
+title "all of the thesis"
+delabole reproduce
+expect_complete_results_of_reproduce results/thesis
+expect_figures results/thesis 4
+in_browser results/thesis
+
+title "one part"
+for what in fig2.8 tilting dry_friction table3.2 limiting_friction friction_angles; do
+    delabole reproduce "$what" --out "part_$what"
+    expect_complete_results_of_reproduce "part_$what"
+done
+expect "printed beside computed" contains part_tilting/report.html 'half saturated'
+expect "printed beside computed" contains part_limiting_friction/report.html '41.1415 deg'
+
+finish
