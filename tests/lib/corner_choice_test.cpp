@@ -1,6 +1,7 @@
 // Corners that meet corners: nothing is held that cannot be, and nothing falls that is held.
 #include "dynamic_relaxation/contact/corner_choice.hpp"
 
+#include "dynamic_relaxation/contact/contact_law.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "dynamic_relaxation/study/strength_bound.hpp"
 #include "relaxation_scenes.hpp"
@@ -203,6 +204,40 @@ TEST(CornerOnCorner, HoldsNothingThatEitherEdgeLetsGo) {
     RelaxationScene knives = on_floor({diamond(0, 0), diamond(0, 2 * std::sqrt(0.5))}, 30);
     knives.block[0].fixed = true;
     EXPECT_EQ(relax(knives, until_onset()).outcome, RelaxationOutcome::onset);
+}
+
+// The tip of a wedge at the corner of the ground, wherever it has come and however it has turned: the ground's corner
+// is below the wedge's face by as much as the contact of the tip takes it to be.
+TEST(CornerOnCorner, KnowsHowDeepTheOtherEdgeIs) {
+    RelaxationScene scene = on_floor({{{0, 0}, at(35, 20), at(58, 20)}}, 30);
+    scene.block[1].outline = {{0, 0}, {-20, 0}, at(215, 17)};
+    const Bodies bodies = make_bodies(scene);
+    const PlanePoint<> tip = bodies.corner[bodies.range[0].begin];
+    std::size_t compared = 0;
+    for (const double turn : {-0.04, -0.02, -0.011, 0.0, 0.004, 0.03}) {
+        std::vector<Motion> motion(2);
+        motion[0].set_angle(turn);
+        const PlanePoint<> to = PlanePoint<>(-0.02, -0.001) - motion[0].turned_by(tip);
+        motion[0].x = to.x();
+        motion[0].y = to.y();
+        const ContactList list = find_contacts(scene, bodies, motion, {0, 0}, {0.1, 0.2, true}, {});
+        for (std::size_t index = 0; index < list.contact.size(); ++index) {
+            const RelaxationContact contact = list.contact[index];
+            const ContactLaw law = list.law_of(contact);
+            if (law.alone < 2 || contact.block != 0) {
+                continue;
+            }
+            const std::uint32_t end = law.rival > 0 ? contact.edge : bodies.range[1].after(contact.edge);
+            const PlanePoint<> place = bodies.centroid[1] + bodies.corner[end] - bodies.centroid[0] - to;
+            const std::size_t face = law.rival > 0 ? bodies.range[0].before(contact.corner) : contact.corner;
+            const PlanePoint<> start = motion[0].turned(bodies.corner[face]);
+            const double depth = -motion[0].turned(bodies.normal(face)).dot(place - start);
+            const ContactPosition now = locate(contact, motion[0], motion[1]);
+            EXPECT_NEAR(place_at_rival<double>(law, contact.to_end, now).overlap, depth, 1e-12) << turn;  // rounding
+            ++compared;
+        }
+    }
+    EXPECT_EQ(compared, 6U);
 }
 
 // Two layers of two bricks, with joints that cross in one point; and a third joint through it.

@@ -1,5 +1,6 @@
 // A run goes on from a checkpoint to the last bit, and nothing else passes for one.
 #include "dynamic_relaxation/checkpoint/checkpoint.hpp"
+#include "dynamic_relaxation/contact/bonds.hpp"
 #include "dynamic_relaxation/scene/scenes.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
 
@@ -75,6 +76,24 @@ Case eventful() {
     return result;
 }
 
+// Rock that shears off where it is pressed: what it has shortened by stays in the contacts that take its place.
+Case breaking_rock() {
+    Case result{"breaking rock"};
+    RelaxationScene& scene = result.scene;
+    const auto square = [](double x, double y, double side) {
+        return Polygon<>{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+    };
+    scene.block = {{square(0, 0, 1), 2700}, {square(0, 1, 1), 2700}, {square(-5, -10, 10), 2700}};
+    scene.block[2].fixed = true;
+    const double stiffness = 1e5 * 2700 * 9.80665;
+    scene.material = {{stiffness, stiffness, 20 * degree}};
+    scene.material[0].bond = 0;
+    scene.bond_material = {{1e8, 4e7, 1e6, 1000, 20 * degree, {}}};
+    scene.bond = find_bonds(scene);
+    scene.gravity.tilt = scene.gravity.final_tilt = 25 * degree;
+    return result;
+}
+
 std::string saved(const Simulation& simulation) {
     return checkpoint_of(simulation.scene(), simulation.settings(), simulation.state());
 }
@@ -90,7 +109,7 @@ constexpr int steps = 4000;
 
 TEST(RelaxationCheckpoint, GoesOnToTheLastBit) {
     std::mt19937 random(4);
-    for (const Case& one : {two_blocks(), eight_columns(), resting_blocks(), eventful()}) {
+    for (const Case& one : {two_blocks(), eight_columns(), resting_blocks(), eventful(), breaking_rock()}) {
         // Step 0 as well: preloaded, not yet moved.
         std::vector<int> stops{0};
         for (int stop = 0; stop < 5; ++stop) {

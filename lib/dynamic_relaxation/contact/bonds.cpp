@@ -279,21 +279,21 @@ std::vector<BlockPair> Bonds::joined(const std::vector<BondMemory>& memory) cons
     return pairs;
 }
 
-std::vector<ShiftedPair> Bonds::shifted(const std::vector<BondMemory>& memory) const {
-    std::vector<ShiftedPair> pairs;
+void Bonds::resume(const std::vector<BondMemory>& memory) {
+    shifted_.clear();
     for (std::size_t index = 0; index < bond_.size(); ++index) {
         if (memory[index].shift != OutlineShift{}) {
-            pairs.push_back({blocks_of(bond_[index].face), memory[index].shift});
+            shifted_.push_back({blocks_of(bond_[index].face), memory[index].shift});
         }
     }
-    std::ranges::sort(pairs, {}, &ShiftedPair::pair);
-    return pairs;
+    std::ranges::sort(shifted_, {}, &ShiftedPair::pair);
 }
 
 // All bonds of a pair see the same motion of one block against the other: the longest of those that broke last stands
 // for all.
 void Bonds::shift_outlines(const std::vector<std::size_t>& broken, const std::vector<Motion>& motion,
-                           std::vector<BondMemory>& memory) const {
+                           std::vector<BondMemory>& memory) {
+    bool any = false;
     for (const std::size_t index : broken) {
         const Bond& bond = bond_[index];
         const auto stands_for = [&](std::size_t other) {
@@ -306,7 +306,11 @@ void Bonds::shift_outlines(const std::vector<std::size_t>& broken, const std::ve
         };
         if (!bond.of_joint && std::ranges::none_of(of_block(bond.face.block), stands_before)) {
             memory[index].shift = shift_by(bond, locate(bond.face, motion[bond.face.block], motion[bond.face.other]));
+            any = true;
         }
+    }
+    if (any) {
+        resume(memory);
     }
 }
 
@@ -367,8 +371,7 @@ double Bonds::elastic_energy(const std::vector<Motion>& motion, const std::vecto
     return sum;
 }
 
-std::vector<std::size_t> Bonds::break_at_rest(const std::vector<Motion>& motion,
-                                              std::vector<BondMemory>& memory) const {
+std::vector<std::size_t> Bonds::break_at_rest(const std::vector<Motion>& motion, std::vector<BondMemory>& memory) {
     std::vector<std::size_t> changed;
     std::optional<std::size_t> worst;
     double most = 1;

@@ -127,7 +127,9 @@ class Bonds {
     std::vector<BlockPair> joined(const std::vector<BondMemory>& memory) const;
 
     // Pairs whose rock has become shorter before it broke, in increasing order.
-    std::vector<ShiftedPair> shifted(const std::vector<BondMemory>& memory) const;
+    std::span<const ShiftedPair> shifted() const { return shifted_; }
+    // Finds again what is not in the memory, with which a run goes on.
+    void resume(const std::vector<BondMemory>& memory);
 
     // Forces of the whole bonds after a step that took blocks to `motion`; those overloaded break, and do nothing any
     // more. Returns which. The same bits come out however the work is divided: the forces on a block are added in the
@@ -142,13 +144,13 @@ class Bonds {
     double elastic_energy(const std::vector<Motion>& motion, const std::vector<BondMemory>& memory) const;
     // Breaks whole bonds that are overloaded at rest: first those that hand over to contacts, all at once; where there
     // are none, the most overloaded one. Returns which; none where all bear.
-    std::vector<std::size_t> break_at_rest(const std::vector<Motion>& motion, std::vector<BondMemory>& memory) const;
+    std::vector<std::size_t> break_at_rest(const std::vector<Motion>& motion, std::vector<BondMemory>& memory);
 
   private:
     void sum();
     // Of those just broken.
     void shift_outlines(const std::vector<std::size_t>& broken, const std::vector<Motion>& motion,
-                        std::vector<BondMemory>& memory) const;
+                        std::vector<BondMemory>& memory);
 
     Team& team_;
     std::vector<Bond> bond_;
@@ -158,6 +160,8 @@ class Bonds {
     // Bonds of each block: begin_[block] to begin_[block + 1] in of_block_.
     std::vector<std::uint32_t> begin_ = {};
     std::vector<std::uint32_t> of_block_ = {};
+    // The contact list asks for them at every update, while hardly a bond breaks.
+    std::vector<ShiftedPair> shifted_ = {};
 };
 
 // Contacts of the bond's face that have come in its place take over what it carried, as far as they can. `state`: its,

@@ -32,6 +32,8 @@ struct ContactPositionOf {
     Number arm_y;
     Number other_arm_x;  // from the other's centroid to the corner
     Number other_arm_y;
+    Number turn_sine;  // of the turn of the corner's block against the edge's, since the initial geometry
+    Number turn_versine;
 
     [[gnu::always_inline]] Number along_x() const { return -normal_y; }
     [[gnu::always_inline]] Number along_y() const { return normal_x; }
@@ -63,6 +65,8 @@ DELABOLE_INLINED ContactPositionOf<Number> locate(const ContactShapeOf<Number>& 
     at.arm_y = contact.arm_y + turned_y;
     at.other_arm_x = contact.other_arm_x - carried_back_x + change_x;
     at.other_arm_y = contact.other_arm_y + carried_y + change_y;
+    at.turn_sine = (block.sine - other.sine) + (block.versine * other.sine - block.sine * other.versine);
+    at.turn_versine = (block.versine + other.versine) - (block.versine * other.versine + block.sine * other.sine);
     return at;
 }
 
@@ -81,8 +85,18 @@ template <class Number>
 DELABOLE_INLINED RivalPlace<Number> place_at_rival(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
                                                    const ContactPositionOf<Number>& at) {
     const Number overlap = -at.gap;
-    const Number t = select(ends.rival > Number{}, at.position, length_to_end - at.slide);
-    return {t * ends.rival_sine - overlap * ends.rival_cosine, t * ends.rival_cosine + overlap * ends.rival_sine};
+    const auto at_start = ends.rival > Number{};
+    const Number t = select(at_start, at.position, length_to_end - at.slide);
+    Number sine = ends.rival_sine;
+    Number cosine = ends.rival_cosine;
+    const auto turns = absolute(ends.rival) > Number{} + 1.0;
+    if (any(turns)) {
+        const Number turn = select(turns, select(at_start, at.turn_sine, Number{} - at.turn_sine), Number{});
+        const Number versine = select(turns, at.turn_versine, Number{});
+        sine = ends.rival_sine - (versine * ends.rival_sine - turn * ends.rival_cosine);
+        cosine = ends.rival_cosine - (versine * ends.rival_cosine + turn * ends.rival_sine);
+    }
+    return {t * sine - overlap * cosine, t * cosine + overlap * sine};
 }
 
 // An edge that bears in a trial does so until it is so many times as deep as its rival (corner_choice.hpp).

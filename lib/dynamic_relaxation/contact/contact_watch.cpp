@@ -117,7 +117,7 @@ bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const st
     }
     dropped_.clear();
     changed_blocks_.clear();
-    shifted_ = bonds.shifted(bond_memory);
+    shifted_ = bonds.shifted();
     worst_overlap_ = 0;
     const bool new_neighbours = std::any_of(due_blocks_.begin(), due_blocks_.end(), [&](std::uint32_t block) {
         return state.travelled[block] > state.neighbours_until[block];

@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace delabole {
@@ -125,7 +126,7 @@ class ContactWatch {
     std::vector<Replacement> replacement_ = {};
     std::vector<Dropped> dropped_ = {};
     std::vector<std::uint32_t> due_blocks_ = {};
-    std::vector<ShiftedPair> shifted_ = {};
+    std::span<const ShiftedPair> shifted_ = {};
     std::vector<std::uint32_t> changed_blocks_ = {};
     bool list_changed_ = false;
     double worst_overlap_ = 0;

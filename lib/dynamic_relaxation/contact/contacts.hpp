@@ -36,10 +36,10 @@ struct alignas(8 * sizeof(double)) EdgeEndsOf {
     Number start_weight;  // weight of the contact where the corner is at the edge's start
     Number end_weight;
     Number inverse_blend;  // 1 / length over which the weight changes
-    // 1 or -1 where the corner could bear as well on the edge beyond this one's start or end, or that end on an edge of
-    // the corner's block: the one that is less deep bears. 0 where not.
+    // The rival, of which the one that is less deep bears: 1 or -1 for the edge beyond this one's start or end, where
+    // the corner could bear as well; 2 or -2 for an edge of the corner's block, on which that end could. 0: none.
     Number rival;
-    Number rival_sine;  // of the interior angle between the two
+    Number rival_sine;  // of the interior angle between the two in the initial geometry
     Number rival_cosine;
     // 1 where not both may bear at a time; 2 where moreover no other edge of the block may bear at that end, and the
     // rival is the edge of the corner's own block on which the edge's end may: see corner_choice.hpp. 0 where not.

@@ -234,7 +234,7 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
 }
 
 // Beyond the edge's end the end itself may bear on a face of the corner's block. Between edges of two blocks the angle
-// changes as they turn: it is rounded, so that the law stays the same from search to search.
+// changes as they turn: the law has that of the initial geometry and stays the same from search to search.
 void PairSearch::add_twin_as_rival(const Side& block, std::size_t corner, const Side& other, std::size_t edge,
                                    bool at_start, ContactLaw& law) const {
     const std::size_t end = at_start ? edge : other.after(edge);
@@ -256,11 +256,12 @@ void PairSearch::add_twin_as_rival(const Side& block, std::size_t corner, const 
         }
         return;
     }
-    constexpr double round_to = 1.0 / 64;
-    const double angle = std::round(std::acos(std::max(cosine, -1.0)) / round_to) * round_to;
-    law.rival = at_start ? 1 : -1;
-    law.rival_sine = std::sin(angle);
-    law.rival_cosine = -std::cos(angle);
+    const double sense = at_start ? 1 : -1;
+    const PlanePoint<> one = sense * along_of(other.begin + edge);
+    const PlanePoint<> two = -sense * along_of(block.begin + face);
+    law.rival = 2 * sense;
+    law.rival_sine = sense * (two.x() * one.y() - two.y() * one.x());
+    law.rival_cosine = -two.dot(one);
     law.alone = law.alone > 0 ? 1 : 2;
 }
 

@@ -110,6 +110,7 @@ Simulation::Simulation(RelaxationScene scene, RelaxationSettings settings, const
 }
 
 void Simulation::prepare() {
+    bonds_.resume(state_.bond);
     margin_ = margin_in_shortest_edges * shortest_edge(bodies_);
     longest_step_ = std::sqrt(shortest_edge(bodies_) / std::max(scene_.gravity.acceleration, 1e-3)) / 20;
     load_.resize(bodies_.size());

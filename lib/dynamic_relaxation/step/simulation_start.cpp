@@ -155,9 +155,9 @@ bool Simulation::solve_under(double load_share, bool first, const StaticSolveSet
 
 void Simulation::find_contacts_within(double margin, bool first) {
     const std::vector<BlockPair> bonded = bonds_.joined(state_.bond);
-    const std::vector<ShiftedPair> shifted = bonds_.shifted(state_.bond);
-    state_.contacts = find_contacts(scene_, bodies_, state_.motion, state_.removed,
-                                    {margin, settings_.viscous_damping, first, bonded, shifted}, state_.contacts);
+    state_.contacts =
+        find_contacts(scene_, bodies_, state_.motion, state_.removed,
+                      {margin, settings_.viscous_damping, first, bonded, bonds_.shifted()}, state_.contacts);
     for (const std::size_t bond : std::exchange(just_broken_, {})) {
         hand_over(bonds_.list()[bond], state_.bond[bond].state, bodies_, state_.motion, state_.contacts);
     }
