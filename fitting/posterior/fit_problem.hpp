@@ -13,11 +13,9 @@
 #include "geometry/polyline.hpp"
 #include "parameters/model_interface.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <variant>
 #include <vector>
@@ -63,10 +61,6 @@ struct FreeParameter {
 };
 
 enum class Relation { equal, at_least, at_most };
-
-constexpr std::array<std::string_view, 3> enum_names(Relation) {
-    return {"equal", "at_least", "at_most"};
-}
 
 struct QuantityObservation {
     std::string label;

@@ -22,9 +22,7 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -40,10 +38,6 @@ enum class PosteriorStatus {
     no_valid_point,  // no draw of the prior has an answer
     interrupted,
 };
-
-constexpr std::array<std::string_view, 4> enum_names(PosteriorStatus) {
-    return {"converged", "not_converged", "no_valid_point", "interrupted"};
-}
 
 struct ParameterPosterior {
     std::string name;

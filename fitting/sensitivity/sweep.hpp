@@ -22,12 +22,10 @@
 #include "fitting/probability/dependence.hpp"
 #include "fitting/search/evaluate_points.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -80,10 +78,6 @@ struct SweepPoint {
 };
 
 enum class SweepCourse { constant, within_scatter, rises, falls, not_monotone, too_few_answers };
-
-constexpr std::array<std::string_view, 6> enum_names(SweepCourse) {
-    return {"constant", "within_scatter", "rises", "falls", "not_monotone", "too_few_answers"};
-}
 
 // Between two points of a sweep, the first at the lesser value of the parameter.
 struct SweepChange {

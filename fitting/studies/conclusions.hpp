@@ -11,9 +11,7 @@
 #include "fitting/mechanism/fit_result.hpp"
 #include "fitting/work/progress.hpp"
 
-#include <array>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -28,10 +26,6 @@ enum class ConclusionVerdict {
     undecided,
     not_tested,  // its mechanisms were not fitted, or none has a say
 };
-
-constexpr std::array<std::string_view, 5> enum_names(ConclusionVerdict) {
-    return {"confirmed", "partly", "contradicted", "undecided", "not_tested"};
-}
 
 struct TestFinding {
     ConclusionVerdict verdict = ConclusionVerdict::not_tested;  // not partly

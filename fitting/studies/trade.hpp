@@ -4,7 +4,6 @@
 // The cost is a count of operations and so the same on every machine; wall time is carried along, and decides nothing.
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <functional>
@@ -78,10 +77,6 @@ struct TradeRow {
 
 // nothing_to_compare: no setting has both an answer and something to hold it against.
 enum class TradeStatus { finished, interrupted, nothing_to_compare };
-
-constexpr std::array<std::string_view, 3> enum_names(TradeStatus) {
-    return {"finished", "interrupted", "nothing_to_compare"};
-}
 
 struct TradeResult {
     TradeStatus status = TradeStatus::finished;

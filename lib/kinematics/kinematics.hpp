@@ -14,11 +14,9 @@
 #include "kinematics/poles.hpp"
 #include "parameters/model_interface.hpp"
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -47,21 +45,6 @@ enum class KinematicsCheck {
     setting_not_whole,   // sample_count, seed or most_sets
     input_out_of_range,  // a number outside the range of its field, or not finite
 };
-
-constexpr std::array<std::string_view, 12> enum_names(KinematicsCheck) {
-    return {"valid",
-            "no_joint_set",
-            "too_many_joint_sets",
-            "joint_set_without_name",
-            "joint_set_name_repeated",
-            "lower_dip_above_upper_dip",
-            "survey_without_planes",
-            "too_many_poles",
-            "window_without_poles",
-            "no_set_found",
-            "setting_not_whole",
-            "input_out_of_range"};
-}
 
 struct MechanismFeasibility {
     Feasibility at_mean;

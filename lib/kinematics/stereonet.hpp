@@ -14,19 +14,13 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstddef>
 #include <functional>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
 
 enum class NetProjection { equal_area, equal_angle };
-
-constexpr std::array<std::string_view, 2> enum_names(NetProjection) {
-    return {"equal_area", "equal_angle"};
-}
 
 // The image of a direction as it points; the upward vertical has no image on the equal-angle net and a whole circle on
 // the equal-area net.

@@ -12,7 +12,7 @@
 //   std::variant, keyed    a section whose `kind` selects the alternative; each alternative has `kind` and `fields()`
 //   std::variant, inlined  exactly one alternative's keys stand in the surrounding section (no `kind`, no own section)
 //   std::vector<struct>    an array of tables
-//   enum                   one word out of enum_names(Enum)
+//   enum                   one word out of enum_names(Enum): the names of its enumerators
 //   std::string            any text; std::vector of it, a list of texts, which may be absent
 //
 // A result may also describe a function of its members that takes nothing: the value is what it returns.
@@ -204,6 +204,39 @@ template <class Owner, class Member>
 constexpr Field<Owner, Member> refers_to(NameOf what, Field<Owner, Member> field) {
     field.info.name_of = what;
     return field;
+}
+
+namespace detail {
+
+// An enumerator as the compiler spells it in the name of this function; a number that is none it casts, in brackets.
+template <auto enumerator>
+constexpr std::string_view spelling() {
+    std::string_view name = __PRETTY_FUNCTION__;
+    name.remove_prefix(name.find("enumerator = ") + std::string_view("enumerator = ").size());
+    name = name.substr(0, name.find_first_of(";]"));
+    return name.front() == '(' ? std::string_view() : name.substr(name.rfind(':') + 1);
+}
+
+template <class Enum, std::size_t count = 0>
+constexpr std::size_t enumerator_count() {
+    if constexpr (spelling<static_cast<Enum>(count)>().empty()) {
+        return count;
+    } else {
+        return enumerator_count<Enum, count + 1>();
+    }
+}
+
+}  // namespace detail
+
+// The words for the values of an enum: its enumerators, counted from 0 without a gap. An enum whose words are others
+// has a function of this name beside it.
+template <class Enum>
+requires std::is_enum_v<Enum>
+constexpr auto enum_names(Enum) {
+    return []<std::size_t... index>(std::index_sequence<index...>) {
+        return std::array{detail::spelling<static_cast<Enum>(index)>()...};
+    }
+    (std::make_index_sequence<detail::enumerator_count<Enum>()>{});
 }
 
 // The word by which a case and a result know a value of an enum.

@@ -10,7 +10,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -141,10 +140,6 @@ enum class FigureStatus {
     gnuplot_failed,   // gnuplot refused the script or left unusable pictures; the script was written
     cannot_write,     // the folder or a file in it could not be written
 };
-
-constexpr std::array<std::string_view, 4> enum_names(FigureStatus) {
-    return {"ok", "gnuplot_missing", "gnuplot_failed", "cannot_write"};
-}
 
 struct FigureFiles {
     FigureStatus status = FigureStatus::cannot_write;

@@ -12,7 +12,6 @@
 #include "dynamic_relaxation/study/retrogression.hpp"
 #include "parameters/model_interface.hpp"
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -25,21 +24,9 @@ namespace delabole {
 // the stable one give the same bracket.
 enum class RelaxationQuality { draft, standard, reference };
 
-constexpr std::array<std::string_view, 3> enum_names(RelaxationQuality) {
-    return {"draft", "standard", "reference"};
-}
-
 enum class RelaxationStop { equilibrium, onset, collapse, duration, rest };
 
-constexpr std::array<std::string_view, 5> enum_names(RelaxationStop) {
-    return {"equilibrium", "onset", "collapse", "duration", "rest"};
-}
-
 enum class OffOn { off, on };
-
-constexpr std::array<std::string_view, 2> enum_names(OffOn) {
-    return {"off", "on"};
-}
 
 // RelaxationSettings says what each does; absent: its value there, or that of the quality.
 struct RelaxationNumerics {

@@ -3,8 +3,6 @@
 
 #include "cases/program/thesis/hocking/hocking_program.hpp"
 
-#include <array>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -14,10 +12,6 @@ enum class HockingBase {
     block_below_each,  // corners of base blocks and of columns meet: contacts at the base are double
     one_block,         // of the whole row's length; needs a plane base
 };
-
-constexpr std::array<std::string_view, 2> enum_names(HockingBase) {
-    return {"block_below_each", "one_block"};
-}
 
 struct HockingColumns {
     std::vector<double> heights = {};  // m, from the toe uphill

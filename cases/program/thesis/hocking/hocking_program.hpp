@@ -29,7 +29,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -65,10 +64,6 @@ struct HockingFriction {
 
 enum class TiltedPart { gravity, base };
 
-constexpr std::array<std::string_view, 2> enum_names(TiltedPart) {
-    return {"gravity", "base"};
-}
-
 // Small increments of tilt at regular cycles. The thesis does not say what was turned: gravity, which amounts to
 // turning the whole model, or the fixed blocks under the others, each about its own centroid, which takes one statement
 // in the listing.
@@ -83,10 +78,6 @@ struct HockingTilting {
 // `per_face` is no part of the listing: a slot forgets what it holds when its corner passes to another face. It shows
 // what the listing's memory causes.
 enum class HockingSlotMemory { per_neighbour, per_face };
-
-constexpr std::array<std::string_view, 2> enum_names(HockingSlotMemory) {
-    return {"per_neighbour", "per_face"};
-}
 
 struct HockingSettings {
     double time_step = 0;         // s, > 0 (DT)
@@ -111,17 +102,9 @@ struct HockingSettings {
 
 enum class HockingOutcome { undecided, stands, fails, blows_out, impossible_input };
 
-constexpr std::array<std::string_view, 5> enum_names(HockingOutcome) {
-    return {"undecided", "stands", "fails", "blows_out", "impossible_input"};
-}
-
 // At a print edit, from the contacts between a free and a fixed block marked as sliding. `both`: corners of one base
 // slide opposite ways.
 enum class BaseSliding { none, forward, backward, both };
-
-constexpr std::array<std::string_view, 4> enum_names(BaseSliding) {
-    return {"none", "forward", "backward", "both"};
-}
 
 struct HockingBlockState {
     Point centroid = Point::Zero();
@@ -140,10 +123,6 @@ struct HockingPrint {
 
 // Faces of a block as the listing searches them, in the block's own frame.
 enum class HockingFace { positive_side, negative_side, positive_end, negative_end };
-
-constexpr std::array<std::string_view, 4> enum_names(HockingFace) {
-    return {"positive_side", "negative_side", "positive_end", "negative_end"};
-}
 
 // A slot that is used for another face than in the cycle before. Sides are the two longer faces of a block.
 struct HockingFaceChange {
