@@ -1,25 +1,4 @@
-// The script that lets an animation of the report move (animation.hpp).
-#pragma once
-
-#include <string_view>
-
-namespace delabole {
-
-inline constexpr std::string_view animation_style =
-    R"css(.animation text { font: 19px system-ui, sans-serif; fill: #1b1b1b; }
-.animation .label { text-anchor: middle; dominant-baseline: central; paint-order: stroke; stroke: #fff; stroke-width: .2em; stroke-linejoin: round; }
-.animation:not(.numbered) .label { display: none; }
-.animation label { display: flex; align-items: center; gap: .3rem; min-height: 2.75rem; }
-.animation .crack { stroke: #d55e00; stroke-width: 3; stroke-linecap: round; }
-.animation .moment, .animation .controls { max-width: 46rem; margin: .5rem 0 0; font-variant-numeric: tabular-nums; }
-.animation .controls { display: flex; flex-wrap: wrap; gap: .5rem; align-items: center; }
-.animation .controls[hidden] { display: none; }
-.animation button, .animation select { font: inherit; min-height: 2.75rem; min-width: 4.5rem; }
-.animation input[type=range] { flex: 1 1 12rem; min-width: 8rem; min-height: 2.75rem; margin: 0; }
-@media print { .animation .controls { display: none; } }
-)css";
-
-inline constexpr std::string_view animation_script = R"js('use strict';
+'use strict';
 (() => {
 const alphabet = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/';
 const reducedMotion = window.matchMedia('(prefers-reduced-motion: reduce)');
@@ -145,6 +124,3 @@ function bringToLife(box) {
 }
 document.querySelectorAll('.animation').forEach(bringToLife);
 })();
-)js";
-
-}  // namespace delabole
