@@ -201,17 +201,6 @@ void read_sweep(Section& section, const ModelNames& names, std::vector<CaseSweep
 
 }  // namespace
 
-std::vector<double> spaced_values(double from, double to, std::int64_t points) {
-    std::vector<double> values;
-    for (std::int64_t index = 0; index < points; ++index) {
-        // The last one as it was given.
-        values.push_back(index + 1 == points
-                             ? to
-                             : from + (to - from) * static_cast<double>(index) / static_cast<double>(points - 1));
-    }
-    return values;
-}
-
 std::vector<CaseSweep> read_sweeps(Section& root, const ModelNames& names) {
     std::vector<CaseSweep> sweeps;
     if (too_many(root, "sweep")) {
