@@ -117,4 +117,24 @@ void assign(Parameters& parameters, std::span<const Assignment> assignments) {
     });
 }
 
+// The outputs of a result whose check is valid, or the word for what it failed.
+template <Described Result>
+Prediction prediction_of(const Result& result) {
+    using Check = decltype(result.check);
+    return result.check == Check::valid ? Prediction{{}, output_values(result), {}}
+                                        : Prediction{word_of(result.check), {}, {}};
+}
+
+// A model whose inputs are all its parameters, and whose outputs those of such a result; `predict` takes parameters.
+template <Described Parameters, Described Result, class Predict>
+ModelInterface interface_of_function(const Parameters& parameters, const Result& shape, Predict predict) {
+    ModelInterface model{inputs_of(parameters), outputs_of(shape), {}, {}};
+    model.predict = [parameters, predict](std::span<const Assignment> assignments) -> Prediction {
+        Parameters varied = parameters;
+        assign(varied, assignments);
+        return predict(varied);
+    };
+    return model;
+}
+
 }  // namespace delabole

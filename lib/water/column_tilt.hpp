@@ -26,7 +26,7 @@ struct ColumnTilt {
 };
 
 // Rounding only. A tilt above 90 deg means that water lifts the column.
-ColumnTilt column_tilt(const TiltedColumn<>& column);
+ColumnTilt analyse(const TiltedColumn<>& column);
 
 // Inputs and outputs by name.
 ModelInterface model_interface(const TiltedColumn<>& column);

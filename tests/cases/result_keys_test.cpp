@@ -1,6 +1,6 @@
 // One convention for all models: every quantity of a model keeps its name whether or not it has a value, and no length
 // beyond what the models are sound for is read.
-#include "cases/program/case/model_cases.hpp"
+#include "cases/program/case/starting_cases.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "limit_equilibrium/block_row/block_row.hpp"
@@ -46,7 +46,7 @@ std::string word(const CaseModel& model, const std::string& name) {
 
 template <class Model>
 Model example() {
-    return example_case(static_cast<const Model*>(nullptr)).model;
+    return std::get<Model>(parse_case(template_case(Model::kind), "template").model);
 }
 
 TEST(ResultKeys, PlaneFailure) {

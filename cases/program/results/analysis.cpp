@@ -137,8 +137,14 @@ CaseAnswer analyse_case(const CaseModel& model, const AnalysisWork& work) {
 }
 
 Analysis named_outputs(const CaseModel& model, const CaseAnswer& answer) {
-    Analysis analysis =
-        std::visit([&](const auto& study) { return named_outputs(study, own_answer(study, answer)); }, model);
+    Analysis analysis = std::visit(
+        [&](const auto& study) {
+            const auto& own = own_answer(study, answer);
+            Analysis without_answer;
+            without_answer.failure = failure_in(own);
+            return without_answer.failure.empty() ? named_outputs(study, own) : without_answer;
+        },
+        model);
     for (const Quantity& input : named_inputs(model)) {
         if (input.name == "slope.height") {
             warn_of_height(input.name, input.value, analysis);
@@ -161,15 +167,11 @@ Analysis analyse_model(const CaseModel& model, const AnalysisWork& work) {
 }
 
 std::string failure_of(const CaseModel& model) {
-    return std::visit(
-        [](const auto& parameters) -> std::string {
-            if constexpr (requires { failure_without_run(parameters); }) {
-                return failure_without_run(parameters);
-            } else {
-                return named_outputs(parameters, analyse_case(parameters)).failure;
-            }
-        },
-        model);
+    if (const auto* study = std::get_if<RelaxationStudy>(&model)) {
+        const SceneFault fault = check(*study);
+        return fault.check == SceneCheck::valid ? "" : std::string(word_of(fault.check));
+    }
+    return std::visit([](const auto& answer) { return failure_in(answer); }, analyse_case(model));
 }
 
 }  // namespace delabole

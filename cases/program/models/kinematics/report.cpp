@@ -320,16 +320,8 @@ void append_measured(const Kinematics& model, const KinematicsResult& result, co
 
 }  // namespace
 
-KinematicsResult analyse_case(const KinematicsStudy& study, const AnalysisWork&) {
-    return analyse(study);
-}
-
 Analysis named_outputs(const KinematicsStudy&, const KinematicsResult& result) {
     Analysis analysis;
-    if (result.check != KinematicsCheck::valid) {
-        analysis.failure = word_of(result.check);
-        return analysis;
-    }
     append_summary(analysis, result);
     append_outputs(analysis, result);
     for (std::size_t index = 0; index < result.pair.size(); ++index) {
@@ -405,9 +397,6 @@ void append_case_figures(const KinematicsStudy& study, const KinematicsResult& r
     }
     folder.write("pairs.csv", pairs_csv(result));
 }
-
-void append_mechanism_figures(const KinematicsStudy&, const MechanismFit&, const FitProblem&, const ResultFolder&,
-                              Report&) {}
 
 Impossibility impossibility(const KinematicsStudy&, std::string_view failure) {
     switch (value_of<KinematicsCheck>(failure).value_or(KinematicsCheck::valid)) {

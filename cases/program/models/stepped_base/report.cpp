@@ -250,10 +250,6 @@ SteppedBaseAnswer analyse_case(const SteppedBaseStudy<>& study, const AnalysisWo
 
 Analysis named_outputs(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer) {
     Analysis analysis;
-    if (answer.result.check != ColumnCheck::valid) {
-        analysis.failure = word_of(answer.result.check);
-        return analysis;
-    }
     append_outputs(analysis, answer.result);
     mark_what_is_not(analysis, answer.resolved.problem, answer.result);
     append_required(analysis, study, answer);

@@ -42,16 +42,8 @@ Figure section_figure(const SteppedPath& path, const SteppedPathResult& result) 
 
 }  // namespace
 
-SteppedPathResult analyse_case(const SteppedPath& path, const AnalysisWork&) {
-    return analyse(path);
-}
-
 Analysis named_outputs(const SteppedPath&, const SteppedPathResult& result) {
     Analysis analysis;
-    if (result.check != SteppedPathCheck::valid) {
-        analysis.failure = word_of(result.check);
-        return analysis;
-    }
     append_outputs(analysis, result);
     if (result.surface.empty()) {
         for (NamedOutput& output : analysis.outputs) {

@@ -60,10 +60,6 @@ WedgeFailureAnswer analyse_case(const WedgeFailureStudy<>& study, const Analysis
 
 Analysis named_outputs(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer) {
     Analysis analysis;
-    if (answer.result.check != WedgeFailureCheck::valid) {
-        analysis.failure = word_of(answer.result.check);
-        return analysis;
-    }
     append_outputs(analysis, answer.result);
     if (answer.result.contact == SlidingContact::none) {
         mark_none(analysis, "sliding_");
