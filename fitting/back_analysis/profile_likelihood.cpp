@@ -1,9 +1,7 @@
-#include "fitting/back_analysis/profile_likelihood.hpp"
+#include "fitting/back_analysis/steps.hpp"
 
-#include "fitting/back_analysis/misfit_map.hpp"
-#include "fitting/back_analysis/multi_start.hpp"
 #include "fitting/probability/bracketed_root.hpp"
-#include "fitting/probability/statistics.hpp"
+#include "fitting/probability/estimate.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "fitting/posterior/prior_space.hpp"
 #include "fitting/probability/counted_random.hpp"
 #include "fitting/probability/distribution.hpp"
-#include "fitting/probability/statistics.hpp"
+#include "fitting/probability/estimate.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// What a back-analysis found, with what a reader needs to judge it.
+// The results of a back-analysis, with what a reader needs to judge them.
 #pragma once
 
 #include "fitting/mechanism/mechanism_posterior.hpp"
@@ -183,7 +183,7 @@ struct MechanismFit {
     Prediction prediction;  // at the best point
     std::vector<ObservationFit> observations;
     std::optional<ProfileFit> profile_fit;
-    // What the scatter of predictions costs: by how much it lowers the logarithm of the likelihood at a mean that fits.
+    // By how much the scatter of predictions lowers the logarithm of the likelihood at a mean that fits.
     double scatter_cost = 0;
     std::vector<std::string> explained;  // names of field evidence
     std::vector<std::string>

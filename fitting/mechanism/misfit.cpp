@@ -1,6 +1,6 @@
 #include "fitting/mechanism/misfit.hpp"
 
-#include "fitting/probability/statistics.hpp"
+#include "fitting/probability/estimate.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -27,7 +27,7 @@
 
 namespace delabole {
 
-// What the chains have to meet for one parameter: R-hat below 1.01 and effective sizes of bulk and tails above 400, as
+// The chains have converged for a parameter at R-hat below 1.01 and effective sizes of bulk and tails above 400, as
 // Vehtari et al. (2021) advise.
 inline constexpr double greatest_r_hat = 1.01;
 inline constexpr double least_effective_size = 400;

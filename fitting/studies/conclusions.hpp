@@ -1,4 +1,4 @@
-// What others concluded, held against what a back-analysis found.
+// Tests conclusions that others drew against the results of a back-analysis.
 //
 // A claim about mechanisms is confirmed where their probability together is on the claimed side of its limit by two
 // standard errors, contradicted where the opposite is as probable as what is claimed: of at least 0.9, where it is less

@@ -98,7 +98,7 @@ std::vector<std::size_t> best_of_each_decade(const TradeResult& result);
 
 // "0.4", "dropped".
 std::string level_in_words(const TradeKnob& knob, double level);
-// What differs from the case: "stiffness_ratio 1e7, start dropped"; empty where nothing does.
+// The knobs that differ from the case: "stiffness_ratio 1e7, start dropped"; empty where none does.
 std::string change_in_words(const std::vector<TradeKnob>& knobs, const TradeSetting& setting);
 
 }  // namespace delabole

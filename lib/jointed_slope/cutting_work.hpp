@@ -1,4 +1,4 @@
-// What the steps of cutting a slope work on together; see jointed_section.hpp.
+// The state that the steps of cutting a slope share; see jointed_section.hpp.
 #pragma once
 
 #include "geometry/polyline.hpp"

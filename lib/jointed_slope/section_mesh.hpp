@@ -30,7 +30,7 @@ struct HalfEdge {
     MeshIndex segment;
 };
 
-// What an edge was cut from: its points are found between these ends, in whatever order it is divided.
+// The line that an edge was cut from: its points are found between these ends, in whatever order it is divided.
 struct MeshSegment {
     PlanePoint<> first;
     PlanePoint<> second;

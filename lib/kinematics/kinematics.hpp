@@ -26,7 +26,7 @@ inline constexpr std::size_t most_joint_sets = 30;
 
 // The search for sets takes a time that grows with the square of their number.
 inline constexpr std::size_t most_poles = 10'000;
-// Of more poles than these, evenly chosen ones are intersected.
+// Where there are more poles, this many evenly chosen ones are intersected.
 inline constexpr std::size_t most_poles_intersected = 1'000;
 // The number is 8 unless the case says otherwise, and at most 12.
 std::size_t most_sets_searched(const Kinematics& model);

@@ -64,46 +64,36 @@ struct DisplayUnit {
     double si_per_unit;
 };
 
+namespace detail {
+
+inline constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
+
+inline constexpr auto display_units = std::to_array<DisplayUnit>({
+    {"", "", 1.0},
+    {"deg", "_deg", radians_per_degree},
+    {"m", "_m", 1.0},
+    {"m2", "_m2", 1.0},
+    {"m3", "_m3", 1.0},
+    {"kPa", "_kPa", 1e3},
+    {"kN/m3", "_kN_per_m3", 1e3},
+    {"kN", "_kN", 1e3},
+    {"kN/m", "_kN_per_m", 1e3},
+    {"kN m/m", "_kN_m_per_m", 1e3},
+    {"J/m", "_J_per_m", 1.0},
+    {"kg/m3", "_kg_per_m3", 1.0},
+    {"MN/m/m", "_MN_per_m_per_m", 1e6},
+    {"s", "_s", 1.0},
+    {"m/s", "_m_per_s", 1.0},
+    {"m/s2", "_m_per_s2", 1.0},
+    {"deg/s", "_deg_per_s", radians_per_degree},
+    {"", "", 1.0},
+});
+static_assert(display_units.size() == static_cast<std::size_t>(Dimension::named) + 1);
+
+}  // namespace detail
+
 constexpr DisplayUnit display_unit(Dimension dimension) {
-    constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
-    switch (dimension) {
-    case Dimension::angle:
-        return {"deg", "_deg", radians_per_degree};
-    case Dimension::length:
-        return {"m", "_m", 1.0};
-    case Dimension::area:
-        return {"m2", "_m2", 1.0};
-    case Dimension::volume:
-        return {"m3", "_m3", 1.0};
-    case Dimension::stress:
-        return {"kPa", "_kPa", 1e3};
-    case Dimension::unit_weight:
-        return {"kN/m3", "_kN_per_m3", 1e3};
-    case Dimension::force:
-        return {"kN", "_kN", 1e3};
-    case Dimension::force_per_length:
-        return {"kN/m", "_kN_per_m", 1e3};
-    case Dimension::moment_per_length:
-        return {"kN m/m", "_kN_m_per_m", 1e3};
-    case Dimension::energy_per_length:
-        return {"J/m", "_J_per_m", 1.0};
-    case Dimension::density:
-        return {"kg/m3", "_kg_per_m3", 1.0};
-    case Dimension::stiffness:
-        return {"MN/m/m", "_MN_per_m_per_m", 1e6};
-    case Dimension::time:
-        return {"s", "_s", 1.0};
-    case Dimension::speed:
-        return {"m/s", "_m_per_s", 1.0};
-    case Dimension::acceleration:
-        return {"m/s2", "_m_per_s2", 1.0};
-    case Dimension::angular_speed:
-        return {"deg/s", "_deg_per_s", radians_per_degree};
-    case Dimension::ratio:
-    case Dimension::named:
-        break;
-    }
-    return {"", "", 1.0};
+    return detail::display_units[static_cast<std::size_t>(dimension)];
 }
 
 constexpr double degrees(double value) {

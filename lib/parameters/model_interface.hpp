@@ -1,4 +1,4 @@
-// What loops over models (fit, sensitivity, verify) see of any model: named numbers in, named numbers out.
+// Loops over models (fit, sensitivity, verify) see any model as named numbers in, named numbers out.
 #pragma once
 
 #include "geometry/polyline.hpp"
@@ -58,8 +58,8 @@ struct Prediction {
     Polyline profile;             // ground left standing after the failure, from the toe into the slope; may be empty
 };
 
-// What a prediction without an answer tells of an output all the same: a search that ended at a bound has found that
-// the value lies beyond it.
+// A prediction without an answer bounds an output all the same where a search ended at a bound: the value lies beyond
+// it.
 struct OutputBound {
     std::string_view failure;  // of Prediction
     std::size_t output;        // index into ModelInterface::outputs

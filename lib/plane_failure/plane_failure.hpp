@@ -106,7 +106,7 @@ Polyline ground_profile(const PlaneFailure<>& problem);
 // The rows of each pattern of bolts, the lowest first; empty where the problem is not valid.
 std::vector<std::vector<BoltRow>> support_rows(const PlaneFailure<>& problem);
 
-// What a failure leaves standing: toe, plane, crack, remaining ground. Empty where the problem is not valid.
+// The ground that a failure leaves standing: toe, plane, crack, remaining ground. Empty where the problem is not valid.
 Polyline profile_after_failure(const PlaneFailure<>& problem);
 
 // The problem a study analyses: its own, with the critical geometry put in where a search is asked for.

@@ -207,7 +207,7 @@ class BlockLabels {
                metres_per_px_;
     }
 
-    // What a text at this place hides or runs into.
+    // How much a text at this place hides or runs into.
     double disturbance(const DrawnBlock& block, const Rectangle& text) const {
         const Point around = Point::Constant(4 * metres_per_px_);  // for the heads of the arrows
         const Rectangle wider{text.lowest - around, text.highest + around};

@@ -39,7 +39,7 @@ double example_number(const FieldInfo& info) {
     if (info.dimension == Dimension::ratio) {
         return 0.5;
     }
-    const std::string_view in_quotation_marks = example_of(info.dimension);
+    const std::string_view in_quotation_marks = dimension_words(info.dimension).example;
     return parse_quantity(in_quotation_marks.substr(1, in_quotation_marks.size() - 2), info.dimension).value;
 }
 
@@ -260,7 +260,7 @@ std::string annotated_studies() {
     const CaseFile supported = parse_case(starting_case("support"), "support");
     text += after_blank_line(explained("[sensitivity]", "delabole sensitivity"));
     text += annotated_values(*supported.sensitivity) + annotated_sections(*supported.sensitivity, "sensitivity");
-    // Of no use without [[support]]: a comment still where the rest is not.
+    // It is of no use without [[support]], so it is a comment even where the rest is not.
     return text + "\n" +
            commented(explained("[support_design]", "the cheapest of the patterns of [[support]]") +
                      annotated_values(*supported.support_design) +

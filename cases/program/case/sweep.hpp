@@ -80,7 +80,7 @@ struct PrintedPoints {
     }
 };
 
-// What is printed of curves.
+// A printed remark on curves, to be tested.
 struct CurveRemark {
     std::string label;
     std::string curve;

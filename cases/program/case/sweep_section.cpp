@@ -4,7 +4,7 @@
 #include "cases/program/case/case_parts.hpp"
 #include "cases/program/reader/described_reader.hpp"
 #include "cases/program/reader/described_writer.hpp"
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -63,7 +63,7 @@ bool too_many(Section& section, std::string_view key) {
     return true;
 }
 
-// What is read once it is known what the numbers of crossings are values of.
+// Reads the curves, once it is known which quantity the numbers of crossings belong to.
 void read_curves(Section& section, const ModelNames& names, CaseSweep& sweep) {
     const std::string output = read_optional_text(section, "output");
     section.name_quantity(sweep.vary.empty() ? nullptr : find_quantity(names.inputs, sweep.vary.front().input));

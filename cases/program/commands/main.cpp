@@ -4,7 +4,7 @@
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/commands/description.hpp"
 #include "cases/program/reader/case_error.hpp"
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/terminal/plain_output.hpp"
 #include "fitting/work/evaluation_store.hpp"

@@ -4,7 +4,6 @@
 #include "cases/program/reader/described_kinds.hpp"
 #include "cases/program/reader/names.hpp"
 #include "cases/program/reader/section.hpp"
-#include "cases/program/reader/spelling.hpp"
 #include "parameters/fields.hpp"
 
 #include <algorithm>
@@ -252,7 +251,7 @@ std::string requirement(const FieldInfo& info) {
     std::string text(info.meaning);
     if constexpr (NumberType<Member>) {
         const std::string range = readable_range(info.range, info.dimension);
-        text += " (" + (range.empty() ? std::string(dimension_phrase(info.dimension)) : range) + ")";
+        text += " (" + (range.empty() ? std::string(dimension_words(info.dimension).phrase) : range) + ")";
     } else if constexpr (std::is_enum_v<Member>) {
         text += " (" + choices(enum_words<Member>()) + ")";
     } else if constexpr (is_keyed_variant<Member>) {

@@ -231,7 +231,8 @@ void write_sections(std::string& text, const Object& object, const std::string& 
     });
 }
 
-// What replaces parts of `base` when `object` is read over it: only the fields that differ, values and sections apart.
+// Writes the fields of `object` that differ from `base`, values and sections apart: read over `base` they give
+// `object`.
 template <Described Object>
 void write_differences(std::string& values, std::string& sections, const Object& base, const Object& object,
                        const std::string& path) {

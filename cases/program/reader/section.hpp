@@ -119,7 +119,7 @@ class Section {
 
   private:
     bool is_allowed(std::string_view key) const;
-    // What the file says of another kind than the one that --set chose.
+    // True of what the file says of another kind than the one that --set chose.
     bool belongs_to_replaced_kind(const Node& node) const;
     void complain_unknown(const std::string& key, const Node& node, const std::string& hint) const;
 

@@ -53,7 +53,7 @@ void append_required_value(Analysis& analysis, const std::string& parameter, dou
 // The same in a sentence.
 std::string required_in_words(const std::string& parameter, double target, const Required& required);
 
-// What the rows of each pattern of bolts hold together, as "support[1].force"; warns where they hold nothing.
+// Appends the force of each pattern of bolts as "support[1].force"; warns where rows hold nothing.
 void append_support(Analysis& analysis, const std::vector<std::vector<BoltRow>>& patterns);
 
 // Named numbers of the model set to other values than the case's. Unknown names: std::invalid_argument.

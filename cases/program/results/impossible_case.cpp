@@ -2,9 +2,8 @@
 
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/results/analysis.hpp"
-#include "cases/program/results/fit_problem_of_case.hpp"
 #include "cases/program/results/model_reports.hpp"
-#include "cases/program/results/sensitivity_problem_of_case.hpp"
+#include "cases/program/results/problems_of_case.hpp"
 
 #include <algorithm>
 #include <string>

@@ -3,10 +3,8 @@
 #pragma once
 
 #include "cases/program/results/analysis.hpp"
-#include "cases/program/results/plane_failure_answer.hpp"
-#include "cases/program/results/relaxation_answer.hpp"
+#include "cases/program/results/answers.hpp"
 #include "cases/program/results/result_folder.hpp"
-#include "cases/program/results/stepped_base_answer.hpp"
 #include "fitting/mechanism/fit_result.hpp"
 #include "kinematics/kinematics.hpp"
 #include "limit_equilibrium/block_row/block_row.hpp"

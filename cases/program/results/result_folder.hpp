@@ -1,4 +1,5 @@
-// What a command leaves behind: result.json, resolved.toml, tables as CSV, figures and report.html in one folder.
+// The folder that a command leaves behind: result.json, resolved.toml, tables as CSV, figures and report.html in one
+// folder.
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
@@ -28,7 +29,7 @@ std::string stem_of(const CaseFile& file);
 
 std::vector<Setting> settings_of(const Options& options);
 
-// In the units of its [report]; until the next case.
+// Shows sentences, tables and figures in the units of the case's [report], until the next case.
 void show_units_of(const CaseFile& file);
 
 // The case's title, or its name, with what --set has changed.

@@ -1,4 +1,4 @@
-// What a command over many runs of a model (fit, trade, sensitivity) leaves behind.
+// The result folder of a command over many runs of a model (fit, trade, sensitivity).
 #pragma once
 
 #include "cases/program/case/case_file.hpp"

@@ -57,10 +57,9 @@ Figure cost_figure(const DesignedSupport& support) {
     required.dash = Dash::dashed;
     required.points = {{support.found.tried.front().cost, support.design.factor_of_safety},
                        {support.found.tried.back().cost, support.design.factor_of_safety}};
-    Points chosen;
-    chosen.legend = support.found.cheapest ? "cheapest that suffices" : "strongest";
-    chosen.colour = Colour::vermilion;
-    chosen.points = {{answer.cost, *answer.factor_of_safety}};
+    Points chosen{.points = {{answer.cost, *answer.factor_of_safety}},
+                  .legend = support.found.cheapest ? "cheapest that suffices" : "strongest",
+                  .colour = Colour::vermilion};
     figure.series = {tried, required, chosen};
     return figure;
 }

@@ -142,7 +142,7 @@ struct TiltingFrameAngle {
 
 enum class FieldVerdict { no, partly, yes, not_said };
 
-// What a model of Plates 2.I to 2.VI reproduced of the failure, by the three criteria of 2.3.3.2.
+// How far a model of Plates 2.I to 2.VI reproduced the failure, by the three criteria of 2.3.3.2.
 struct MechanismVerdict {
     std::string plate;
     std::string mechanism;

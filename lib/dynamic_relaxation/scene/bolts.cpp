@@ -8,7 +8,7 @@ namespace delabole {
 
 namespace {
 
-// Of a line inside a block, m from the line's beginning.
+// The part of a line that lies inside a block, m from the line's beginning.
 struct Stretch {
     std::size_t block;
     double begin;

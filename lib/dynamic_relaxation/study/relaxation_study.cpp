@@ -147,7 +147,7 @@ RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
     return shape;
 }
 
-// What a search tells that ended at one of its bounds. At the critical value itself the blocks stand. Of several paths
+// A search that ended at one of its bounds tells this. At the critical value itself the blocks stand. Of several paths
 // it is not known which ended there.
 std::vector<OutputBound> bounds_of(const CriticalPlan& plan, std::size_t output) {
     if (plan.path.size() > 1) {

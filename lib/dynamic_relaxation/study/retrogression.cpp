@@ -65,7 +65,7 @@ std::vector<FacePressure> drained(const std::vector<FacePressure>& pressures, co
             }
             const EdgePart part = pressure.part.value_or(EdgePart{0, whole});
             const auto keep = [&](double from, double to) {
-                // What rounding leaves of a piece presses on nothing.
+                // A piece that is left by rounding alone presses on nothing.
                 if (to - from > 1e-9 * whole) {
                     const double slope = (pressure.at_second - pressure.at_first) / (part.end - part.begin);
                     kept.push_back({block, pressure.edge, pressure.at_first + slope * (from - part.begin),

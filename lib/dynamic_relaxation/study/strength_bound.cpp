@@ -14,7 +14,7 @@ namespace delabole {
 
 namespace {
 
-// What bolts come to hold depends on how the blocks move.
+// The force of a bolt depends on how the blocks move.
 bool is_static(const RelaxationScene& scene) {
     return scene.bolt.empty() && scene.motion.empty() && scene.removal.empty() && scene.shaking.empty() &&
            !scene.belt && (scene.gravity.rate == 0 || scene.gravity.final_tilt == scene.gravity.tilt);

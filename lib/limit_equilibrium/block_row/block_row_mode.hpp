@@ -1,4 +1,4 @@
-// What a mode of motion of a row of blocks is, and its equations.
+// Modes of motion of a row of blocks, and their equations.
 //
 // A mode gives every block a role, from the lowest block up:
 //     S...  slide together down the plane, pushed by what stands above or by themselves

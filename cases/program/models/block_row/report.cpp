@@ -7,6 +7,7 @@
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <variant>
@@ -21,33 +22,14 @@ constexpr std::size_t most_rows = 60;
 constexpr std::size_t most_drawn_blocks = 1000;
 
 std::string_view in_words(RowModeCheck check) {
-    switch (check) {
-    case RowModeCheck::admissible:
-        return "admissible";
-    case RowModeCheck::no_tilt:
-        return "moments balance at no tilt below 90°";
-    case RowModeCheck::locked:
-        return "φ + ψ ≥ 90°: no thrust pushes a block forward";
-    case RowModeCheck::over_determined:
-        return "one unknown too few: thrusts from below and from above disagree";
-    case RowModeCheck::tension:
-        return "blocks would have to pull one another";
-    case RowModeCheck::base_lifts:
-        return "the plane would have to pull";
-    case RowModeCheck::pivot_slips:
-        return "the pivot's toe would slip";
-    case RowModeCheck::thrust_outside_interface:
-        return "a thrust would act outside its interface";
-    case RowModeCheck::sliding_block_overturns:
-        return "a sliding block would overturn";
-    case RowModeCheck::adhering_blocks_slip:
-        return "adhering blocks would slip on each other";
-    case RowModeCheck::blocked_by_standing_block:
-        return "the standing block above is in the way";
-    case RowModeCheck::standing_blocks_fail:
-        return "the standing blocks fail first";
-    }
-    return "";
+    static constexpr auto words = std::to_array<std::string_view>(
+        {"admissible", "moments balance at no tilt below 90°", "φ + ψ ≥ 90°: no thrust pushes a block forward",
+         "one unknown too few: thrusts from below and from above disagree", "blocks would have to pull one another",
+         "the plane would have to pull", "the pivot's toe would slip", "a thrust would act outside its interface",
+         "a sliding block would overturn", "adhering blocks would slip on each other",
+         "the standing block above is in the way", "the standing blocks fail first"});
+    static_assert(words.size() == enum_names(RowModeCheck{}).size());
+    return words[static_cast<std::size_t>(check)];
 }
 
 // 90 deg stands for none.

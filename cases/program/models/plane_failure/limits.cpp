@@ -28,7 +28,7 @@ std::string limit_in_words(double limit, Side allowed, Dimension dimension) {
     }
     constexpr int digits = 6;
     const double step = std::pow(10.0, std::floor(std::log10(std::abs(shown))) - (digits - 1));
-    // What is a round number but for the last bits stays as it is.
+    // A number that is round but for the last bits stays as it is.
     const double nearest = std::round(shown / step);
     const bool round_number = std::abs(shown / step - nearest) < 1e-6;
     const double steps = round_number             ? nearest
@@ -136,7 +136,7 @@ std::string water_too_low(PlaneFailure<> problem, const std::string& key) {
     const bool above_daylight = std::holds_alternative<BasePeakMidHeightWater<>>(problem.water) ||
                                 std::holds_alternative<PeakAtToeWater<>>(problem.water);
     const double pond = problem.pond->depth;
-    // What a level of lighter water lacks it must stand higher.
+    // Lighter water must stand higher.
     const double heavier = std::visit(
         [&](const auto& water) {
             if constexpr (requires { water.unit_weight; }) {
@@ -166,7 +166,7 @@ std::string water_too_low(PlaneFailure<> problem, const std::string& key) {
                           : ": must be at least " + least);
 }
 
-// What is wrong with the value of the key, with the limit it broke; empty where no number says more than
+// Says what is wrong with the value of the key, with the limit it broke; empty where no number says more than
 // explain_failure.
 std::string broken_limit(const PlaneFailure<>& problem, std::string_view failure, const std::string& key) {
     if (failure == "plane_does_not_daylight") {

@@ -2,7 +2,7 @@
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/models/relaxation/jointed_slope_case.hpp"
 #include "cases/program/models/relaxation/shaking_file.hpp"
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reader/units.hpp"
 #include "dynamic_relaxation/blocks/joint_water.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"

@@ -1,6 +1,5 @@
 // Columns on a stepped base as the program reports them: answers and warnings.
 #include "cases/program/models/stepped_base/bound.hpp"
-#include "cases/program/models/stepped_base/columns.hpp"
 #include "cases/program/models/stepped_base/drawing.hpp"
 #include "cases/program/models/stepped_base/sweeps.hpp"
 #include "cases/program/results/model_reports.hpp"

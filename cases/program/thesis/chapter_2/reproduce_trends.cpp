@@ -1,8 +1,6 @@
 // Figs 2.11 to 2.14 of the thesis as trends: how much of the slope of Plate 2.III fails as one of its dimensions is
 // changed, with rank correlations, beside conclusions (i) to (iv) of 2.3.4.
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
-#include "cases/program/thesis/chapter_2/rank_correlation.hpp"
-#include "cases/program/thesis/chapter_2/slope_models.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "cases/program/thesis/chapter_3/base_friction_scene.hpp"
+#include "cases/program/thesis/chapter_3/base_friction.hpp"
 
 #include "cases/program/thesis/imperial.hpp"
 

@@ -21,7 +21,7 @@ std::string in_words(const SlidingTotals& totals) {
 constexpr int shifted_starts = 40;
 constexpr std::array counted{&SlidingTotals::forward, &SlidingTotals::backward, &SlidingTotals::none};
 
-// Of what is counted, over the starts.
+// The range of each count over the starts.
 using TotalsRange = std::array<CountRange, counted.size()>;
 
 std::string in_words(const TotalsRange& range) {

@@ -14,7 +14,7 @@ namespace delabole {
 
 namespace {
 
-// What 'tilted_blocks' finds of the runs that do not end as printed.
+// The reasons that 'tilted_blocks' finds for runs that do not end as printed.
 std::string why_not_as_printed(const Chapter5Run& run) {
     if (run.settings.tilting->part == TiltedPart::base) {
         return "on a base 1.1 in thick and more it fails: the thickness is not printed";
@@ -191,7 +191,7 @@ Reproduction reproduce_observations(const ResultFolder& folder, Report& report) 
     };
     const HockingResult first = compute(runs[0], Engine::recreated);
     const double reference = moved(first, print_at(first, printed_cycle));
-    // Of the displacement that the first run has at its printed cycle.
+    // The cycle of the displacement that the first run has at its printed cycle.
     const auto cycle_of = [&](const HockingResult& computed) {
         return first_cycle(computed, [&](const HockingPrint& print) { return moved(computed, print) >= reference; });
     };
@@ -208,7 +208,7 @@ Reproduction reproduce_observations(const ResultFolder& folder, Report& report) 
     for (const Chapter5Run& damped : chapter_5_runs("damping")) {
         all.push_back(damped);
     }
-    // Of the runs: their histories, cycles by each engine, and by start; nothing where it blows out.
+    // Histories of the runs, cycles by each engine, and by start; nothing where a run blows out.
     constexpr int starts = 30;
     std::vector<HockingResult> histories;
     std::vector<HockingResult> clean_histories;

@@ -92,7 +92,7 @@ struct HockingSettings {
     double crossing_guard = 1e-5;  // m, >= 0; the listing's 1.E-5
     int cycles = 0;                // to run (NCYLE)
     int print_interval = 100;      // cycles, >= 1 (IPRINT): histories, sliding, decision
-    // What counts as what; the listing decides nothing.
+    // Limits by which a run is judged; the listing judges nothing.
     double failure_rotation = 0;    // rad; a free block turned by this, relative to its base, has failed
     double stop_rotation = 0;       // rad; and this ends the run
     double settled_speed = 0;       // m/s; settled where no corner of a free block is faster at the end

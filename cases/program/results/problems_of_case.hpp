@@ -1,8 +1,9 @@
-// From a case's [fit] section to a back-analysis of its models.
+// From a case's [fit] section to a back-analysis of its models, from [sensitivity] to a study of its model.
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
 #include "fitting/posterior/fit_problem.hpp"
+#include "fitting/sensitivity/sensitivity_problem.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -19,5 +20,8 @@ std::vector<std::string> leave_out_costly(CaseFit& fit);
 
 // Leaves the mechanisms of these names, in the order of the case. UsageError for a name that is no mechanism's.
 void leave_mechanisms(CaseFit& fit, const std::vector<std::string>& names);
+
+// The case needs a [sensitivity] section. Throws CaseError with everything that check_study() finds, at its place.
+SensitivityProblem sensitivity_problem_of(const CaseFile& file, int threads, std::optional<std::uint64_t> seed);
 
 }  // namespace delabole

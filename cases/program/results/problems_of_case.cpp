@@ -1,6 +1,6 @@
-#include "cases/program/results/fit_problem_of_case.hpp"
+#include "cases/program/results/problems_of_case.hpp"
 
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/terminal/options.hpp"
 #include "fitting/back_analysis/check_problem.hpp"
@@ -61,6 +61,32 @@ void leave_mechanisms(CaseFit& fit, const std::vector<std::string>& names) {
     std::erase_if(fit.mechanisms, [&](const FitMechanism& mechanism) {
         return std::ranges::find(names, mechanism.name) == names.end();
     });
+}
+
+namespace {
+
+// The key itself, or the nearest section around it that the case has.
+std::string written_key(const CaseFile& file, std::string key) {
+    while (!file.places.contains(key) && key.find('.') != std::string::npos) {
+        key.erase(key.rfind('.'));
+    }
+    return key;
+}
+
+}  // namespace
+
+SensitivityProblem sensitivity_problem_of(const CaseFile& file, int threads, std::optional<std::uint64_t> seed) {
+    SensitivityProblem problem{interface_of(file.model), *file.sensitivity, threads};
+    problem.study.seed = seed.value_or(problem.study.seed);
+    std::vector<Problem> problems;
+    for (const StudyFault& fault : check_study(problem)) {
+        const std::string key = "sensitivity" + (fault.key.empty() ? "" : "." + fault.key);
+        problems.push_back(problem_at(file, written_key(file, key), fault.message));
+    }
+    if (!problems.empty()) {
+        throw CaseError(std::move(problems));
+    }
+    return problem;
 }
 
 }  // namespace delabole
