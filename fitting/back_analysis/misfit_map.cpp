@@ -2,7 +2,6 @@
 
 #include "fitting/probability/estimate.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace delabole {

@@ -2,7 +2,6 @@
 
 #include "fitting/work/words.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -56,7 +56,7 @@ struct ProfileLikelihood {
     bool with_priors;  // whether the priors of the other and of this parameter were counted
 };
 
-// For share_tasks, as members_of() of the locus below.
+// Needed by share_tasks, as is members_of() of the locus below.
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, ProfileLikelihood>
 auto members_of(Type& profile) {

@@ -50,7 +50,7 @@ void drop_priors(FitProblem& problem) {
     }
 }
 
-// Also where a mechanism says the same in terms of its own.
+// Scales it as well where a mechanism says the same in terms of its own.
 void scale_model_error(FitProblem& problem, double factor) {
     for (QuantityObservation& observation : problem.observations) {
         if (observation.quantity != safety) {

@@ -9,8 +9,6 @@
 #include "fitting/posterior/posterior.hpp"
 #include "geometry/polyline.hpp"
 
-#include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 

@@ -22,9 +22,7 @@
 
 #include <Eigen/Core>
 
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace delabole {

@@ -17,7 +17,6 @@
 #include "fitting/posterior/posterior.hpp"
 
 #include <span>
-#include <vector>
 
 namespace delabole {
 

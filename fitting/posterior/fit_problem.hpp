@@ -164,7 +164,7 @@ struct FitCandidate {
     }
 };
 
-// That these mechanisms explain the failure: their probabilities together.
+// The claim that these mechanisms explain the failure: their probabilities together.
 struct ClaimOfMechanisms {
     std::vector<std::string> mechanisms;
     static constexpr auto fields() {

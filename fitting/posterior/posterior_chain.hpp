@@ -7,7 +7,6 @@
 #include "fitting/search/evaluate_points.hpp"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace delabole {

@@ -100,7 +100,7 @@ struct HistogramBin {
     long samples;
 };
 
-// After the first samples of every replicate (or the first replicates of Latin hypercubes).
+// Estimates after the first samples of every replicate (or the first replicates of Latin hypercubes).
 struct ConvergenceStep {
     long samples;
     Estimate mean;

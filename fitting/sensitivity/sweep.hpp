@@ -24,7 +24,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -79,7 +78,7 @@ struct SweepPoint {
 
 enum class SweepCourse { constant, within_scatter, rises, falls, not_monotone, too_few_answers };
 
-// Between two points of a sweep, the first at the lesser value of the parameter.
+// The change between two points of a sweep, the first at the lesser value of the parameter.
 struct SweepChange {
     double from = 0;
     double to = 0;

@@ -5,7 +5,6 @@
 #include "fitting/studies/comparison.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace delabole {
 

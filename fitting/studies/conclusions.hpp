@@ -11,7 +11,6 @@
 #include "fitting/mechanism/fit_result.hpp"
 #include "fitting/work/progress.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace delabole {

@@ -5,7 +5,6 @@
 #include "jointed_slope/face_cutting.hpp"
 #include "jointed_slope/jointed_section.hpp"
 
-#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>

@@ -1,4 +1,5 @@
-// Which planes and lines let a slope slide or topple: geometry and friction alone, no cohesion, no water, no size.
+// Criteria by which planes and lines let a slope slide or topple: geometry and friction alone, no cohesion, no water,
+// no size.
 //
 // Conventions. "Feasible" is strict: at equality, within 1e-12 of a direction, nothing moves. The critical friction
 // angle is the one below which the mechanism is feasible; 0 where geometry forbids it at any friction. Face, plane and

@@ -84,7 +84,7 @@ struct DensityGrid {
     Eigen::MatrixXd values;           // not finite more than one cell outside the primitive
 };
 
-// On `side` times `side` points, side >= 4, one cell wider than the net on each side.
+// The density on `side` times `side` points, side >= 4, one cell wider than the net on each side.
 DensityGrid density_grid(const std::function<double(const Direction&)>& density, NetProjection projection,
                          std::size_t side);
 

@@ -134,11 +134,11 @@ constexpr Interval within(double lower, double upper) {
 constexpr Interval between(double lower, double upper) {
     return {.lower = lower, .upper = upper, .lower_open = true, .upper_open = true};
 }
-// Without its lower end.
+// The lower end is excluded.
 constexpr Interval left_open(double lower, double upper) {
     return {.lower = lower, .upper = upper, .lower_open = true};
 }
-// Without its upper end.
+// The upper end is excluded.
 constexpr Interval right_open(double lower, double upper) {
     return {.lower = lower, .upper = upper, .upper_open = true};
 }

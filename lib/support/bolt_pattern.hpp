@@ -17,7 +17,6 @@
 #include "parameters/fields.hpp"
 #include "parameters/lengths.hpp"
 
-#include <cmath>
 #include <optional>
 #include <tuple>
 

@@ -109,7 +109,7 @@ std::optional<Figure> evidence_dependence_figure(const FitResult& result) {
                       .size = 1.8};
         for (std::size_t index = 0; index < fit.posterior->evidences.size(); ++index) {
             const VariantEvidence& variant = fit.posterior->evidences[index];
-            // Beside each other, for they often agree.
+            // They stand beside each other, for they often agree.
             constexpr double apart = 0.12;
             const double place = static_cast<double>(index) + apart * static_cast<double>(count);
             const double value = fit.posterior->log_evidence(variant.evidence, true);

@@ -20,7 +20,7 @@ std::optional<Figure> misfit_map_figure(const MechanismFit& fit);
 
 // Least misfit above its minimum against the value of one free parameter, with and without priors, as far as the fit
 // holds them; the 68 and 95 % levels of chi-square with one degree of freedom, and the ends of the 95 % interval.
-// Nothing when the fit holds no profile of that parameter.
+// Returns nothing when the fit holds no profile of that parameter.
 std::optional<Figure> profile_likelihood_figure(const MechanismFit& fit, std::string_view parameter);
 
 // The profile left standing as observed and as each mechanism predicts it at its best point, with the band that 95 % of

@@ -6,10 +6,7 @@
 #include "cases/program/reader/described_writer.hpp"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <stdexcept>
-#include <utility>
 
 namespace delabole {
 namespace {

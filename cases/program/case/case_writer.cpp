@@ -5,7 +5,6 @@
 #include "numerics/fnv_1a.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace delabole {
 namespace {

@@ -153,7 +153,7 @@ std::string kinds_with_key(std::string_view key) {
     return choices(kinds);
 }
 
-// Which alternative the section's `kind` chose, with its keys; nothing, with a complaint, where it chose none.
+// Reads the alternative that the section's `kind` chose; complains and returns nothing where it chose none.
 template <class Variant>
 std::optional<std::size_t> read_kind(Section& section, Variant& variant) {
     const std::vector<std::string> kinds = kind_names<Variant>();

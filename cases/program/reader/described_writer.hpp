@@ -27,7 +27,7 @@ inline std::string joined_path(const std::string& path, std::string_view key) {
 inline void write_line(std::string& text, std::string_view key, const std::string& value) {
     text += std::string(key) + " = " + value + "\n";
 }
-// Nothing where the value is empty.
+// Writes nothing where the value is empty.
 inline void write_text(std::string& text, std::string_view key, const std::string& value) {
     if (!value.empty()) {
         write_line(text, key, in_quotes(value));

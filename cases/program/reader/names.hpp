@@ -12,7 +12,7 @@
 
 namespace delabole {
 
-// Without blanks, tabs and line ends at either end.
+// Cuts off blanks, tabs and line ends at either end.
 std::string_view trimmed(std::string_view text);
 
 // Insertions, deletions, substitutions and swaps of neighbours that turn one word into the other (optimal string

@@ -35,7 +35,7 @@ class Reading {
 
     void complain(const Place& place, std::string key, std::string value, std::string message);
     void complain(Problem problem);
-    // At the key's own place where it is known, at the start of the file otherwise.
+    // Complains at the key's own place where it is known, at the start of the file otherwise.
     void complain_at(const std::string& key, std::string message);
 
     void remember(const std::string& key, const Node& node);

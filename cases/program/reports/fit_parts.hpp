@@ -9,12 +9,12 @@
 
 namespace delabole {
 
-// Which mechanism explains the observations best, what the data determine of it, and its first parameters.
+// Says which mechanism explains the observations best, what the data determine of it, and its first parameters.
 HeadCard head_card(const FitResult& result);
 
 std::string title_of(const MechanismFit& fit);
 
-// Nothing where the fit has no profile of that parameter.
+// Null where the fit has no profile of that parameter.
 const ProfileLikelihood* profile_of(const MechanismFit& fit, const std::string& parameter, bool with_priors);
 
 // The 95 % interval, its ends marked where they are bounds of the search: those are no evidence.

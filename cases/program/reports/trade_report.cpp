@@ -6,7 +6,6 @@
 #include "plots/figures/study_figures.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace delabole {

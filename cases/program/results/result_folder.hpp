@@ -109,7 +109,8 @@ class ResultFolder {
     // report alone says so.
     FigureInReport draw(const Figure& figure, const std::string& name, const std::string& caption) const;
     void write_report(const Report& report) const;
-    // Before something else writes files here, named from the folder: they go as all others when the next result comes.
+    // Enters files, named from the folder, that something else is about to write here: the next result removes them
+    // too.
     void enter(const std::vector<std::string>& names) const;
 
   private:

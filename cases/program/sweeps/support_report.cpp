@@ -3,8 +3,6 @@
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 
-#include <cmath>
-
 namespace delabole {
 
 namespace {

@@ -15,7 +15,7 @@ struct Stretch {
     double end;
 };
 
-// Nothing where it lies outside a convex outline, or only touches it.
+// There is none where the line lies outside a convex outline, or only touches it.
 std::optional<Stretch> stretch_in(const Polygon<>& outline, const PlanePoint<>& from, const PlanePoint<>& along,
                                   double length) {
     Stretch inside{0, 0, length};

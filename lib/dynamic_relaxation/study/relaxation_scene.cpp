@@ -196,7 +196,7 @@ RelaxationScene blocks_of(const RelaxationPolygons& polygons) {
     return scene;
 }
 
-// Without blocks where the slope cannot be cut.
+// The scene has no blocks where the slope cannot be cut.
 RelaxationScene blocks_of(const RelaxationSlope& slope) {
     SlopeScene made = slope_scene(slope);
     RelaxationScene scene;

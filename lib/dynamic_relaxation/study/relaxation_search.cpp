@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 namespace delabole {
@@ -43,7 +41,7 @@ LoadingPath path_of(RelaxationStart start) {
     return LoadingPath::preloaded;
 }
 
-// On which path a case is searched that does not say.
+// The path on which a case is searched that names none.
 LoadingPath usual_path(const RelaxationStudy& study, CriticalParameter parameter) {
     if (dimension_of(parameter) == Dimension::ratio) {
         return LoadingPath::consolidated;

@@ -101,7 +101,7 @@ Prediction prediction_of(const RelaxationStudy& study, const RelaxationRun& made
     return {{}, std::move(outputs), made.post_failure ? made.post_failure->left_standing : Polyline{}};
 }
 
-// Without its ensemble.
+// The study without its ensemble.
 Prediction predict_once(const RelaxationStudy& study) {
     if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
         const SlopeScene made = slope_scene(*slope);

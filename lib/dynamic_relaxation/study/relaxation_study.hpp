@@ -262,7 +262,7 @@ struct RelaxationRun {
     bool in_stages = false;             // by retrogression
     std::vector<FailureStage> stage{};  // of it, those that failed; `end` and `result` are then of the run after them
 
-    // Out of time or steps before the end that was asked for.
+    // The run was out of time or steps before the end that was asked for.
     bool unfinished() const {
         return result.outcome == RelaxationOutcome::undecided &&
                (!ends_with_duration || result.cost.steps >= settings.most_steps);
@@ -298,7 +298,7 @@ struct PathValue : CriticalValue {
     std::optional<RelaxationRun> failed = {};
 };
 
-// On the first path of the plan, with those on the others.
+// The answer on the first path of the plan, with those on the others.
 struct CriticalAnswer : PathValue {
     std::vector<PathValue> other = {};
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace delabole {
@@ -46,7 +45,7 @@ void divide_by_area(RetrogressionStage& sum) {
     }
 }
 
-// Without water on what of their faces those that stay have shared with those that are gone.
+// Blocks that stay lose the water on faces that they have shared with those that are gone.
 std::vector<FacePressure> drained(const std::vector<FacePressure>& pressures, const Bodies& bodies,
                                   const std::vector<SharedFace>& faces, const std::vector<char>& gone) {
     std::vector<FacePressure> left = pressures;

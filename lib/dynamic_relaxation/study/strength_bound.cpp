@@ -34,7 +34,7 @@ Assembly assembly_of(const RelaxationScene& scene) {
     return assembly_of(scene, bodies, find_shared_faces(bodies));
 }
 
-// Nothing where the linear programme has no answer.
+// Returns nothing where the linear programme has no answer.
 std::optional<bool> stands(const Assembly& assembly) {
     const LeastImbalance found = least_imbalance(assembly);
     return found.status == LpStatus::optimal ? std::optional(found.stands()) : std::nullopt;

@@ -221,7 +221,7 @@ DELABOLE_INLINED FourOf<FourLanes> gather_four(const Rows<FourLanes>& rows, std:
                                  load_lanes<FourLanes>(rows[2] + place), load_lanes<FourLanes>(rows[3] + place));
 }
 
-// Likewise the first eight places.
+// The first eight places of all rows, side by side.
 template <IsLanes Lanes>
 DELABOLE_INLINED std::array<Lanes, 8> gather_eight(const Rows<Lanes>& rows) {
     if constexpr (std::same_as<Lanes, FourLanes>) {

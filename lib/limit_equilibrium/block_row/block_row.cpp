@@ -92,7 +92,7 @@ RowState failure_in(const std::vector<VirtualMotion>& mechanism) {
     return !turns ? RowState::slides : slides ? RowState::slides_and_topples : RowState::topples;
 }
 
-// Nothing where the programme has no answer.
+// Returns nothing where the programme has no answer.
 std::optional<RowAnswer> bounded_answer(const std::vector<RowMember<double>>& members, double inclination) {
     if (members.size() > most_bounded_row) {
         return std::nullopt;

@@ -44,8 +44,6 @@
 // same friction under all of them this choice does not affect the tilt.
 #pragma once
 
-#include <cstddef>
-#include <string>
 #include <vector>
 
 namespace delabole {

@@ -24,7 +24,6 @@
 #include "limit_equilibrium/columns/column.hpp"
 #include "limit_equilibrium/columns/slide_head.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 

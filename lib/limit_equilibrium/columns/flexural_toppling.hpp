@@ -29,7 +29,6 @@
 #include "parameters/lengths.hpp"
 #include "parameters/model_interface.hpp"
 
-#include <optional>
 #include <string_view>
 #include <tuple>
 #include <vector>

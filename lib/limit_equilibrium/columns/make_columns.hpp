@@ -85,7 +85,7 @@ struct ColumnBoltRow {
     T force;
 };
 
-// Nothing where the face has no column at that height.
+// Returns nothing where the face has no column at that height.
 template <class T>
 std::optional<ColumnBoltRow<T>> bolt_row(const BoltPattern<T>& pattern, int row, const SlopeSection<T>& slope,
                                          const ColumnShapes<T>& shapes) {

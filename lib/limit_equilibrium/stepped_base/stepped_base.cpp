@@ -222,7 +222,7 @@ std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const Colum
         results[index].height = column.height;
         results[index].weight = column.weight;
     }
-    // Also for a push without bound on a smooth joint.
+    // This holds for a push without bound on a smooth joint, too.
     const auto friction_of = [&](double push) {
         return reduced.joint_friction > 0 ? reduced.joint_friction * push : 0;
     };

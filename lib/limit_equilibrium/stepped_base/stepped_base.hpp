@@ -9,8 +9,6 @@
 #include "parameters/lengths.hpp"
 #include "parameters/model_interface.hpp"
 
-#include <limits>
-#include <string>
 #include <vector>
 
 namespace delabole {

@@ -121,7 +121,7 @@ class ColumnSearch {
         std::vector<Need> list_;  // once thin: from the greatest down
     };
 
-    // Nothing where the wedge does not push.
+    // There is none where the wedge does not push.
     std::optional<Push> wedge_push(const PathWedge& wedge, double factor) const {
         const SlideHeadThrust<> thrust =
             slide_head_thrust(wedge.loads, base_dip_, std::tan(problem_.columns->friction_angle), factor);

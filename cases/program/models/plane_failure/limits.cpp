@@ -5,10 +5,7 @@
 #include "plane_failure/wedge.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>

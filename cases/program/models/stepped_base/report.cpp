@@ -7,7 +7,6 @@
 #include "limit_equilibrium/columns/base_profile.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace delabole {
 

@@ -5,7 +5,6 @@
 #include "limit_equilibrium/stepped_path/stepped_path.hpp"
 #include "plots/figures/block_figures.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace delabole {

@@ -3,7 +3,6 @@
 #include "cases/program/thesis/thesis_tables.hpp"
 #include "numerics/scalar_search.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace delabole {

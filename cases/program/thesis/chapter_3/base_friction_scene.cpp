@@ -2,7 +2,6 @@
 
 #include "cases/program/thesis/imperial.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>

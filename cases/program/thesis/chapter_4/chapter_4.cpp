@@ -8,7 +8,6 @@
 #include "limit_equilibrium/block_row/single_block.hpp"
 #include "plots/drawing/text.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
 

@@ -40,7 +40,7 @@ enum class Engine { recreated, dropped, preloaded };
 inline constexpr std::array engines{Engine::recreated, Engine::dropped, Engine::preloaded};
 
 HockingResult compute(const Chapter5Run& run, Engine engine, const std::vector<HockingBlock>& blocks);
-// From typed coordinates by the re-created program, from exact ones by the clean engine.
+// The re-created program begins at typed coordinates, the clean engine at exact ones.
 HockingResult compute(const Chapter5Run& run, Engine engine);
 // From so many starts, with the free blocks' typed coordinates shifted at random by a unit. Interrupted once the flag
 // of cases/program/terminal/interrupt.hpp is set.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace delabole {
 
@@ -32,7 +31,7 @@ std::vector<SlidingTotals> totals_of(const Chapter5Run& run, const HockingResult
     return count_sliding(result, run.columns.heights.size(), run.first_print);
 }
 
-// By column; runs that blow out are left out.
+// The ranges are by column; runs that blow out are left out.
 std::vector<TotalsRange> spread_of_totals(const Chapter5Run& run, Engine engine, double unit) {
     std::vector<TotalsRange> ranges(run.columns.heights.size());
     for (const HockingResult& result : compute_shifted(run, engine, unit, shifted_starts)) {

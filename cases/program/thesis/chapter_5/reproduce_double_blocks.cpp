@@ -147,7 +147,7 @@ Reproduction reproduce_fig_5_12(const ResultFolder& folder, Report& report) {
         {"blocks", "printed: about cycle"_number, "cycle"_number, "rotation, deg"_number, "rotation / atan(b/a)"_number,
          "clean engine: cycle"_number, "rotation, deg"_number, "rotation / atan(b/a)"_number}};
     report.blocks.emplace_back(Heading{"Fig 5.12: backward sliding and a/b"});
-    // By engine: the last share of atan(b/a), and whether it has fallen from run to run.
+    // For each engine the last share of atan(b/a), and whether it has fallen from run to run.
     std::array<double, 2> last = {INFINITY, INFINITY};
     std::array<bool, 2> earlier = {true, true};
     constexpr std::array keys{"rotation_over_slenderness_angle", "clean_rotation_over_slenderness_angle"};
@@ -245,7 +245,7 @@ Reproduction reproduce_observations(const ResultFolder& folder, Report& report) 
             result.json["spread"][all[number].name] = {range.least, range.greatest};
         }
     }
-    // In how many of the shifted starts an observation holds that compares some of the runs.
+    // Counts the shifted starts in which an observation holds that compares some of the runs.
     const auto how_often = [&](const std::string& name, const std::vector<std::size_t>& compared, const auto& holds) {
         int usable = 0;
         int held = 0;

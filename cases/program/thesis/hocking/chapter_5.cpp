@@ -11,7 +11,6 @@
 #include <random>
 #include <span>
 #include <sstream>
-#include <utility>
 
 namespace delabole {
 
@@ -195,7 +194,7 @@ std::optional<int> whole(const std::optional<double>& number) {
     return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
 }
 
-// Those of Appendix A, a metre there being an inch here.
+// The columns of Appendix A, of which a metre is an inch here.
 HockingColumns stepped_columns(double inclination) {
     const BlockColumns<> columns = appendix_a_columns();
     HockingColumns made;

@@ -27,7 +27,6 @@
 #include "geometry/polyline.hpp"
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <vector>
 
