@@ -258,26 +258,16 @@ void append_mechanism_figures(const BlockRow<>& at_best, const MechanismFit& fit
 }
 
 Impossibility impossibility(const BlockRow<>& row, std::string_view failure) {
-    switch (value_of<BlockRowCheck>(failure).value_or(BlockRowCheck::valid)) {
-    case BlockRowCheck::no_blocks:
-        return {{"block"}, "at least one [[block]] is required"};
-    case BlockRowCheck::too_many_blocks:
-        return {{"block"}, "at most 100 000 blocks: there are " + std::to_string(row.block.size())};
-    case BlockRowCheck::no_admissible_mode:
-        return {{"block"},
-                "none of the modes examined satisfies statics and kinematics, and " +
-                    (row.block.size() > most_bounded_row
-                         ? std::to_string(row.block.size()) +
-                               " blocks are too many for the bound by linear programming, at most " +
-                               std::to_string(most_bounded_row)
-                         : std::string("the linear programme that bounds the tilt has no answer either, as where the "
-                                       "heaviest block weighs more than 1e7 times the lightest")) +
-                    ": there is no answer"};
-    case BlockRowCheck::input_out_of_range:
-    case BlockRowCheck::valid:
-        break;
+    const std::string count = std::to_string(row.block.size());
+    Impossibility found = stated_impossibility(BlockRow<>::kind, failure);
+    if (failure == word_of(BlockRowCheck::too_many_blocks)) {
+        found.words += ": there are " + count;
+    } else if (failure == word_of(BlockRowCheck::no_admissible_mode) && row.block.size() > most_bounded_row) {
+        found.words = "none of the modes examined satisfies statics and kinematics, and " + count +
+                      " blocks are too many for the bound by linear programming, at most " +
+                      std::to_string(most_bounded_row) + ": there is no answer";
     }
-    return out_of_range();
+    return found;
 }
 
 }  // namespace delabole

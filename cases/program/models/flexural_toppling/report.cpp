@@ -101,9 +101,4 @@ void append_mechanism_figures(const FlexuralSlope& at_best, const MechanismFit& 
     }
 }
 
-Impossibility impossibility(const FlexuralSlope&, std::string_view failure) {
-    return value_of<FlexuralCheck>(failure) == FlexuralCheck::no_columns ? Impossibility{{}, "there is no column"}
-                                                                         : out_of_range();
-}
-
 }  // namespace delabole

@@ -108,7 +108,7 @@ void append_mechanism_figures(const SingleBlock<>& at_best, const MechanismFit& 
 
 Impossibility impossibility(const SingleBlock<>& problem, std::string_view failure) {
     if (value_of<SingleBlockCheck>(failure) != SingleBlockCheck::water_above_block) {
-        return out_of_range();
+        return stated_impossibility(SingleBlock<>::kind, failure);
     }
     const bool behind = problem.water && problem.water->depth_behind > problem.block.height;
     return {{behind ? "water.depth_behind" : "water.depth_in_front", "block.height"},

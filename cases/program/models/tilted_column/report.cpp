@@ -11,8 +11,4 @@ HeadCard head_card(const TiltedColumn<>&, const ColumnTilt& tilt) {
             {}};
 }
 
-Impossibility impossibility(const TiltedColumn<>&, std::string_view failure) {
-    return {{}, std::string(failure)};
-}
-
 }  // namespace delabole
