@@ -2,6 +2,7 @@
 
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -13,6 +14,20 @@ namespace {
 template <class Study>
 const AnswerTo<Study>& own_answer(const Study&, const CaseAnswer& answer) {
     return std::get<AnswerTo<Study>>(answer);
+}
+
+// "3 rows" would need a plural for each input: "rows 3, spacing 2 m".
+std::string choice_in_words(const SupportDesign& design, const TriedSupport& tried) {
+    const std::string only_pattern = "support[1].";
+    std::string words;
+    for (std::size_t index = 0; index < design.choices.size(); ++index) {
+        const SupportChoice& choice = design.choices[index];
+        const bool short_name = choice.input.starts_with(only_pattern);
+        words += (index == 0 ? "" : ", ") +
+                 human_name(short_name ? choice.input.substr(only_pattern.size()) : choice.input) + " " +
+                 value_in_words(tried.values[index], choice.dimension);
+    }
+    return words;
 }
 
 }  // namespace
@@ -105,6 +120,16 @@ std::string required_in_words(const std::string& parameter, double target, const
         break;
     }
     return {};
+}
+
+std::string support_in_words(const SupportDesign& design, const SupportDesignResult& found, const TriedSupport& shown) {
+    const std::string patterns = std::to_string(found.patterns) + " patterns";
+    const std::string factor = "FS " + number_in_words(design.factor_of_safety);
+    const std::string what = choice_in_words(design, shown);
+    return found.cheapest ? "Of " + patterns + " the cheapest for " + factor + " has " + what + " and costs " +
+                                number_in_words(shown.cost) + " per metre of slope."
+                          : "None of " + patterns + " gives " + factor + "; the strongest, shown here, has " + what +
+                                " and costs " + number_in_words(shown.cost) + " per metre of slope.";
 }
 
 CaseModel with_conditions(const CaseModel& model, const std::vector<Condition>& conditions) {
