@@ -1,12 +1,8 @@
 #include "cases/python/fit_object.hpp"
 
-#include "cases/program/reports/conclusions_report.hpp"
-#include "cases/program/reports/fit_report.hpp"
-#include "cases/program/reports/information_report.hpp"
-#include "cases/program/reports/sensitivity_report.hpp"
-#include "cases/program/results/fit_problem_of_case.hpp"
+#include "cases/program/reports/study_reports.hpp"
+#include "cases/program/results/problems_of_case.hpp"
 #include "cases/program/results/result_folder.hpp"
-#include "cases/program/results/sensitivity_problem_of_case.hpp"
 #include "cases/python/arrays.hpp"
 #include "cases/python/background.hpp"
 #include "fitting/back_analysis/back_analysis.hpp"
@@ -144,7 +140,7 @@ FitProgressCallback telling(BackgroundWatch& watch) {
     };
 }
 
-// What is asked beyond the fit: what further measurements would tell, and whether others' conclusions hold.
+// Adds the studies that are asked for beyond the fit: further measurements, and conclusions of others.
 void add_studies(const FitProblem& problem, const FitResult& result, BackgroundWatch& watch, Json& json) {
     Report unused;
     const auto information = information_of(problem, result, {}, watch.stop_flag());

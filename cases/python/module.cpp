@@ -30,7 +30,7 @@ py::list schema() {
             made["kind"] = word_of(field.kind);
             made["optional"] = field.optional;
             made["dimension"] = static_cast<int>(field.dimension);
-            made["unit"] = si_symbol(field.dimension);
+            made["unit"] = std::string(dimension_words(field.dimension).si_symbol);
             made["range"] =
                 py::make_tuple(field.range.lower, field.range.upper, field.range.lower_open, field.range.upper_open);
             made["range_in_words"] = readable_range(field.range, field.dimension);
@@ -59,7 +59,8 @@ double number_of(const std::string& section, const std::string& key, const py::o
     Node node = tree_of(given);
     const bool bare = node.kind == Node::Kind::integer || node.kind == Node::Kind::real;
     if (bare && dimension != static_cast<int>(Dimension::ratio)) {
-        node.text = shortest_number(node.real) + " " + si_symbol(static_cast<Dimension>(dimension));
+        node.text = shortest_number(node.real) + " " +
+                    std::string(dimension_words(static_cast<Dimension>(dimension)).si_symbol);
         node.kind = Node::Kind::text;
     }
     Reading reading(section);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int deepest = 32;
 
-// What a double holds only in part is read as a real number, and refused by the range of its field.
+// An integer that a double holds only in part is read as a real number, and refused by the range of its field.
 bool is_small_integer(const py::handle& object) {
     if (PyIndex_Check(object.ptr()) == 0) {
         return false;

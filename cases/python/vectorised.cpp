@@ -150,7 +150,7 @@ class Causes {
 
 std::vector<std::string> evaluate_points(const CaseModel& model, const PointColumns& columns, const PointWork& work) {
     constexpr std::size_t most_at_a_time = 4096;
-    // Those that take long are shared out, told of and ended one by one.
+    // Models that take long are shared out, told of and ended one by one.
     const std::size_t at_a_time = interface_of(model).costly ? 1 : most_at_a_time;
     const std::size_t tasks = (columns.count + at_a_time - 1) / at_a_time;
     const PointModelMaker make = model_of(model, columns);

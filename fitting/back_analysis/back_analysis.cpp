@@ -1,13 +1,7 @@
 #include "fitting/back_analysis/back_analysis.hpp"
 
 #include "fitting/back_analysis/check_problem.hpp"
-#include "fitting/back_analysis/failure_locus.hpp"
-#include "fitting/back_analysis/identifiability.hpp"
-#include "fitting/back_analysis/misfit_map.hpp"
-#include "fitting/back_analysis/multi_start.hpp"
-#include "fitting/back_analysis/profile_likelihood.hpp"
-#include "fitting/back_analysis/search.hpp"
-#include "fitting/back_analysis/summary.hpp"
+#include "fitting/back_analysis/steps.hpp"
 #include "fitting/back_analysis/verdict.hpp"
 #include "fitting/mechanism/costly_runs.hpp"
 #include "fitting/mechanism/misfit.hpp"
@@ -178,7 +172,7 @@ MechanismFit fit_mechanism(const Mechanism& mechanism, const FitProblem& problem
     if (valid) {
         fit.minima = found.minima;
         fit.best = found.best.point;
-        // What a surrogate takes for scatter may be a jump, which is none.
+        // A surrogate may take a jump for scatter.
         analyse_best(search, expected, by_surrogate && !jump ? costly.surrogate->scatter() : 0, found, fit);
     }
     fit.status = search.stopped() ? FitStatus::interrupted : status_of(found.best.status);
@@ -212,8 +206,7 @@ void add_posterior(const FitProblem& problem, std::size_t mechanism, const Costl
     }
 }
 
-// What a costly mechanism's evidence has to be for more runs to be worth their while; -infinity where no other kind has
-// been sampled.
+// The evidence from which on a costly mechanism is worth more runs; -infinity where no other kind has been sampled.
 double log_evidence_to_beat(const FitProblem& problem, const FitResult& result) {
     double best = -std::numeric_limits<double>::infinity();
     for (const MechanismFit& fit : result.mechanisms) {

@@ -1,6 +1,5 @@
-#include "fitting/back_analysis/failure_locus.hpp"
+#include "fitting/back_analysis/steps.hpp"
 
-#include "fitting/back_analysis/misfit_map.hpp"
 #include "fitting/probability/bracketed_root.hpp"
 #include "fitting/work/parallel.hpp"
 

@@ -1,8 +1,7 @@
-#include "fitting/back_analysis/misfit_map.hpp"
+#include "fitting/back_analysis/steps.hpp"
 
-#include "fitting/probability/statistics.hpp"
+#include "fitting/probability/estimate.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace delabole {

@@ -1,6 +1,6 @@
-#include "fitting/back_analysis/multi_start.hpp"
+#include "fitting/back_analysis/steps.hpp"
 
-#include "fitting/probability/statistics.hpp"
+#include "fitting/probability/estimate.hpp"
 #include "fitting/work/parallel.hpp"
 
 #include <algorithm>

@@ -1,9 +1,7 @@
-#include "fitting/back_analysis/profile_likelihood.hpp"
+#include "fitting/back_analysis/steps.hpp"
 
-#include "fitting/back_analysis/misfit_map.hpp"
-#include "fitting/back_analysis/multi_start.hpp"
 #include "fitting/probability/bracketed_root.hpp"
-#include "fitting/probability/statistics.hpp"
+#include "fitting/probability/estimate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -197,7 +195,7 @@ void Tracer::follow(const std::vector<double>& values) {
     }
 }
 
-// From the end towards the best value: a point whose outer neighbour's answer suits it better is solved again.
+// Goes from the end towards the best value and solves a point again whose outer neighbour's answer suits it better.
 void Tracer::sweep_inwards(Place outer, bool upwards) {
     const double stop_at = best_.point[parameter_];
     while (outer->first != stop_at && !search_.stopped()) {

@@ -1,8 +1,7 @@
-#include "fitting/back_analysis/summary.hpp"
+#include "fitting/back_analysis/steps.hpp"
 
 #include "fitting/work/words.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -13,7 +12,7 @@ namespace {
 constexpr double large_pull = 2;
 constexpr double score_of_silence = large_pull * large_pull;
 
-// What the prediction shows otherwise, with its value; empty where it is as it has to be.
+// The sign that the prediction contradicts, with its value; empty where it shows what it has to.
 std::string contradiction(const EvidenceSign& sign, const Misfit& misfit, const Prediction& prediction) {
     const auto output = misfit.output(sign.quantity);
     if (!output || *output >= prediction.outputs.size()) {

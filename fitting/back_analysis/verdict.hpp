@@ -10,7 +10,7 @@
 
 namespace delabole {
 
-// What the words need beyond the numbers, for the parameters named in Identifiability.
+// A verdict in words needs this beyond the numbers, for the parameters named in Identifiability.
 struct VerdictQuestion {
     std::vector<Dimension> dimensions;
     Eigen::VectorXd ranges;  // upper - lower, SI

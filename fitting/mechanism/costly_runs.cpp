@@ -3,13 +3,12 @@
 #include "fitting/posterior/prior_space.hpp"
 #include "fitting/probability/counted_random.hpp"
 #include "fitting/probability/distribution.hpp"
-#include "fitting/probability/statistics.hpp"
+#include "fitting/probability/estimate.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 

@@ -40,7 +40,7 @@ struct CostlyRuns {
     bool stopped = false;
 };
 
-// What one run counts in a progress report, in looks at a surrogate.
+// One run counts as so many surrogate calls in a progress report.
 inline constexpr long weight_of_run = 20'000;
 
 // coarse: the same misfit by the mechanism's coarse model; null: it has none.

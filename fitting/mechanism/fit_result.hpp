@@ -1,4 +1,4 @@
-// What a back-analysis found, with what a reader needs to judge it.
+// The results of a back-analysis, with what a reader needs to judge them.
 #pragma once
 
 #include "fitting/mechanism/mechanism_posterior.hpp"
@@ -8,11 +8,9 @@
 #include <Eigen/Core>
 #include <algorithm>
 
-#include <array>
 #include <concepts>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -26,10 +24,6 @@ enum class FitStatus {
     no_valid_point,    // every evaluation failed
     interrupted,       // the caller asked to stop; the answer is the best point seen
 };
-
-constexpr std::array<std::string_view, 4> enum_names(FitStatus) {
-    return {"converged", "evaluation_limit", "no_valid_point", "interrupted"};
-}
 
 // Minima of the multi-start runs, gathered where they coincide within 1e-3 of the bounds and 0.01 of misfit.
 struct MinimumCluster {
@@ -45,10 +39,6 @@ enum class Determination {
     undetermined,   // the misfit stays under the 95 % level up to both ends of the range
     doubtful,       // an end or both close, but in_doubt() of verdict.hpp says that this means nothing
 };
-
-constexpr std::array<std::string_view, 5> enum_names(Determination) {
-    return {"determined", "bounded_below", "bounded_above", "undetermined", "doubtful"};
-}
 
 // Least misfit as a function of one parameter, the others free; intervals by chi-square with one degree of freedom,
 // their ends found by root bracketing to 1e-4 of the range. An interval spans all values under the level, also where
@@ -66,7 +56,7 @@ struct ProfileLikelihood {
     bool with_priors;  // whether the priors of the other and of this parameter were counted
 };
 
-// For share_tasks, as members_of() of the locus below.
+// Needed by share_tasks, as is members_of() of the locus below.
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, ProfileLikelihood>
 auto members_of(Type& profile) {
@@ -81,10 +71,6 @@ enum class IdentifiabilityStatus {
     run_contradicts,     // the run at the best point is not what the surrogate says: nothing further is evaluated
     not_evaluated,       // no valid point, or interrupted
 };
-
-constexpr std::array<std::string_view, 5> enum_names(IdentifiabilityStatus) {
-    return {"reliable", "steps_disagree", "model_fails_nearby", "run_contradicts", "not_evaluated"};
-}
 
 // From the Jacobian of the data residuals (priors left out) at the best point, columns scaled by the parameters'
 // ranges. Satisfied inequalities have no weight there.
@@ -197,7 +183,7 @@ struct MechanismFit {
     Prediction prediction;  // at the best point
     std::vector<ObservationFit> observations;
     std::optional<ProfileFit> profile_fit;
-    // What the scatter of predictions costs: by how much it lowers the logarithm of the likelihood at a mean that fits.
+    // By how much the scatter of predictions lowers the logarithm of the likelihood at a mean that fits.
     double scatter_cost = 0;
     std::vector<std::string> explained;  // names of field evidence
     std::vector<std::string>

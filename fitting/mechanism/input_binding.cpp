@@ -1,10 +1,49 @@
 #include "fitting/mechanism/input_binding.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
 namespace delabole {
+
+std::optional<QuantityOfMechanism> QuantityOfMechanism::of(const Mechanism& mechanism,
+                                                           std::span<const std::string> names,
+                                                           std::span<const Condition> conditions) {
+    for (const Condition& condition : conditions) {
+        if (!place_of(mechanism.model.inputs, condition.input)) {
+            return std::nullopt;
+        }
+    }
+    QuantityOfMechanism quantity(mechanism, conditions);
+    for (const std::string& name : names) {
+        quantity.output_ = place_of(mechanism.model.outputs, name);
+        quantity.input_ = place_of(mechanism.model.inputs, name);
+        if (quantity.output_ || quantity.input_) {
+            return quantity;
+        }
+    }
+    return std::nullopt;
+}
+
+double QuantityOfMechanism::at(std::span<const double> parameters) const {
+    const std::vector<Assignment> assignments = binding_.at(parameters);
+    if (!output_) {
+        const auto assigned = std::ranges::find(assignments, *input_, &Assignment::input);
+        return assigned == assignments.end() ? mechanism_->model.inputs[*input_].value : assigned->value;
+    }
+    const Prediction prediction = mechanism_->model.predict(assignments);
+    return prediction.failure.empty() ? prediction.outputs[*output_] : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<Draw> thinned(const std::vector<Draw>& draws, std::size_t most) {
+    const std::size_t step = std::max<std::size_t>((draws.size() + most - 1) / most, 1);
+    std::vector<Draw> kept;
+    for (std::size_t index = step - 1; index < draws.size(); index += step) {
+        kept.push_back(draws[index]);
+    }
+    return kept;
+}
 
 namespace {
 
@@ -45,7 +84,7 @@ InputBinding::InputBinding(const Mechanism& mechanism, std::span<const Condition
     }
 }
 
-// What comes first holds.
+// The first value that is set for an input holds.
 void InputBinding::set(std::size_t input, double value, std::optional<std::size_t> parameter) {
     if (std::ranges::find(assignments_, input, &Assignment::input) == assignments_.end()) {
         assignments_.push_back({input, value});

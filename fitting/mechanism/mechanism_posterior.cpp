@@ -1,8 +1,8 @@
 #include "fitting/mechanism/mechanism_posterior.hpp"
 
 #include "fitting/mechanism/costly_runs.hpp"
+#include "fitting/mechanism/input_binding.hpp"
 #include "fitting/mechanism/misfit.hpp"
-#include "fitting/mechanism/quantity_of_mechanism.hpp"
 #include "fitting/probability/sampling.hpp"
 #include "fitting/search/share.hpp"
 #include "fitting/work/words.hpp"
@@ -50,7 +50,7 @@ void drop_priors(FitProblem& problem) {
     }
 }
 
-// Also where a mechanism says the same in terms of its own.
+// Scales it as well where a mechanism says the same in terms of its own.
 void scale_model_error(FitProblem& problem, double factor) {
     for (QuantityObservation& observation : problem.observations) {
         if (observation.quantity != safety) {
@@ -74,7 +74,7 @@ std::unique_ptr<Surrogate> judged_anew(const Misfit& misfit, const CostlyRuns* c
     return std::make_unique<Surrogate>(misfit, judged_by(misfit, costly->surrogate->misfit(), costly->runs));
 }
 
-// What the target of one mechanism under one variant consists of; the pieces refer to each other.
+// The target of one mechanism under one variant, whose pieces refer to each other.
 class Target {
   public:
     Target(const FitProblem& problem, std::size_t mechanism, const CostlyRuns* costly, ProgressMeter& progress,

@@ -9,11 +9,7 @@
 #include "fitting/posterior/posterior.hpp"
 #include "geometry/polyline.hpp"
 
-#include <array>
-#include <cstdint>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -31,11 +27,6 @@ enum class EvidenceVariant {
     model_error_halved,  // standard deviations of observed factors of safety
     model_error_doubled,
 };
-
-constexpr std::array<std::string_view, 8> enum_names(EvidenceVariant) {
-    return {"as_given",          "priors_halved",      "priors_doubled",     "priors_flat",
-            "prior_means_lower", "prior_means_higher", "model_error_halved", "model_error_doubled"};
-}
 
 struct VariantEvidence {
     EvidenceVariant variant = EvidenceVariant::as_given;

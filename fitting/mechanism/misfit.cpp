@@ -1,11 +1,10 @@
 #include "fitting/mechanism/misfit.hpp"
 
-#include "fitting/probability/statistics.hpp"
+#include "fitting/probability/estimate.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 namespace delabole {
 

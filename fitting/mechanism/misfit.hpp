@@ -89,7 +89,7 @@ class Misfit {
     // Nothing where no profile is predicted.
     std::optional<ProfileFit> compare_profile(std::span<const double> parameters) const;
 
-    // What the scatter of predictions costs: by how much it lowers the logarithm of the likelihood at a mean that fits.
+    // By how much the scatter of predictions lowers the logarithm of the likelihood at a mean that fits.
     double scatter_cost(std::span<const double> parameters) const;
 
     // Index of an output of the model by name.

@@ -1,5 +1,5 @@
-// What stands in for a mechanism whose every prediction is a run of minutes: its residuals as smooth functions of the
-// parameters, known from a number of runs, with the error of not knowing them better.
+// A surrogate stands in for a mechanism whose every prediction is a run of minutes: its residuals as smooth functions
+// of the parameters, known from a number of runs, with the error of not knowing them better.
 //
 // The residuals (pulls) of the equalities are turned into their principal components, so that their sum of squares
 // stays what it is; components that hold less than a thousandth of the scatter are replaced by the mean of their sum of
@@ -22,9 +22,7 @@
 
 #include <Eigen/Core>
 
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace delabole {

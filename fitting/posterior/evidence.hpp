@@ -16,10 +16,7 @@
 
 #include "fitting/posterior/posterior.hpp"
 
-#include <array>
 #include <span>
-#include <string_view>
-#include <vector>
 
 namespace delabole {
 
@@ -28,10 +25,6 @@ enum class EvidenceStatus {
     no_valid_point,  // no point has an answer, or none with a likelihood that a double can hold: the evidence is 0
     interrupted,
 };
-
-constexpr std::array<std::string_view, 3> enum_names(EvidenceStatus) {
-    return {"estimated", "no_valid_point", "interrupted"};
-}
 
 struct Evidence {
     EvidenceStatus status = EvidenceStatus::no_valid_point;

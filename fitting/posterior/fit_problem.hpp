@@ -13,11 +13,9 @@
 #include "geometry/polyline.hpp"
 #include "parameters/model_interface.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <variant>
 #include <vector>
@@ -63,10 +61,6 @@ struct FreeParameter {
 };
 
 enum class Relation { equal, at_least, at_most };
-
-constexpr std::array<std::string_view, 3> enum_names(Relation) {
-    return {"equal", "at_least", "at_most"};
-}
 
 struct QuantityObservation {
     std::string label;
@@ -125,7 +119,7 @@ struct FieldEvidence {
     }
 };
 
-// What a prediction at the best point must be like to show a piece of field evidence.
+// A prediction at the best point shows a piece of field evidence where an output is at least, or at most, a value.
 struct EvidenceSign {
     std::string evidence;
     std::string quantity;
@@ -170,7 +164,7 @@ struct FitCandidate {
     }
 };
 
-// That these mechanisms explain the failure: their probabilities together.
+// The claim that these mechanisms explain the failure: their probabilities together.
 struct ClaimOfMechanisms {
     std::vector<std::string> mechanisms;
     static constexpr auto fields() {
@@ -215,7 +209,7 @@ struct ConclusionTest {
     }
 };
 
-// What others concluded of the failure, to be held against what the back-analysis finds.
+// A conclusion that others drew from the failure, to be tested against the back-analysis.
 struct Conclusion {
     std::string label;
     std::string statement;
@@ -234,12 +228,12 @@ struct Conclusion {
     }
 };
 
-// What a case says of a mechanism beside its model.
+// The part of a mechanism that is not its model.
 struct MechanismTask {
     std::string name;
     std::string title;
     std::vector<FreeParameter> parameters = {};
-    // What is observed of all mechanisms, by the same label, in terms of an output that this one has: "it failed" is a
+    // Observations of all mechanisms, by the same label, in terms of an output that this one has: "it failed" is a
     // factor of safety of one and a failed area of half the slope.
     std::vector<QuantityObservation> own_observations = {};
     std::vector<EvidenceSign> signs = {};  // of field evidence; every sign of a name has to hold
@@ -322,7 +316,7 @@ struct FitSettings {
     }
 };
 
-// What a case says of a back-analysis beside its mechanisms.
+// The part of a back-analysis that is not its mechanisms.
 struct FitTask {
     FitSettings settings = {};
     std::optional<PosteriorStudy> posterior = {};  // absent: neither posteriors nor evidences

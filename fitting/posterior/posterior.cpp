@@ -2,7 +2,6 @@
 
 #include "fitting/posterior/posterior_chain.hpp"
 #include "fitting/probability/estimate.hpp"
-#include "fitting/probability/statistics.hpp"
 #include "fitting/work/parallel.hpp"
 
 #include <algorithm>

@@ -22,14 +22,12 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
 
-// What the chains have to meet for one parameter: R-hat below 1.01 and effective sizes of bulk and tails above 400, as
+// The chains have converged for a parameter at R-hat below 1.01 and effective sizes of bulk and tails above 400, as
 // Vehtari et al. (2021) advise.
 inline constexpr double greatest_r_hat = 1.01;
 inline constexpr double least_effective_size = 400;
@@ -40,10 +38,6 @@ enum class PosteriorStatus {
     no_valid_point,  // no draw of the prior has an answer
     interrupted,
 };
-
-constexpr std::array<std::string_view, 4> enum_names(PosteriorStatus) {
-    return {"converged", "not_converged", "no_valid_point", "interrupted"};
-}
 
 struct ParameterPosterior {
     std::string name;

@@ -7,12 +7,11 @@
 #include "fitting/search/evaluate_points.hpp"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace delabole {
 
-// What all chains take their steps from; it stays as it is while they walk.
+// The points from which all chains take their steps; they stay as they are while the chains walk.
 struct PosteriorArchive {
     std::vector<std::vector<double>> points;  // earlier states of all chains, at least two
     StudentMixture mixture;                   // in their shape

@@ -24,7 +24,7 @@ struct EvidenceSettings {
     std::uint64_t seed = 1;
 };
 
-// For a back-analysis; the seed is the fit's own.
+// The settings of a back-analysis; the seed is the fit's own.
 struct PosteriorStudy {
     int chains = PosteriorSettings{}.chains;
     int draws = PosteriorSettings{}.draws;

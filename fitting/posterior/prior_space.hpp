@@ -14,7 +14,7 @@
 
 namespace delabole {
 
-// What keeps a prior from being drawn: no finite bounds in order, or a normal prior that has less than 1e-12 of its
+// Why no sample can be drawn from a prior: no finite bounds in order, or a normal prior that has less than 1e-12 of its
 // probability between them. Empty where nothing does; otherwise a sentence without the parameter's name.
 std::string fault_of_prior(const FreeParameter& parameter);
 

@@ -26,7 +26,7 @@ constexpr std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> count
     return counter;
 }
 
-// What a number is drawn for; numbers of different purposes are independent.
+// Numbers that are drawn for different purposes are independent.
 enum class RandomPurpose : std::uint32_t {
     sample,
     shift,

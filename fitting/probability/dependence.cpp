@@ -5,7 +5,6 @@
 
 #include <Eigen/Cholesky>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -76,7 +75,7 @@ NormalCorrelation normal_correlation(const Marginal& first, const Marginal& seco
     const double low = excess(-nearly_one);
     const double high = excess(nearly_one);
     if (low >= 0 || high <= 0) {
-        // Between the end of the series and the reach itself.
+        // The correlation lies between the end of the series and the reach itself.
         return {DependenceCheck::valid, low >= 0 ? -nearly_one : nearly_one, reach};
     }
     const auto root = bracketed_root(excess, RootBracket{-nearly_one, nearly_one, low, high}, 1e-14);

@@ -14,11 +14,8 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstddef>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -27,10 +24,6 @@ enum class CorrelationMeasure {
     linear,  // Pearson's, of the values
     rank,    // Spearman's
 };
-
-constexpr std::array<std::string_view, 2> enum_names(CorrelationMeasure) {
-    return {"linear", "rank"};
-}
 
 struct Correlation {
     std::size_t first;
@@ -44,10 +37,6 @@ enum class DependenceCheck {
     coefficient_out_of_reach,  // no joint distribution of these two has this linear correlation
     not_positive_definite,     // each pair is possible, all together are not
 };
-
-constexpr std::array<std::string_view, 3> enum_names(DependenceCheck) {
-    return {"valid", "coefficient_out_of_reach", "not_positive_definite"};
-}
 
 struct NormalCorrelation {
     DependenceCheck check;

@@ -3,20 +3,14 @@
 
 #include "fitting/probability/counted_random.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
 
 enum class SamplingMethod { monte_carlo, latin_hypercube, sobol_sequence };
-
-constexpr std::array<std::string_view, 3> enum_names(SamplingMethod) {
-    return {"monte_carlo", "latin_hypercube", "sobol_sequence"};
-}
 
 // Sobol sequence with a random digital shift: point i of replicate r is the i-th point of the sequence, from the origin
 // on, with its binary digits exchanged by those of a random number. Each point is then uniform in the box, and any

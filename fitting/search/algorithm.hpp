@@ -1,9 +1,6 @@
 // The minimisation algorithms on offer, all derivative-free and bounded.
 #pragma once
 
-#include <array>
-#include <string_view>
-
 namespace delabole {
 
 enum class Algorithm {
@@ -15,10 +12,6 @@ enum class Algorithm {
     mlsl,      // global, local sbplx runs from a low-discrepancy sequence
     isres,     // global, evolution strategy; slow and sure
 };
-
-constexpr std::array<std::string_view, 7> enum_names(Algorithm) {
-    return {"sbplx", "bobyqa", "cobyla", "crs2", "direct_l", "mlsl", "isres"};
-}
 
 constexpr bool is_global(Algorithm algorithm) {
     switch (algorithm) {

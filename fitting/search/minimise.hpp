@@ -14,13 +14,11 @@
 #include "fitting/work/evaluation.hpp"
 #include "parameters/fields.hpp"
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -42,10 +40,6 @@ enum class MinimiseStatus {
     no_valid_point,     // every evaluation failed
     interrupted,        // the stop flag was set
 };
-
-constexpr std::array<std::string_view, 6> enum_names(MinimiseStatus) {
-    return {"converged", "evaluation_limit", "roundoff_limited", "algorithm_failure", "no_valid_point", "interrupted"};
-}
 
 struct MinimiseSettings {
     Algorithm algorithm = Algorithm::sbplx;

@@ -33,7 +33,7 @@ struct NearestPoint {
     EvaluationCount evaluations;
 };
 
-// For share_tasks.
+// Needed by share_tasks.
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, NearestPoint>
 auto members_of(Type& found) {

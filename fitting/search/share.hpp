@@ -8,18 +8,16 @@
 
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace delabole {
 
-// What travels between ranks is what an archive takes: structs need members_of().
+// Ranks exchange what an archive takes: structs need members_of().
 template <class Type>
 requires std::same_as<std::remove_const_t<Type>, EvaluationCount>
 auto members_of(Type& count) {

@@ -91,7 +91,7 @@ void check_pairs(const SensitivityStudy& study, Faults& faults) {
     }
 }
 
-// Only for parameters and pairs that are in order.
+// Needs parameters and pairs that are in order.
 void check_dependence(const SensitivityStudy& study, Faults& faults) {
     const InputSpace space = input_space(study);
     switch (space.check()) {

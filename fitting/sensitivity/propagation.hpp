@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -19,10 +18,6 @@
 namespace delabole {
 
 enum class FailureSide { below, above };
-
-constexpr std::array<std::string_view, 2> enum_names(FailureSide) {
-    return {"below", "above"};
-}
 
 // When a sample has failed: factor of safety below 1, displacement above a limit.
 struct FailureCriterion {
@@ -87,10 +82,6 @@ enum class ErrorMethod {
     wilson,      // counts of independent samples; of all samples taken for independent where replicates all agree
 };
 
-constexpr std::array<std::string_view, 2> enum_names(ErrorMethod) {
-    return {"replicates", "wilson"};
-}
-
 struct FailureProbability {
     // Share of the decided samples; unset where they are fewer than half, and so no sample of the whole.
     std::optional<Estimate> probability;
@@ -109,7 +100,7 @@ struct HistogramBin {
     long samples;
 };
 
-// After the first samples of every replicate (or the first replicates of Latin hypercubes).
+// Estimates after the first samples of every replicate (or the first replicates of Latin hypercubes).
 struct ConvergenceStep {
     long samples;
     Estimate mean;
@@ -121,10 +112,6 @@ enum class PropagationStatus {
     no_answer,    // no sample has a value or is decided
     interrupted,  // what was finished is shown
 };
-
-constexpr std::array<std::string_view, 3> enum_names(PropagationStatus) {
-    return {"finished", "no_answer", "interrupted"};
-}
 
 inline constexpr std::array<double, 9> shown_shares{0.01, 0.025, 0.05, 0.25, 0.5, 0.75, 0.95, 0.975, 0.99};
 

@@ -17,9 +17,7 @@
 #include "fitting/search/nearest_point.hpp"
 #include "fitting/sensitivity/propagation.hpp"
 
-#include <array>
 #include <cstdint>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -49,10 +47,6 @@ enum class ReliabilityStatus {
     no_answer_at_medians,  // the quantity has no value there
     interrupted,
 };
-
-constexpr std::array<std::string_view, 5> enum_names(ReliabilityStatus) {
-    return {"converged", "not_converged", "limit_not_reached", "no_answer_at_medians", "interrupted"};
-}
 
 struct DesignPoint {
     double reliability_index = 0;

@@ -49,7 +49,7 @@ struct TornadoResult {
     EvaluationCount evaluations;
 };
 
-// Nothing where the work was stopped.
+// Returns nothing where the work was stopped.
 std::optional<TornadoResult> tornado(const Evaluator& evaluator, const InputSpace& space,
                                      const TornadoSettings& settings);
 

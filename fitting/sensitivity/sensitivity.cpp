@@ -168,7 +168,7 @@ SensitivityResult sensitivity(const SensitivityProblem& problem, FitProgressCall
         meter.begin_stage(study.quantity, "Morris screening", expected.morris);
         result.morris = morris(evaluator, space, *study.morris, study.seed);
     }
-    // Before the samples, which are many: when interrupted there, this is known.
+    // This comes before the samples, which are many: when they are interrupted, it is known.
     if (study.reliability && !evaluator.stopped()) {
         meter.begin_stage(study.quantity, "design point", expected.reliability);
         result.reliability = reliability(evaluator, space, *study.reliability, *criterion, study.seed);

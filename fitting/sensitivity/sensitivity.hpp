@@ -4,9 +4,7 @@
 #include "fitting/sensitivity/sensitivity_problem.hpp"
 #include "fitting/work/progress.hpp"
 
-#include <array>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -17,10 +15,6 @@ enum class SensitivityStatus {
     no_answer,      // some method found no value of the quantity anywhere
     not_converged,  // the search for the design point
 };
-
-constexpr std::array<std::string_view, 4> enum_names(SensitivityStatus) {
-    return {"finished", "interrupted", "no_answer", "not_converged"};
-}
 
 struct SensitivityResult {
     SensitivityStatus status = SensitivityStatus::finished;

@@ -15,10 +15,8 @@
 #include "fitting/probability/estimate.hpp"
 #include "fitting/search/evaluate_points.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -46,10 +44,6 @@ enum class SobolIndicesStatus {
     no_variance,         // the quantity is the same at every sample: nothing to share out
     not_enough_samples,  // fewer than 16 rows whose evaluations all have an answer
 };
-
-constexpr std::array<std::string_view, 3> enum_names(SobolIndicesStatus) {
-    return {"found", "no_variance", "not_enough_samples"};
-}
 
 struct SobolIndex {
     Estimate first;

@@ -22,12 +22,9 @@
 #include "fitting/probability/dependence.hpp"
 #include "fitting/search/evaluate_points.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -81,11 +78,7 @@ struct SweepPoint {
 
 enum class SweepCourse { constant, within_scatter, rises, falls, not_monotone, too_few_answers };
 
-constexpr std::array<std::string_view, 6> enum_names(SweepCourse) {
-    return {"constant", "within_scatter", "rises", "falls", "not_monotone", "too_few_answers"};
-}
-
-// Between two points of a sweep, the first at the lesser value of the parameter.
+// The change between two points of a sweep, the first at the lesser value of the parameter.
 struct SweepChange {
     double from = 0;
     double to = 0;

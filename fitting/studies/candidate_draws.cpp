@@ -1,11 +1,10 @@
 #include "fitting/studies/candidate_draws.hpp"
 
-#include "fitting/mechanism/quantity_of_mechanism.hpp"
+#include "fitting/mechanism/input_binding.hpp"
 #include "fitting/search/share.hpp"
 #include "fitting/studies/comparison.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace delabole {
 

@@ -19,7 +19,7 @@ inline constexpr std::size_t most_costly_draws = 256;
 std::vector<MechanismDraws> draws_for_candidates(const FitProblem& problem, const FitResult& result,
                                                  ProgressMeter& progress);
 
-// What each candidate of the problem would tell. Empty without candidates or without posteriors, and once a stop is
+// How much each candidate of the problem would tell. Empty without candidates or without posteriors, and once a stop is
 // requested. The result depends neither on threads nor on ranks.
 std::vector<CandidateInformation> information_of(const FitProblem& problem, const FitResult& result,
                                                  const FitProgressCallback& progress = {}, StopFlag stop = nullptr);

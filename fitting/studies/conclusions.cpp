@@ -1,9 +1,8 @@
 #include "fitting/studies/conclusions.hpp"
 
 #include "fitting/mechanism/costly_runs.hpp"
-#include "fitting/mechanism/quantity_of_mechanism.hpp"
+#include "fitting/mechanism/input_binding.hpp"
 #include "fitting/probability/estimate.hpp"
-#include "fitting/probability/statistics.hpp"
 #include "fitting/search/share.hpp"
 #include "fitting/studies/comparison.hpp"
 
@@ -48,7 +47,7 @@ TestFinding judge(const ConclusionTest& test, const ClaimOfMechanisms& claim, co
         return finding;
     }
     const double error = 2 * finding.standard_error;
-    // What the others together would have to have for the opposite to be as probable as what is claimed.
+    // The share that the others together would need for the opposite to be as probable as the claim.
     const double opposite = 1 - test.limit;
     if (test.relation == Relation::at_least) {
         finding.verdict = finding.value - error >= test.limit                      ? ConclusionVerdict::confirmed

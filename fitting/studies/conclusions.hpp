@@ -1,4 +1,4 @@
-// What others concluded, held against what a back-analysis found.
+// Tests conclusions that others drew against the results of a back-analysis.
 //
 // A claim about mechanisms is confirmed where their probability together is on the claimed side of its limit by two
 // standard errors, contradicted where the opposite is as probable as what is claimed: of at least 0.9, where it is less
@@ -11,9 +11,6 @@
 #include "fitting/mechanism/fit_result.hpp"
 #include "fitting/work/progress.hpp"
 
-#include <array>
-#include <optional>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -28,10 +25,6 @@ enum class ConclusionVerdict {
     undecided,
     not_tested,  // its mechanisms were not fitted, or none has a say
 };
-
-constexpr std::array<std::string_view, 5> enum_names(ConclusionVerdict) {
-    return {"confirmed", "partly", "contradicted", "undecided", "not_tested"};
-}
 
 struct TestFinding {
     ConclusionVerdict verdict = ConclusionVerdict::not_tested;  // not partly

@@ -19,11 +19,9 @@
 
 #include "fitting/posterior/fit_problem.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -58,10 +56,6 @@ enum class InformationStatus {
     few_answers,      // under half of the draws have an answer
     few_draws_alike,  // under 50 draws keep a weight, on average: sharper than the draws can tell
 };
-
-constexpr std::array<std::string_view, 4> enum_names(InformationStatus) {
-    return {"found", "not_predicted", "few_answers", "few_draws_alike"};
-}
 
 struct MechanismInformation {
     std::string mechanism;

@@ -17,7 +17,6 @@
 #include "fitting/work/progress.hpp"
 
 #include <concepts>
-#include <cstdint>
 #include <string>
 #include <tuple>
 #include <type_traits>

@@ -1,42 +1,60 @@
 #include "fitting/studies/support_design.hpp"
 
+#include "fitting/work/spaced_values.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace delabole {
 
 namespace {
 
-std::vector<Assignment> assignments_of(const ModelInterface& model, const SupportDesign& design,
-                                       const std::vector<double>& values) {
-    std::vector<Assignment> assignments;
-    for (std::size_t index = 0; index < design.choices.size(); ++index) {
-        assignments.push_back({place_of(model.inputs, design.choices[index].input).value(), values[index]});
+// Places among the model's inputs of what the bolts of one pattern cost by.
+struct CostPlaces {
+    std::size_t rows;
+    std::size_t spacing;
+    std::size_t length;
+};
+
+std::vector<CostPlaces> cost_places(const ModelInterface& model) {
+    std::vector<CostPlaces> places;
+    for (std::size_t number = 1;; ++number) {
+        const std::string pattern = "support[" + std::to_string(number) + "].";
+        const auto rows = place_of(model.inputs, pattern + "rows");
+        if (!rows) {
+            return places;
+        }
+        places.push_back({*rows, place_of(model.inputs, pattern + "spacing").value(),
+                          place_of(model.inputs, pattern + "length").value()});
     }
-    return assignments;
 }
 
-double value_of(const SupportChoice& choice, std::size_t index) {
-    return choice.points > 1
-               ? choice.from + (choice.to - choice.from) * static_cast<double>(index) / (choice.points - 1)
-               : choice.from;
-}
-
-// Every combination, the last choice running fastest.
-std::vector<TriedSupport> all_patterns(const ModelInterface& model, const SupportDesign& design) {
+// Every combination of the choices, whose places are given, by cost.
+std::vector<TriedSupport> all_patterns(const ModelInterface& model, const SupportDesign& design,
+                                       const std::vector<std::size_t>& places) {
     std::vector<TriedSupport> patterns{{{}, 0, {}, {}}};
     for (const SupportChoice& choice : design.choices) {
         std::vector<TriedSupport> longer;
         for (const TriedSupport& pattern : patterns) {
-            for (std::size_t index = 0; static_cast<double>(index) < choice.points; ++index) {
+            for (const double value : spaced_values(choice.from, choice.to, static_cast<std::int64_t>(choice.points))) {
                 longer.push_back(pattern);
-                longer.back().values.push_back(value_of(choice, index));
+                longer.back().values.push_back(value);
             }
         }
         patterns = std::move(longer);
     }
+    const std::vector<CostPlaces> bolts = cost_places(model);
+    std::vector<double> inputs;
+    std::ranges::transform(model.inputs, std::back_inserter(inputs), &Quantity::value);
     for (TriedSupport& pattern : patterns) {
-        pattern.cost = cost_of_support(model, design, pattern.values);
+        for (std::size_t index = 0; index < places.size(); ++index) {
+            inputs[places[index]] = pattern.values[index];
+        }
+        for (const CostPlaces& bolt : bolts) {
+            pattern.cost += inputs[bolt.rows] / inputs[bolt.spacing] *
+                            (design.cost_per_bolt + design.cost_per_metre * inputs[bolt.length]);
+        }
     }
     std::ranges::stable_sort(patterns, {}, &TriedSupport::cost);
     return patterns;
@@ -69,29 +87,20 @@ double number_of_patterns(const SupportDesign& design) {
     return count;
 }
 
-double cost_of_support(const ModelInterface& model, const SupportDesign& design, const std::vector<double>& values) {
-    std::vector<Quantity> inputs = model.inputs;
-    for (const Assignment& assignment : assignments_of(model, design, values)) {
-        inputs[assignment.input].value = assignment.value;
-    }
-    double cost = 0;
-    for (std::size_t number = 1;; ++number) {
-        const std::string pattern = "support[" + std::to_string(number) + "].";
-        const Quantity* rows = find_quantity(inputs, pattern + "rows");
-        if (rows == nullptr) {
-            return cost;
-        }
-        cost += rows->value / find_quantity(inputs, pattern + "spacing")->value *
-                (design.cost_per_bolt + design.cost_per_metre * find_quantity(inputs, pattern + "length")->value);
-    }
-}
-
 SupportDesignResult design_support(const ModelInterface& model, const SupportDesign& design,
                                    const std::function<bool(double)>& watch) {
     const std::size_t factor = place_of(model.outputs, "factor_of_safety").value();
     SupportDesignResult result{{}, {}, {}, static_cast<std::size_t>(number_of_patterns(design)), {}};
-    for (TriedSupport& pattern : all_patterns(model, design)) {
-        evaluate(model, factor, assignments_of(model, design, pattern.values), pattern);
+    std::vector<std::size_t> places;
+    for (const SupportChoice& choice : design.choices) {
+        places.push_back(place_of(model.inputs, choice.input).value());
+    }
+    for (TriedSupport& pattern : all_patterns(model, design, places)) {
+        std::vector<Assignment> assignments;
+        for (std::size_t index = 0; index < places.size(); ++index) {
+            assignments.push_back({places[index], pattern.values[index]});
+        }
+        evaluate(model, factor, assignments, pattern);
         if (!pattern.factor_of_safety) {
             ++result.failed_by_cause[pattern.failure];
         }

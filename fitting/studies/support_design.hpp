@@ -71,9 +71,6 @@ struct SupportDesignResult {
     std::map<std::string, std::size_t> failed_by_cause;
 };
 
-// Cost per metre of slope of the model's support with the inputs of the choices set.
-double cost_of_support(const ModelInterface& model, const SupportDesign& design, const std::vector<double>& values);
-
 // The choices name inputs of the model, which has the output factor_of_safety. Told the share done; false ends it.
 SupportDesignResult design_support(const ModelInterface& model, const SupportDesign& design,
                                    const std::function<bool(double share)>& watch = {});

@@ -4,7 +4,6 @@
 // The cost is a count of operations and so the same on every machine; wall time is carried along, and decides nothing.
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <functional>
@@ -79,10 +78,6 @@ struct TradeRow {
 // nothing_to_compare: no setting has both an answer and something to hold it against.
 enum class TradeStatus { finished, interrupted, nothing_to_compare };
 
-constexpr std::array<std::string_view, 3> enum_names(TradeStatus) {
-    return {"finished", "interrupted", "nothing_to_compare"};
-}
-
 struct TradeResult {
     TradeStatus status = TradeStatus::finished;
     std::optional<double> truth = {};
@@ -103,7 +98,7 @@ std::vector<std::size_t> best_of_each_decade(const TradeResult& result);
 
 // "0.4", "dropped".
 std::string level_in_words(const TradeKnob& knob, double level);
-// What differs from the case: "stiffness_ratio 1e7, start dropped"; empty where nothing does.
+// The knobs that differ from the case: "stiffness_ratio 1e7, start dropped"; empty where none does.
 std::string change_in_words(const std::vector<TradeKnob>& knobs, const TradeSetting& setting);
 
 }  // namespace delabole

@@ -20,7 +20,6 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 
 namespace delabole {

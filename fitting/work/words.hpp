@@ -3,18 +3,12 @@
 
 #include "parameters/fields.hpp"
 
-#include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
 
 enum class UnitSystem { metric, imperial };
-
-constexpr std::array<std::string_view, 2> enum_names(UnitSystem) {
-    return {"metric", "imperial"};
-}
 
 // In which sentences, tables and figures give numbers, for the whole process: set before a report is begun. What
 // programs read, as CSV and JSON, is metric whatever it is.

@@ -1,11 +1,10 @@
-// What the steps of cutting a slope work on together; see jointed_section.hpp.
+// The state that the steps of cutting a slope share; see jointed_section.hpp.
 #pragma once
 
 #include "geometry/polyline.hpp"
 #include "jointed_slope/face_cutting.hpp"
 #include "jointed_slope/jointed_section.hpp"
 
-#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>

@@ -47,7 +47,7 @@ struct Chord {
     ChordEnd falling;
 };
 
-// Nothing where the face does not lie on both sides of the line.
+// Returns nothing where the face does not lie on both sides of the line.
 std::optional<Chord> find_chord(const SectionMesh& mesh, MeshIndex face, const StraightLine& line, double snap);
 
 FaceCutResult cut_along(SectionMesh& mesh, const Chord& chord, MeshIndex joint);

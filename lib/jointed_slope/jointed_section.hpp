@@ -13,10 +13,8 @@
 #include "jointed_slope/section_mesh.hpp"
 #include "jointed_slope/slope_geometry.hpp"
 
-#include <array>
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -46,32 +44,6 @@ enum class SlopeCheck {
     area_too_short,              // fewer than three corners
     area_without_block,          // holds the centre of none
 };
-
-constexpr std::array<std::string_view, 23> enum_names(SlopeCheck) {
-    return {"valid",
-            "number_out_of_range",
-            "outline_too_short",
-            "outline_crosses_itself",
-            "snap_distance_out_of_range",
-            "too_many_blocks",
-            "line_too_short",
-            "line_folds_back",
-            "region_too_short",
-            "persistence_without_trace_length",
-            "gouge_and_thickness",
-            "feature_and_side",
-            "stagger_without_set",
-            "unknown_rock",
-            "unknown_joint",
-            "unknown_line",
-            "unknown_set",
-            "intact_joint_missing",
-            "frame_without_edge",
-            "water_table_too_short",
-            "water_table_not_increasing",
-            "area_too_short",
-            "area_without_block"};
-}
 
 struct SlopeBlock {
     std::vector<MeshIndex> vertex;  // anticlockwise; corners of neighbours on its faces are among them

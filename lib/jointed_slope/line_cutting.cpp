@@ -82,7 +82,7 @@ void put_vertex(SectionMesh& mesh, const PlanePoint<>& point, double snap) {
         const double passed = way.dot(from_start);
         const double left = way.dot(mesh.end(edge) - point);
         if (std::abs(left_of(way).dot(from_start)) < snap && passed > snap && left > snap) {
-            // On the edge itself, which a snapped cut may bend a little past the point.
+            // The point lies on the edge itself, which a snapped cut may bend a little past it.
             const MeshSegment& segment = mesh.segment_of(edge);
             mesh.split_edge(edge, point_between(segment, std::abs(way.dot(point - segment.first)),
                                                 std::abs(way.dot(segment.second - point))));

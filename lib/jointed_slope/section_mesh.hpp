@@ -30,7 +30,7 @@ struct HalfEdge {
     MeshIndex segment;
 };
 
-// What an edge was cut from: its points are found between these ends, in whatever order it is divided.
+// The line that an edge was cut from: its points are found between these ends, in whatever order it is divided.
 struct MeshSegment {
     PlanePoint<> first;
     PlanePoint<> second;
@@ -101,7 +101,7 @@ class SectionMesh {
 // Sine of the anticlockwise turn at b on the way from a to c: negative where a polygon is not convex.
 double sine_of_turn(const PlanePoint<>& a, const PlanePoint<>& b, const PlanePoint<>& c);
 
-// Between the ends of a segment, nearer to the one whose number is less; neither end is preferred.
+// The point between the ends of a segment at these distances from them; neither end is preferred.
 PlanePoint<> point_between(const MeshSegment& segment, double from_first, double from_second);
 
 // A corner on a straight face is off it by rounding: far below what the engine takes for convex, 1e-9.

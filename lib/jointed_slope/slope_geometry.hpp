@@ -7,7 +7,6 @@
 
 #include "parameters/fields.hpp"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,10 +30,6 @@ struct SectionPoint {
 };
 
 enum class SideOfLine { above, below };
-
-constexpr std::array<std::string_view, 2> enum_names(SideOfLine) {
-    return {"above", "below"};
-}
 
 // Parallel joints. A spacing is uniformly distributed between (1 - scatter) and (1 + scatter) times the mean. With a
 // persistence below 1 each joint is a row of traces of equal length with gaps between them, which begins at random.

@@ -1,4 +1,5 @@
-// Which planes and lines let a slope slide or topple: geometry and friction alone, no cohesion, no water, no size.
+// Criteria by which planes and lines let a slope slide or topple: geometry and friction alone, no cohesion, no water,
+// no size.
 //
 // Conventions. "Feasible" is strict: at equality, within 1e-12 of a direction, nothing moves. The critical friction
 // angle is the one below which the mechanism is feasible; 0 where geometry forbids it at any friction. Face, plane and
@@ -53,9 +54,6 @@
 #include "kinematics/orientation.hpp"
 #include "kinematics/parameters.hpp"
 
-#include <array>
-#include <string_view>
-
 namespace delabole {
 
 enum class Feasibility {
@@ -72,20 +70,6 @@ enum class Feasibility {
     no_base_plane,               // direct toppling: columns, but no set for their bases
 };
 
-constexpr std::array<std::string_view, 11> enum_names(Feasibility) {
-    return {"feasible",
-            "planes_parallel",
-            "does_not_daylight",
-            "does_not_surface",
-            "outside_lateral_limit",
-            "flatter_than_friction",
-            "does_not_dip_into_slope",
-            "too_flat_to_topple",
-            "no_slip_between_layers",
-            "base_steeper_than_friction",
-            "no_base_plane"};
-}
-
 struct FeasibilityVerdict {
     Feasibility feasibility;
     double critical_friction_angle;
@@ -95,10 +79,6 @@ FeasibilityVerdict planar_sliding(const SlopeOrientation& slope, const Orientati
                                   double lateral_limit);
 
 enum class SlidingContact { none, both_planes, first_plane, second_plane };
-
-constexpr std::array<std::string_view, 4> enum_names(SlidingContact) {
-    return {"none", "both_planes", "first_plane", "second_plane"};
-}
 
 struct WedgeVerdict {
     Feasibility feasibility;

@@ -14,11 +14,9 @@
 #include "kinematics/poles.hpp"
 #include "parameters/model_interface.hpp"
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -28,7 +26,7 @@ inline constexpr std::size_t most_joint_sets = 30;
 
 // The search for sets takes a time that grows with the square of their number.
 inline constexpr std::size_t most_poles = 10'000;
-// Of more poles than these, evenly chosen ones are intersected.
+// Where there are more poles, this many evenly chosen ones are intersected.
 inline constexpr std::size_t most_poles_intersected = 1'000;
 // The number is 8 unless the case says otherwise, and at most 12.
 std::size_t most_sets_searched(const Kinematics& model);
@@ -47,21 +45,6 @@ enum class KinematicsCheck {
     setting_not_whole,   // sample_count, seed or most_sets
     input_out_of_range,  // a number outside the range of its field, or not finite
 };
-
-constexpr std::array<std::string_view, 12> enum_names(KinematicsCheck) {
-    return {"valid",
-            "no_joint_set",
-            "too_many_joint_sets",
-            "joint_set_without_name",
-            "joint_set_name_repeated",
-            "lower_dip_above_upper_dip",
-            "survey_without_planes",
-            "too_many_poles",
-            "window_without_poles",
-            "no_set_found",
-            "setting_not_whole",
-            "input_out_of_range"};
-}
 
 struct MechanismFeasibility {
     Feasibility at_mean;

@@ -21,8 +21,8 @@ double terzaghi_weight(const Orientation& plane, const LineOrientation& line, do
 // Customary: larger weights would rest on too few planes.
 inline constexpr double customary_least_angle = degrees(15);
 
-// Of poles turned to the side of their principal axis, weights w scaled to the sum N. R is the length of their
-// resultant.
+// Statistics of poles turned to the side of their principal axis, with weights w scaled to the sum N. R is the length
+// of their resultant.
 struct FisherStatistics {
     double mean_dip;
     double mean_dip_direction;

@@ -14,19 +14,13 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstddef>
 #include <functional>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
 
 enum class NetProjection { equal_area, equal_angle };
-
-constexpr std::array<std::string_view, 2> enum_names(NetProjection) {
-    return {"equal_area", "equal_angle"};
-}
 
 // The image of a direction as it points; the upward vertical has no image on the equal-angle net and a whole circle on
 // the equal-area net.
@@ -90,7 +84,7 @@ struct DensityGrid {
     Eigen::MatrixXd values;           // not finite more than one cell outside the primitive
 };
 
-// On `side` times `side` points, side >= 4, one cell wider than the net on each side.
+// The density on `side` times `side` points, side >= 4, one cell wider than the net on each side.
 DensityGrid density_grid(const std::function<double(const Direction&)>& density, NetProjection projection,
                          std::size_t side);
 

@@ -6,20 +6,14 @@
 #include "parameters/fields.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
 
 enum class RequiredStatus { found, several, never_reached, always_exceeded, unknown_parameter };
-
-constexpr std::array<std::string_view, 5> enum_names(RequiredStatus) {
-    return {"found", "several", "never_reached", "always_exceeded", "unknown_parameter"};
-}
 
 struct Required {
     RequiredStatus status;

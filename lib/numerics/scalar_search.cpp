@@ -40,7 +40,7 @@ double edge_of_validity(const Function& function, double valid, double invalid) 
     return valid;
 }
 
-// Nothing where the function has no value somewhere on the way.
+// Returns nothing where the function has no value somewhere on the way.
 std::optional<double> refine_root(const Function& function, double lower, double upper) {
     const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
         gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);

@@ -12,7 +12,7 @@
 //   std::variant, keyed    a section whose `kind` selects the alternative; each alternative has `kind` and `fields()`
 //   std::variant, inlined  exactly one alternative's keys stand in the surrounding section (no `kind`, no own section)
 //   std::vector<struct>    an array of tables
-//   enum                   one word out of enum_names(Enum)
+//   enum                   one word out of enum_names(Enum): the names of its enumerators
 //   std::string            any text; std::vector of it, a list of texts, which may be absent
 //
 // A result may also describe a function of its members that takes nothing: the value is what it returns.
@@ -64,46 +64,36 @@ struct DisplayUnit {
     double si_per_unit;
 };
 
+namespace detail {
+
+inline constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
+
+inline constexpr auto display_units = std::to_array<DisplayUnit>({
+    {"", "", 1.0},
+    {"deg", "_deg", radians_per_degree},
+    {"m", "_m", 1.0},
+    {"m2", "_m2", 1.0},
+    {"m3", "_m3", 1.0},
+    {"kPa", "_kPa", 1e3},
+    {"kN/m3", "_kN_per_m3", 1e3},
+    {"kN", "_kN", 1e3},
+    {"kN/m", "_kN_per_m", 1e3},
+    {"kN m/m", "_kN_m_per_m", 1e3},
+    {"J/m", "_J_per_m", 1.0},
+    {"kg/m3", "_kg_per_m3", 1.0},
+    {"MN/m/m", "_MN_per_m_per_m", 1e6},
+    {"s", "_s", 1.0},
+    {"m/s", "_m_per_s", 1.0},
+    {"m/s2", "_m_per_s2", 1.0},
+    {"deg/s", "_deg_per_s", radians_per_degree},
+    {"", "", 1.0},
+});
+static_assert(display_units.size() == static_cast<std::size_t>(Dimension::named) + 1);
+
+}  // namespace detail
+
 constexpr DisplayUnit display_unit(Dimension dimension) {
-    constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
-    switch (dimension) {
-    case Dimension::angle:
-        return {"deg", "_deg", radians_per_degree};
-    case Dimension::length:
-        return {"m", "_m", 1.0};
-    case Dimension::area:
-        return {"m2", "_m2", 1.0};
-    case Dimension::volume:
-        return {"m3", "_m3", 1.0};
-    case Dimension::stress:
-        return {"kPa", "_kPa", 1e3};
-    case Dimension::unit_weight:
-        return {"kN/m3", "_kN_per_m3", 1e3};
-    case Dimension::force:
-        return {"kN", "_kN", 1e3};
-    case Dimension::force_per_length:
-        return {"kN/m", "_kN_per_m", 1e3};
-    case Dimension::moment_per_length:
-        return {"kN m/m", "_kN_m_per_m", 1e3};
-    case Dimension::energy_per_length:
-        return {"J/m", "_J_per_m", 1.0};
-    case Dimension::density:
-        return {"kg/m3", "_kg_per_m3", 1.0};
-    case Dimension::stiffness:
-        return {"MN/m/m", "_MN_per_m_per_m", 1e6};
-    case Dimension::time:
-        return {"s", "_s", 1.0};
-    case Dimension::speed:
-        return {"m/s", "_m_per_s", 1.0};
-    case Dimension::acceleration:
-        return {"m/s2", "_m_per_s2", 1.0};
-    case Dimension::angular_speed:
-        return {"deg/s", "_deg_per_s", radians_per_degree};
-    case Dimension::ratio:
-    case Dimension::named:
-        break;
-    }
-    return {"", "", 1.0};
+    return detail::display_units[static_cast<std::size_t>(dimension)];
 }
 
 constexpr double degrees(double value) {
@@ -144,11 +134,11 @@ constexpr Interval within(double lower, double upper) {
 constexpr Interval between(double lower, double upper) {
     return {.lower = lower, .upper = upper, .lower_open = true, .upper_open = true};
 }
-// Without its lower end.
+// The lower end is excluded.
 constexpr Interval left_open(double lower, double upper) {
     return {.lower = lower, .upper = upper, .lower_open = true};
 }
-// Without its upper end.
+// The upper end is excluded.
 constexpr Interval right_open(double lower, double upper) {
     return {.lower = lower, .upper = upper, .upper_open = true};
 }
@@ -204,6 +194,39 @@ template <class Owner, class Member>
 constexpr Field<Owner, Member> refers_to(NameOf what, Field<Owner, Member> field) {
     field.info.name_of = what;
     return field;
+}
+
+namespace detail {
+
+// An enumerator as the compiler spells it in the name of this function; a number that is none it casts, in brackets.
+template <auto enumerator>
+constexpr std::string_view spelling() {
+    std::string_view name = __PRETTY_FUNCTION__;
+    name.remove_prefix(name.find("enumerator = ") + std::string_view("enumerator = ").size());
+    name = name.substr(0, name.find_first_of(";]"));
+    return name.front() == '(' ? std::string_view() : name.substr(name.rfind(':') + 1);
+}
+
+template <class Enum, std::size_t count = 0>
+constexpr std::size_t enumerator_count() {
+    if constexpr (spelling<static_cast<Enum>(count)>().empty()) {
+        return count;
+    } else {
+        return enumerator_count<Enum, count + 1>();
+    }
+}
+
+}  // namespace detail
+
+// The words for the values of an enum: its enumerators, counted from 0 without a gap. An enum whose words are others
+// has a function of this name beside it.
+template <class Enum>
+requires std::is_enum_v<Enum>
+constexpr auto enum_names(Enum) {
+    return []<std::size_t... index>(std::index_sequence<index...>) {
+        return std::array{detail::spelling<static_cast<Enum>(index)>()...};
+    }
+    (std::make_index_sequence<detail::enumerator_count<Enum>()>{});
 }
 
 // The word by which a case and a result know a value of an enum.

@@ -1,4 +1,4 @@
-// What loops over models (fit, sensitivity, verify) see of any model: named numbers in, named numbers out.
+// Loops over models (fit, sensitivity, verify) see any model as named numbers in, named numbers out.
 #pragma once
 
 #include "geometry/polyline.hpp"
@@ -58,8 +58,8 @@ struct Prediction {
     Polyline profile;             // ground left standing after the failure, from the toe into the slope; may be empty
 };
 
-// What a prediction without an answer tells of an output all the same: a search that ended at a bound has found that
-// the value lies beyond it.
+// A prediction without an answer bounds an output all the same where a search ended at a bound: the value lies beyond
+// it.
 struct OutputBound {
     std::string_view failure;  // of Prediction
     std::size_t output;        // index into ModelInterface::outputs
@@ -115,6 +115,26 @@ void assign(Parameters& parameters, std::span<const Assignment> assignments) {
         }
         ++input;
     });
+}
+
+// The outputs of a result whose check is valid, or the word for what it failed.
+template <Described Result>
+Prediction prediction_of(const Result& result) {
+    using Check = decltype(result.check);
+    return result.check == Check::valid ? Prediction{{}, output_values(result), {}}
+                                        : Prediction{word_of(result.check), {}, {}};
+}
+
+// A model whose inputs are all its parameters, and whose outputs those of such a result; `predict` takes parameters.
+template <Described Parameters, Described Result, class Predict>
+ModelInterface interface_of_function(const Parameters& parameters, const Result& shape, Predict predict) {
+    ModelInterface model{inputs_of(parameters), outputs_of(shape), {}, {}};
+    model.predict = [parameters, predict](std::span<const Assignment> assignments) -> Prediction {
+        Parameters varied = parameters;
+        assign(varied, assignments);
+        return predict(varied);
+    };
+    return model;
 }
 
 }  // namespace delabole

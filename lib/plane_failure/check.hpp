@@ -1,9 +1,6 @@
 // Named reasons for which a plane-failure model has no answer.
 #pragma once
 
-#include <array>
-#include <string_view>
-
 namespace delabole {
 
 enum class PlaneFailureCheck {
@@ -28,33 +25,7 @@ enum class PlaneFailureCheck {
     input_out_of_range,  // a number outside the range of its field, not finite, or so large that forces overflow
 };
 
-constexpr std::array<std::string_view, 19> enum_names(PlaneFailureCheck) {
-    return {"valid",
-            "plane_does_not_daylight",
-            "plane_daylights_above_crest",
-            "plane_never_surfaces",
-            "crack_flatter_than_plane",
-            "crack_below_plane",
-            "crack_base_below_daylight",
-            "crack_deeper_than_mass",
-            "crack_never_surfaces",
-            "mass_vanishes",
-            "water_needs_crack",
-            "water_above_crack",
-            "water_points_not_increasing",
-            "water_below_pond",
-            "pond_above_crest",
-            "elevation_without_datum",
-            "friction_not_below_90_deg",
-            "bolt_head_above_crest",
-            "input_out_of_range"};
-}
-
 // `face`: the crack opens in front of the crest, so that the crest stays outside the mass.
 enum class CrackLocation { none, face, bench, upper_surface };
-
-constexpr std::array<std::string_view, 4> enum_names(CrackLocation) {
-    return {"none", "face", "bench", "upper_surface"};
-}
 
 }  // namespace delabole

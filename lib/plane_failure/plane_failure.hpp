@@ -10,9 +10,6 @@
 #include "plane_failure/parameters.hpp"
 #include "plane_failure/study.hpp"
 
-#include <array>
-#include <string_view>
-
 namespace delabole {
 
 // The factor of safety is NaN unless `check` is valid; it is infinite where nothing drives the mass.
@@ -34,10 +31,6 @@ enum class PlaneFailureOutcome {
     slides_and_overturns,
     lifts_off,  // the normal force is negative, whatever cohesion or moments say
 };
-
-constexpr std::array<std::string_view, 5> enum_names(PlaneFailureOutcome) {
-    return {"stable", "slides", "overturns", "slides_and_overturns", "lifts_off"};
-}
 
 struct PlaneFailureResult {
     PlaneFailureCheck check = PlaneFailureCheck::input_out_of_range;  // the rest is meaningful only where valid
@@ -113,7 +106,7 @@ Polyline ground_profile(const PlaneFailure<>& problem);
 // The rows of each pattern of bolts, the lowest first; empty where the problem is not valid.
 std::vector<std::vector<BoltRow>> support_rows(const PlaneFailure<>& problem);
 
-// What a failure leaves standing: toe, plane, crack, remaining ground. Empty where the problem is not valid.
+// The ground that a failure leaves standing: toe, plane, crack, remaining ground. Empty where the problem is not valid.
 Polyline profile_after_failure(const PlaneFailure<>& problem);
 
 // The problem a study analyses: its own, with the critical geometry put in where a search is asked for.

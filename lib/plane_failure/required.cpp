@@ -5,8 +5,6 @@
 #include "plane_failure/plane_failure.hpp"
 #include "plane_failure/stability.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace delabole {

@@ -98,11 +98,11 @@ void for_each_bolt(const PlaneFailure<T>& problem, const Wedge<T>& wedge, Visit&
         visit(bolt);
     }
     for (const PlaneSupport<T>& support : problem.support) {
-        for_each_row(support.pattern, [&](int row) {
+        for (int row = 0; T(row) < support.pattern.rows; ++row) {
             const T height = support.pattern.head_height(row);
             const T through = detail::length_in_mass(wedge, height, support.pattern.plunge);
             visit(Bolt<T>{force_of_row(support.pattern, through), support.pattern.plunge, height, support.action});
-        });
+        }
     }
 }
 

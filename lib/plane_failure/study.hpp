@@ -3,7 +3,6 @@
 
 #include "plane_failure/parameters.hpp"
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -11,18 +10,10 @@ namespace delabole {
 
 enum class CriticalFeature { tension_crack, failure_plane, both };
 
-constexpr std::array<std::string_view, 3> enum_names(CriticalFeature) {
-    return {"tension_crack", "failure_plane", "both"};
-}
-
 // Cracks open while the slope still stands, usually before the water rises: Hoek & Bray place the critical crack for
 // the dry slope. Under the given water the least factor of safety may belong to a deep crack near the face that the
 // water blows out.
 enum class SearchCondition { dry_slope, given_water };
-
-constexpr std::array<std::string_view, 2> enum_names(SearchCondition) {
-    return {"dry_slope", "given_water"};
-}
 
 // Replace the given crack position and/or plane dip by those of least factor of safety. A water level given as a depth
 // or an elevation stays as it is while the crack moves; a filled ratio stays a ratio.

@@ -3,7 +3,6 @@
 #include "plane_failure/stability.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 namespace delabole {

@@ -275,7 +275,7 @@ struct WaterVisitor {
         }
     }
 
-    // What is wrong already, or whether the pond gives more pressure at this height than the water form does.
+    // The check so far, or whether the pond gives more pressure at this height than the water form does.
     PlaneFailureCheck checked(PlaneFailureCheck check, const T& pressure, const T& level) const {
         return check == PlaneFailureCheck::valid && pond.exceeds(pressure, level) ? PlaneFailureCheck::water_below_pond
                                                                                   : check;

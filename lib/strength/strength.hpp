@@ -9,7 +9,6 @@
 
 #include "parameters/fields.hpp"
 
-#include <cmath>
 #include <string_view>
 #include <variant>
 

@@ -17,19 +17,12 @@
 #include "parameters/fields.hpp"
 #include "parameters/lengths.hpp"
 
-#include <array>
-#include <cmath>
 #include <optional>
-#include <string_view>
 #include <tuple>
 
 namespace delabole {
 
 enum class BoltAction { active, passive };
-
-constexpr std::array<std::string_view, 2> enum_names(BoltAction) {
-    return {"active", "passive"};
-}
 
 template <class T = double>
 struct Grout {
@@ -68,6 +61,7 @@ struct BoltPattern {
             section("grout", &P::grout, "along the whole bolt; absent: the bolt is anchored at its end alone")};
     }
 
+    // Rows are counted from 0 at the lowest.
     T head_height(int row) const { return T(lowest_height + T(row) * row_spacing); }
 };
 
@@ -94,13 +88,5 @@ struct BoltRow {
     Point head;
     double force;  // N/m
 };
-
-// Calls visit(row) for each row, counted from 0 at the lowest.
-template <class T, class Visit>
-void for_each_row(const BoltPattern<T>& pattern, Visit&& visit) {
-    for (int row = 0; T(row) < pattern.rows; ++row) {
-        visit(row);
-    }
-}
 
 }  // namespace delabole

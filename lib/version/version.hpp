@@ -1,4 +1,4 @@
-// Which Delabole this is; every result carries both words.
+// The version of Delabole and its revision, which every result carries.
 #pragma once
 
 #include <string_view>

@@ -4,7 +4,7 @@
 
 namespace delabole {
 
-ColumnTilt column_tilt(const TiltedColumn<>& column) {
+ColumnTilt analyse(const TiltedColumn<>& column) {
     const double sine = std::sin(column.joint_dip);
     const double cosine = std::cos(column.joint_dip);
     const double tangent = std::tan(column.saturated_tilt);
@@ -13,18 +13,10 @@ ColumnTilt column_tilt(const TiltedColumn<>& column) {
 }
 
 ModelInterface model_interface(const TiltedColumn<>& column) {
-    ModelInterface model;
-    model.inputs = inputs_of(column);
-    model.outputs = outputs_of(ColumnTilt{});
-    model.predict = [column](std::span<const Assignment> assignments) {
-        TiltedColumn<> changed = column;
-        assign(changed, assignments);
-        if (!in_range(changed)) {
-            return Prediction{"input_out_of_range", {}, {}};
-        }
-        return Prediction{{}, output_values(column_tilt(changed)), {}};
-    };
-    return model;
+    return interface_of_function(column, ColumnTilt{}, [](const TiltedColumn<>& varied) {
+        return in_range(varied) ? Prediction{{}, output_values(analyse(varied)), {}}
+                                : Prediction{"input_out_of_range", {}, {}};
+    });
 }
 
 }  // namespace delabole

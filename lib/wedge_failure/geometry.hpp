@@ -28,9 +28,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <array>
 #include <cmath>
-#include <string_view>
 
 namespace delabole {
 
@@ -47,20 +45,6 @@ enum class WedgeFailureCheck {
     friction_not_below_90_deg,        // friction_angle + roughness_angle
     input_out_of_range,               // a number outside the range of its field, or not finite
 };
-
-constexpr std::array<std::string_view, 11> enum_names(WedgeFailureCheck) {
-    return {"valid",
-            "planes_parallel",
-            "line_does_not_daylight",
-            "line_does_not_surface",
-            "upper_surface_steeper_than_face",
-            "crest_below_daylight",
-            "crack_misses_wedge",
-            "crack_cuts_face",
-            "water_needs_crack",
-            "friction_not_below_90_deg",
-            "input_out_of_range"};
-}
 
 template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;

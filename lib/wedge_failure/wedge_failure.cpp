@@ -70,17 +70,8 @@ Required required_value(const WedgeFailure<>& problem, const std::string& parame
 }
 
 ModelInterface model_interface(const WedgeFailureStudy<>& study) {
-    ModelInterface model;
-    model.inputs = inputs_of(study.model);
-    model.outputs = outputs_of(WedgeFailureResult{});
-    model.predict = [problem = study.model](std::span<const Assignment> assignments) -> Prediction {
-        WedgeFailure<> varied = problem;
-        assign(varied, assignments);
-        const WedgeFailureResult result = analyse(varied);
-        return result.check == WedgeFailureCheck::valid ? Prediction{{}, output_values(result), {}}
-                                                        : Prediction{word_of(result.check), {}, {}};
-    };
-    return model;
+    return interface_of_function(study.model, WedgeFailureResult{},
+                                 [](const WedgeFailure<>& varied) { return prediction_of(analyse(varied)); });
 }
 
 }  // namespace delabole

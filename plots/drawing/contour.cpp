@@ -1,6 +1,5 @@
 #include "plots/drawing/contour.hpp"
 
-#include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>

@@ -10,7 +10,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -142,10 +141,6 @@ enum class FigureStatus {
     cannot_write,     // the folder or a file in it could not be written
 };
 
-constexpr std::array<std::string_view, 4> enum_names(FigureStatus) {
-    return {"ok", "gnuplot_missing", "gnuplot_failed", "cannot_write"};
-}
-
 struct FigureFiles {
     FigureStatus status = FigureStatus::cannot_write;
     std::string message = {};  // for a reader, one line; empty when ok and gnuplot had nothing to remark
@@ -164,8 +159,8 @@ FigureFiles write_figure(const Figure& figure, const std::filesystem::path& fold
 // there meanwhile.
 void remove_abandoned_drawings(const std::filesystem::path& folder);
 
-// What one command's runs of gnuplot have in common: where one did not end in time, the next figures get their scripts
-// only. A command with dozens of figures would wait for each of them.
+// Shared by the runs of gnuplot of one command: where one did not end in time, the next figures get their scripts only.
+// A command with dozens of figures would wait for each of them.
 struct GnuplotRuns {
     std::chrono::seconds time_limit{60};  // of one run, which takes a fraction of a second
     std::string none_because = {};        // gnuplot is not run any more, in words; empty: it is

@@ -4,6 +4,9 @@
 
 #include <gnuplot-iostream.h>
 
+#include "parameters/fields.hpp"
+
+#include <array>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -11,61 +14,21 @@
 namespace delabole {
 
 std::string_view rgb(Colour colour) {
-    switch (colour) {
-    case Colour::black:
-        return "'#000000'";
-    case Colour::blue:
-        return "'#0072B2'";
-    case Colour::vermilion:
-        return "'#D55E00'";
-    case Colour::green:
-        return "'#009E73'";
-    case Colour::orange:
-        return "'#E69F00'";
-    case Colour::purple:
-        return "'#CC79A7'";
-    case Colour::sky:
-        return "'#56B4E9'";
-    case Colour::grey:
-        return "'#666666'";
-    case Colour::light_grey:
-        return "'#BDBDBD'";
-    case Colour::rock:
-        return "'#C8B99A'";
-    case Colour::white:
-        return "'#FFFFFF'";
-    }
-    return "'#000000'";
+    static constexpr auto codes =
+        std::to_array<std::string_view>({"'#000000'", "'#0072B2'", "'#D55E00'", "'#009E73'", "'#E69F00'", "'#CC79A7'",
+                                         "'#56B4E9'", "'#666666'", "'#BDBDBD'", "'#C8B99A'", "'#FFFFFF'"});
+    static_assert(codes.size() == enum_names(Colour{}).size());
+    return codes[static_cast<std::size_t>(colour)];
 }
 
 std::string_view dash_type(Dash dash) {
-    switch (dash) {
-    case Dash::dashed:
-        return "(12,6)";
-    case Dash::dotted:
-        return "(3,5)";
-    case Dash::solid:
-        break;
-    }
-    return "solid";
+    return dash == Dash::dashed ? "(12,6)" : dash == Dash::dotted ? "(3,5)" : "solid";
 }
 
 int point_type(Marker marker) {
-    switch (marker) {
-    case Marker::circle:
-        return 6;
-    case Marker::filled_circle:
-        return 7;
-    case Marker::filled_square:
-        return 5;
-    case Marker::filled_triangle:
-        return 9;
-    case Marker::filled_diamond:
-        return 13;
-    case Marker::cross:
-        return 2;
-    }
-    return 7;
+    static constexpr auto types = std::to_array({6, 7, 5, 9, 13, 2});
+    static_assert(types.size() == enum_names(Marker{}).size());
+    return types[static_cast<std::size_t>(marker)];
 }
 
 // Single quotes, within which gnuplot expands neither back-quoted commands nor macros. A line break has to be joined

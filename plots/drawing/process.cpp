@@ -46,8 +46,8 @@ int spawn(const fs::path& program, const std::vector<std::string>& arguments, co
     posix_spawn_file_actions_adddup2(&settings.actions, output, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&settings.actions, output, STDERR_FILENO);
 
-    // What the caller ignores or blocks must not leak into the child: an ignored SIGPIPE or a blocked SIGINT would make
-    // it unstoppable.
+    // Signals that the caller ignores or blocks must not stay so in the child: an ignored SIGPIPE or a blocked SIGINT
+    // would make it unstoppable.
     sigset_t none;
     sigset_t defaults;
     sigemptyset(&none);

@@ -91,7 +91,7 @@ struct ModeRegion {
     Polyline outline = {};  // rad
 };
 
-// Which mode a block is in, over two angles.
+// A chart of the mode that a block is in, over two angles.
 struct ModeChart {
     std::string title = {};
     std::string x = {};  // names of the angles: "base.dip"

@@ -5,7 +5,6 @@
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -76,7 +75,7 @@ class BlockLabels {
         return length > 4 * thickness && length > 3 * smallest_label * metres_per_px_;
     }
 
-    // Without touching the outline.
+    // True where the text does not touch the outline.
     bool fits(const DrawnBlock& block, double size) const {
         const Numeral numeral{&block, centroid_of(block), size, Numeral::Thinned::always};
         return !crosses(widened(place_of_text(numeral)), closed(block.outline));
@@ -84,7 +83,7 @@ class BlockLabels {
 
     bool goes_beside(const DrawnBlock& block) const { return bar(block) && !fits(block, beside_size); }
 
-    // Beside long thin blocks, where nothing else is drawn.
+    // Places beside long thin blocks, where nothing else is drawn.
     std::vector<Numeral> beside(const std::vector<Numeral>& inside_blocks) const {
         std::vector<Numeral> taken = inside_blocks;
         std::vector<Numeral> result;
@@ -105,7 +104,7 @@ class BlockLabels {
         return result;
     }
 
-    // Off the middle and the ends of its faces, those that look down first.
+    // Places off the middle and the ends of its faces, those that look down first.
     std::vector<Point> places_beside(const DrawnBlock& block) const {
         const Polyline edge = closed(block.outline);
         const double turn = area_properties(block.outline).area < 0 ? -1 : 1;
@@ -207,7 +206,7 @@ class BlockLabels {
                metres_per_px_;
     }
 
-    // What a text at this place hides or runs into.
+    // How much a text at this place hides or runs into.
     double disturbance(const DrawnBlock& block, const Rectangle& text) const {
         const Point around = Point::Constant(4 * metres_per_px_);  // for the heads of the arrows
         const Rectangle wider{text.lowest - around, text.highest + around};

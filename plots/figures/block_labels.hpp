@@ -15,7 +15,7 @@ constexpr double letter_width = 0.66;  // of the height of the text
 // Positions in the units of the blocks' outlines.
 Point centroid_of(const DrawnBlock& block);
 
-// What labels keep clear of besides outlines, and the frame that those beside a block stay in.
+// Things that labels keep clear of besides outlines, and the frame that those beside a block stay in.
 struct DrawnAcrossBlocks {
     Polyline water = {};
     std::vector<Arrows::Shaft> arrows = {};

@@ -3,7 +3,7 @@
 #include "fitting/work/words.hpp"
 #include "plots/drawing/contour.hpp"
 #include "plots/drawing/text.hpp"
-#include "plots/figures/posterior_figures.hpp"
+#include "plots/figures/study_figures.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace delabole {
@@ -67,6 +66,14 @@ struct Bounds {
 };
 
 }  // namespace
+
+Line level_line(double from, double to, double height, std::string legend, Colour colour) {
+    return {.points = {{from, height}, {to, height}},
+            .legend = std::move(legend),
+            .colour = colour,
+            .dash = Dash::dashed,
+            .width = 2};
+}
 
 Axis axis_of(std::string_view name, Dimension dimension) {
     return {.title = human_name(name), .unit = human_unit(display_unit(dimension).symbol)};

@@ -13,6 +13,9 @@
 
 namespace delabole {
 
+// A dashed line at a height.
+Line level_line(double from, double to, double height, std::string legend, Colour colour);
+
 // "strength.friction_angle" and an angle give the axis "strength: friction angle (deg)".
 Axis axis_of(std::string_view name, Dimension dimension);
 

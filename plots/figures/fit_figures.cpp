@@ -1,4 +1,4 @@
-#include "plots/figures/fit_figures.hpp"
+#include "plots/figures/study_figures.hpp"
 
 #include "fitting/probability/estimate.hpp"
 #include "plots/drawing/contour.hpp"

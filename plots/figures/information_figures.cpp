@@ -1,12 +1,12 @@
-#include "plots/figures/information_figures.hpp"
+#include "plots/figures/study_figures.hpp"
 
 #include "plots/drawing/text.hpp"
+#include "plots/figures/figures.hpp"
 
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -37,14 +37,6 @@ std::pair<double, double> usual_bar(int count) {
         return static_cast<double>(hits);
     };
     return {quantile(0.025), quantile(0.975)};
-}
-
-Line horizontal(double height, double from, double to, std::string legend, Colour colour) {
-    return {.points = {{from, height}, {to, height}},
-            .legend = std::move(legend),
-            .colour = colour,
-            .dash = Dash::dashed,
-            .width = 2};
 }
 
 }  // namespace
@@ -119,8 +111,8 @@ Figure rank_figure(const MechanismRecovery& recovery, const ParameterRecovery& p
     }
     figure.series.emplace_back(std::move(boxes));
     figure.series.emplace_back(
-        horizontal(few, -0.5, ranked_draws + 0.5, "95 % of the bars of uniform ranks", Colour::vermilion));
-    figure.series.emplace_back(horizontal(many, -0.5, ranked_draws + 0.5, "", Colour::vermilion));
+        level_line(-0.5, ranked_draws + 0.5, few, "95 % of the bars of uniform ranks", Colour::vermilion));
+    figure.series.emplace_back(level_line(-0.5, ranked_draws + 0.5, many, "", Colour::vermilion));
     figure.y.range = std::pair{0.0, 1.15 * highest};
     return figure;
 }

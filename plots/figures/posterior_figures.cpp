@@ -1,4 +1,4 @@
-#include "plots/figures/posterior_figures.hpp"
+#include "plots/figures/study_figures.hpp"
 
 #include "plots/drawing/extent.hpp"
 #include "plots/drawing/text.hpp"
@@ -39,25 +39,11 @@ std::array<Part, 4> parts_of(const MechanismPosterior& posterior) {
 }  // namespace
 
 std::string variant_in_words(EvidenceVariant variant) {
-    switch (variant) {
-    case EvidenceVariant::as_given:
-        return "as given";
-    case EvidenceVariant::priors_halved:
-        return "priors half as wide";
-    case EvidenceVariant::priors_doubled:
-        return "priors twice as wide";
-    case EvidenceVariant::priors_flat:
-        return "flat priors";
-    case EvidenceVariant::prior_means_lower:
-        return "prior means lower";
-    case EvidenceVariant::prior_means_higher:
-        return "prior means higher";
-    case EvidenceVariant::model_error_halved:
-        return "half the model error";
-    case EvidenceVariant::model_error_doubled:
-        return "twice the model error";
-    }
-    return {};
+    static constexpr auto words = std::to_array<std::string_view>(
+        {"as given", "priors half as wide", "priors twice as wide", "flat priors", "prior means lower",
+         "prior means higher", "half the model error", "twice the model error"});
+    static_assert(words.size() == enum_names(EvidenceVariant{}).size());
+    return std::string(words[static_cast<std::size_t>(variant)]);
 }
 
 std::optional<Figure> evidence_figure(const FitResult& result) {
@@ -123,7 +109,7 @@ std::optional<Figure> evidence_dependence_figure(const FitResult& result) {
                       .size = 1.8};
         for (std::size_t index = 0; index < fit.posterior->evidences.size(); ++index) {
             const VariantEvidence& variant = fit.posterior->evidences[index];
-            // Beside each other, for they often agree.
+            // They stand beside each other, for they often agree.
             constexpr double apart = 0.12;
             const double place = static_cast<double>(index) + apart * static_cast<double>(count);
             const double value = fit.posterior->log_evidence(variant.evidence, true);

@@ -89,7 +89,7 @@ void add_forces(const SectionDrawing& drawing, const Point& raise, Figure& figur
             Arrows::Shaft& shaft = arrows.shafts[index++];
             shaft = {shaft.from + raise, shaft.to + raise};
             const bool sideways = std::abs(force.direction.x()) > 0.7;
-            // What points into the slope has its text in front of it.
+            // A force that points into the slope has its text in front of it.
             figure.labels.push_back({.at = force.direction.x() > 0.7 ? shaft.from : shaft.to,
                                      .text = force.text,
                                      .align = sideways ? Label::Align::right : Label::Align::left,

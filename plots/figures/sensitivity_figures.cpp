@@ -60,14 +60,6 @@ std::pair<double, double> widened(const Extent& extent, double share) {
     return {extent.lowest - margin, extent.highest + margin};
 }
 
-Line level(double from, double to, double height, std::string legend, Colour colour) {
-    return {.points = {{from, height}, {to, height}},
-            .legend = std::move(legend),
-            .colour = colour,
-            .dash = Dash::dashed,
-            .width = 2};
-}
-
 // Powers of ten; 1, 2 and 5 of each, or all digits, where there are few of them. `from` and `to` are logarithms.
 void set_sample_ticks(Axis& axis, double from, double to) {
     constexpr double some_decades = 2.5;
@@ -349,7 +341,7 @@ Figure sampling_convergence_figure(const StudiedQuantity& quantity, const Propag
     figure.series.emplace_back(std::move(line));
     if (of_failure && first_order_probability) {
         figure.series.emplace_back(
-            level(left, right, *first_order_probability / unit, "first-order reliability", Colour::vermilion));
+            level_line(left, right, *first_order_probability / unit, "first-order reliability", Colour::vermilion));
         heights.include(*first_order_probability / unit);
     }
     const auto [lowest, highest] = widened(heights, 0.05);

@@ -41,16 +41,19 @@ Point on_primitive(double azimuth, double radius) {
     return {radius * std::sin(azimuth), radius * std::cos(azimuth)};
 }
 
-Figure empty_net(std::string_view title, std::string_view shown) {
+Figure bare_circle(std::string title, int size) {
     constexpr double margin = 1.17;  // room for the azimuths around the primitive
-    Figure figure{.title = title.empty() ? std::string(shown) : std::string(title) + ": " + std::string(shown),
-                  .x = {.range = std::pair{-margin, margin}, .grid = false},
-                  .y = {.range = std::pair{-margin, margin}, .grid = false},
-                  .equal_scales = true,
-                  .frame = false,
-                  .width = 720,
-                  .height = 720};
-    return figure;
+    return {.title = std::move(title),
+            .x = {.range = std::pair{-margin, margin}, .grid = false},
+            .y = {.range = std::pair{-margin, margin}, .grid = false},
+            .equal_scales = true,
+            .frame = false,
+            .width = size,
+            .height = size};
+}
+
+Figure empty_net(std::string_view title, std::string_view shown) {
+    return bare_circle(title.empty() ? std::string(shown) : std::string(title) + ": " + std::string(shown), 720);
 }
 
 // Primitive circle, ticks and azimuths: last, over everything that ends at the circle.
@@ -323,14 +326,7 @@ Figure rosette_figure(const std::string& title, const std::vector<Orientation>& 
     for (const double petal : petals) {
         total += petal;
     }
-    constexpr double margin = 1.17;
-    Figure figure{.title = title,
-                  .x = {.range = std::pair{-margin, margin}, .grid = false},
-                  .y = {.range = std::pair{-margin, margin}, .grid = false},
-                  .equal_scales = true,
-                  .frame = false,
-                  .width = 560,
-                  .height = 560};
+    Figure figure = bare_circle(title, 560);
     bool named = false;
     for (std::size_t petal = 0; petal < classes && largest > 0; ++petal) {
         for (const double end : {0.0, std::numbers::pi}) {

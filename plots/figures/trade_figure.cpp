@@ -1,4 +1,4 @@
-#include "plots/figures/trade_figure.hpp"
+#include "plots/figures/study_figures.hpp"
 
 #include "plots/drawing/text.hpp"
 
@@ -66,7 +66,7 @@ void set_ticks(Axis& axis, double least, double greatest) {
     }
 }
 
-// What the front promises at every cost: as good as the best that is no dearer.
+// The front at every cost: as good as the best that is no dearer.
 Polyline staircase(const Polyline& front, double last_cost) {
     Polyline line;
     for (std::size_t index = 0; index < front.size(); ++index) {

@@ -5,7 +5,6 @@
 #include "plots/drawing/figure.hpp"
 
 #include <string>
-#include <vector>
 
 namespace delabole {
 

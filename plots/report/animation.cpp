@@ -12,7 +12,6 @@
 #include <cmath>
 #include <numbers>
 #include <string_view>
-#include <utility>
 
 namespace delabole {
 

@@ -50,7 +50,7 @@ struct BlockAnimation {
 };
 
 // The drawing, the controls (hidden until the script runs) and the data, for a page that holds animation_style and,
-// after all animations, animation_script (animation_script.hpp). Without a frame or a block to show: a box that says
+// after all animations, animation_script (page.hpp). Without a frame or a block to show: a box that says
 // so.
 std::string animation_html(const BlockAnimation& animation);
 

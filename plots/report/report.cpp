@@ -2,8 +2,7 @@
 
 #include "plots/drawing/atomic_file.hpp"
 #include "plots/drawing/svg.hpp"
-#include "plots/report/animation_script.hpp"
-#include "plots/report/report_style.hpp"
+#include "plots/report/page.hpp"
 
 #include <algorithm>
 #include <array>

@@ -18,7 +18,7 @@ struct Conversion {
 
 constexpr Dimension last_dimension = Dimension::angular_speed;
 
-// Nothing where the unit stays.
+// Returns nothing where the unit stays.
 std::optional<Conversion> conversion_of(std::string_view unit) {
     for (int index = 0; index <= static_cast<int>(last_dimension); ++index) {
         const auto dimension = static_cast<Dimension>(index);

@@ -1,5 +1,5 @@
 // The models of chapter 3 as scenes: cut as the tables have them, and failing where they must.
-#include "cases/program/thesis/chapter_3/base_friction_runs.hpp"
+#include "cases/program/thesis/chapter_3/base_friction.hpp"
 #include "dynamic_relaxation/scene/slope_scene.hpp"
 
 #include <gtest/gtest.h>

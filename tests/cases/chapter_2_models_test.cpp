@@ -1,6 +1,5 @@
 // The base friction models of chapter 2 in motion: parts of their runs, as short as shows what they are to show.
-#include "cases/program/thesis/chapter_2/rank_correlation.hpp"
-#include "cases/program/thesis/chapter_2/slope_models.hpp"
+#include "cases/program/thesis/chapter_2/chapter_2.hpp"
 #include "cases/program/thesis/thesis_tables.hpp"
 #include "dynamic_relaxation/scene/slope_scene.hpp"
 

@@ -1,5 +1,5 @@
 // The back-analysis of the 1967 failure: what the README says of it.
-#include "cases/program/results/fit_problem_of_case.hpp"
+#include "cases/program/results/problems_of_case.hpp"
 #include "fitting/back_analysis/back_analysis.hpp"
 #include "fitting/studies/comparison.hpp"
 #include "fitting/studies/conclusions.hpp"

@@ -1,4 +1,4 @@
-#include "cases/program/thesis/chapter_2/fig_2_8.hpp"
+#include "cases/program/thesis/chapter_2/chapter_2.hpp"
 
 #include "plane_failure/closed_forms.hpp"
 

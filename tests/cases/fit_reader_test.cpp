@@ -1,7 +1,7 @@
 #include "cases/program/case/case_file.hpp"
 
 #include "cases/program/case/case_writer.hpp"
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 #include "example_case.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "cases/program/case/case_file.hpp"
 
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 #include "example_case.hpp"
 
 #include <gtest/gtest.h>

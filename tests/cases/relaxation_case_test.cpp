@@ -206,7 +206,7 @@ TEST(RelaxationCase, SaysThatTheTimeStepGivenWasDivided) {
 TEST(RelaxationCase, NamesWhatMakesASceneImpossible) {
     const auto explained = [](std::string_view text) {
         const auto study = std::get<RelaxationStudy>(parse_case(text, "case").model);
-        const std::string failure = failure_without_run(study);
+        const std::string failure = failure_of(study);
         EXPECT_EQ(failure, analyse_model(study).failure);
         return failure + ": " + impossibility(study, failure).words;
     };

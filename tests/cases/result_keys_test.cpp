@@ -1,7 +1,8 @@
 // One convention for all models: every quantity of a model keeps its name whether or not it has a value, and no length
 // beyond what the models are sound for is read.
-#include "cases/program/case/model_cases.hpp"
+#include "cases/program/case/starting_cases.hpp"
 #include "cases/program/results/analysis.hpp"
+#include "cases/program/results/model_reports.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "limit_equilibrium/block_row/block_row.hpp"
 #include "parameters/lengths.hpp"
@@ -46,7 +47,29 @@ std::string word(const CaseModel& model, const std::string& name) {
 
 template <class Model>
 Model example() {
-    return example_case(static_cast<const Model*>(nullptr)).model;
+    return std::get<Model>(parse_case(template_case(Model::kind), "template").model);
+}
+
+// A check that no sentence explains would be told as a number out of its range.
+template <class Check, class Model>
+void expect_words_for_checks() {
+    const std::string out_of_range = stated_impossibility(Model::kind, "input_out_of_range").words;
+    for (const std::string_view check : enum_names(Check{})) {
+        const bool in_range = check == "valid" || check == "input_out_of_range";
+        EXPECT_EQ(impossibility(example<Model>(), check).words == out_of_range, in_range)
+            << Model::kind << ": " << check;
+    }
+}
+
+TEST(Impossibility, EveryCheckSaysWhatIsWrong) {
+    expect_words_for_checks<PlaneFailureCheck, PlaneFailureStudy<>>();
+    expect_words_for_checks<WedgeFailureCheck, WedgeFailureStudy<>>();
+    expect_words_for_checks<ColumnCheck, SteppedBaseStudy<>>();
+    expect_words_for_checks<SteppedPathCheck, SteppedPath>();
+    expect_words_for_checks<BlockRowCheck, BlockRow<>>();
+    expect_words_for_checks<SingleBlockCheck, SingleBlock<>>();
+    expect_words_for_checks<FlexuralCheck, FlexuralSlope>();
+    expect_words_for_checks<KinematicsCheck, KinematicsStudy>();
 }
 
 TEST(ResultKeys, PlaneFailure) {

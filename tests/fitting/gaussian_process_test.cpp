@@ -2,7 +2,7 @@
 
 #include "fitting/probability/counted_random.hpp"
 #include "fitting/probability/distribution.hpp"
-#include "fitting/probability/statistics.hpp"
+#include "fitting/probability/estimate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fitting/back_analysis/identifiability.hpp"
+#include "fitting/back_analysis/steps.hpp"
 
 #include "fitting/back_analysis/verdict.hpp"
 

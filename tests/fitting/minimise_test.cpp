@@ -1,7 +1,7 @@
 #include "fitting/search/minimise.hpp"
 
 #include "fitting/probability/bracketed_root.hpp"
-#include "fitting/probability/statistics.hpp"
+#include "fitting/probability/estimate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "fitting/probability/sampling.hpp"
 
-#include "fitting/probability/statistics.hpp"
+#include "fitting/probability/estimate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -71,11 +71,11 @@ TEST(WaterDiagram, IsEmptyForAnImpossibleSlope) {
 TEST(ColumnTilt, FollowsFromTheSaturatedTilt) {
     const TiltedColumn<> saturated{degrees(70), degrees(47.5), 1};
     // The input comes back: atan2 and tan are inverse to a few rounding errors.
-    EXPECT_NEAR(column_tilt(saturated).tilt, degrees(47.5), 1e-15);
-    const ColumnTilt half = column_tilt({degrees(70), degrees(47.5), 0.5});
+    EXPECT_NEAR(analyse(saturated).tilt, degrees(47.5), 1e-15);
+    const ColumnTilt half = analyse(TiltedColumn<>{degrees(70), degrees(47.5), 0.5});
     EXPECT_NEAR(half.tilt / degrees(1), 12, 0.5);  // thesis 2.3.5 prints whole degrees
-    EXPECT_DOUBLE_EQ(half.water_force_over_weight, column_tilt(saturated).water_force_over_weight / 4);
-    EXPECT_EQ(column_tilt({degrees(70), degrees(47.5), 0}).tilt, 0);
+    EXPECT_DOUBLE_EQ(half.water_force_over_weight, analyse(saturated).water_force_over_weight / 4);
+    EXPECT_EQ(analyse(TiltedColumn<>{degrees(70), degrees(47.5), 0}).tilt, 0);
 }
 
 TEST(ColumnTilt, InterfaceRefusesWhatIsOutOfRange) {

@@ -1,7 +1,7 @@
 #include "plots/figures/figures.hpp"
 #include "plots/drawing/contour.hpp"
 #include "plots/drawing/text.hpp"
-#include "plots/figures/fit_figures.hpp"
+#include "plots/figures/study_figures.hpp"
 #include "samples.hpp"
 #include "series_of.hpp"
 #include "tests/support/no_number.hpp"

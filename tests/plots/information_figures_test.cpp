@@ -1,4 +1,4 @@
-#include "plots/figures/information_figures.hpp"
+#include "plots/figures/study_figures.hpp"
 
 #include "series_of.hpp"
 

@@ -1,6 +1,5 @@
-#include "plots/figures/posterior_figures.hpp"
+#include "plots/figures/study_figures.hpp"
 
-#include "plots/figures/fit_figures.hpp"
 #include "series_of.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "samples.hpp"
 
-#include "plots/figures/fit_figures.hpp"
+#include "plots/figures/study_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 
 #include "cases/program/case/case_file.hpp"
 #include "cases/program/reader/names.hpp"
-#include "cases/program/reader/spelling.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,131 +2,41 @@
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/case/starting_cases.hpp"
-#include "cases/program/reader/described_reader.hpp"
+#include "cases/program/reader/data_table.hpp"
 #include "cases/program/reader/described_writer.hpp"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <stdexcept>
-#include <utility>
 
 namespace delabole {
 namespace {
 
-struct ExampleNumber {
-    std::string_view key;
-    double value;                             // SI
-    std::optional<Dimension> dimension = {};  // where keys of several have the name
+struct ExampleValue {
+    std::string key;
+    std::string value;
+    static constexpr auto fields() {
+        return std::tuple{section("key", &ExampleValue::key, "the key"),
+                          section("value", &ExampleValue::value, "a value, of whose dimension the key is meant")};
+    }
 };
 
-// Examples that make sense beside each other once uncommented.
-constexpr auto examples = std::to_array<ExampleNumber>({
-    {"first_runs", 20.0},
-    {"toe_elevation", 100.0},
-    {"width", 5.0},
-    {"daylight_height", 1.0},
-    {"distance_behind_crest", 4.0},
-    {"depth", 4.35},
-    {"base_below_crest", 4.35},
-    {"base_elevation", 108.0},
-    {"water_depth", 3.0},
-    {"water_elevation", 110.0},
-    {"unit_weight", 9810.0},
-    {"from_distance", 1.0},
-    {"horizontal_coefficient", 0.1},
-    {"vertical_coefficient", 0.0},
-    {"lower_dip", degrees(20)},
-    {"upper_dip", degrees(55)},
-    {"factor_of_safety", 1.0},
-    {"joint_roughness_coefficient", 8.0},
-    {"roughness_angle", degrees(10)},
-    {"residual_friction_angle", degrees(30)},
-    {"joint_wall_strength", 50e6},
-    {"dip_direction", degrees(95)},
-    {"first_dip_direction", degrees(85)},
-    {"last_dip_direction", degrees(105)},
-    {"concentration", 80.0},
-    {"sample_count", 4000.0},
-    {"seed", 1967.0},
-    {"most_sets", 8.0},
-    {"window_dip_direction", degrees(95)},
-    {"window_radius", degrees(20)},
-    {"least_angle", degrees(15)},
-    {"joint_dip", degrees(70)},
-    {"spacing", 5.0},
-    {"rows", 3.0},
-    {"lowest_height", 2.0},
-    {"row_spacing", 2.0},
-    {"length", 3.0},
-    {"head_x", 0.0},
-    {"head_y", 1.0},
-    {"axial_stiffness", 100e6},
-    {"free_length_at_joints", 0.2},
-    {"stagger", 1.5},
-    {"snap_distance", 0.01},
-    {"sliver_share", 0.02},
-    {"scatter", 0.2},
-    {"thickness", 1.0},
-    {"base_inclination", degrees(35)},
-    {"base_end_height", 25.0},
-    {"step_above", 1.0},
-    {"block", 2.0},
-    {"other", 1.0},
-    {"fixed_block", 3.0},
-    {"runs", 8.0},
-    {"height", 2.0},
-    {"depth_behind", 2.0},
-    {"depth_in_front", 0.5},
-    {"joint", 1.0},
-    {"edge", 1.0},
-    {"lower", degrees(10), Dimension::angle},
-    {"upper", degrees(40), Dimension::angle},
-    {"tolerance", degrees(0.005), Dimension::angle},
-    {"lower", 0.1, Dimension::ratio},
-    {"upper", 10.0, Dimension::ratio},
-    {"tolerance", 0.005, Dimension::ratio},
-    {"final_tilt", degrees(20)},
-    {"interval", 0.1},
-    {"stiffness_ratio", 1e6},
-    {"step_fraction", 0.6},
-    {"time_step", 1e-4},
-    {"viscous_damping", 0.2},
-    {"local_damping", 0.2},
-    {"equilibrium_ratio", 1e-6},
-    {"onset_rotation", 0.01},
-    {"onset_slide", 0.01},
-    {"collapse_rotation", 0.5},
-    {"collapse_displacement", 1.0},
-    {"most_steps", 1e8},
-    {"overlap_limit", 0.05},
-    {"crack_opening", 0.01},
-    {"taken_away_below", -10.0},
-    {"young_modulus", 5e9},
-    {"shear_modulus", 2e9},
-    {"height_deviation", 0.05},
-    {"friction_deviation", degrees(2)},
-    {"belt_speed", 0.02},
-    {"lower_inclination", degrees(20)},
-    {"upper_inclination", degrees(50)},
-    {"lower_end_height", 5.0},
-    {"upper_end_height", 30.0},
-});
-
-// Stands for the name of an input; template_of replaces it where the model has none of that name.
+// Stands for the name of an input; commented_template replaces it where the model has none of that name.
 constexpr std::string_view example_input = "strength.friction_angle";
 
 double example_number(const FieldInfo& info) {
-    const auto* const found = std::ranges::find_if(examples, [&](const ExampleNumber& example) {
-        return example.key == info.key && example.dimension.value_or(info.dimension) == info.dimension;
-    });
-    if (found != examples.end()) {
-        return found->value;
+    static const std::vector<ExampleValue> examples = parse_table<ExampleValue>(template_values, "values.csv");
+    for (const ExampleValue& example : examples) {
+        if (example.key == info.key) {
+            const ParsedQuantity parsed = parse_quantity(example.value, info.dimension);
+            if (parsed.status == QuantityStatus::ok) {
+                return parsed.value;
+            }
+        }
     }
     if (info.dimension == Dimension::ratio) {
         return 0.5;
     }
-    const std::string_view in_quotation_marks = example_of(info.dimension);
+    const std::string_view in_quotation_marks = dimension_words(info.dimension).example;
     return parse_quantity(in_quotation_marks.substr(1, in_quotation_marks.size() - 2), info.dimension).value;
 }
 
@@ -347,7 +257,7 @@ std::string annotated_studies() {
     const CaseFile supported = parse_case(starting_case("support"), "support");
     text += after_blank_line(explained("[sensitivity]", "delabole sensitivity"));
     text += annotated_values(*supported.sensitivity) + annotated_sections(*supported.sensitivity, "sensitivity");
-    // Of no use without [[support]]: a comment still where the rest is not.
+    // It is of no use without [[support]], so it is a comment even where the rest is not.
     return text + "\n" +
            commented(explained("[support_design]", "the cheapest of the patterns of [[support]]") +
                      annotated_values(*supported.support_design) +
@@ -371,45 +281,27 @@ std::string with_input_of(const CaseModel& model, std::string text) {
     return text;
 }
 
-template <Described Model>
-std::string template_of(const ModelExample<Model>& example) {
-    const std::string text =
-        "schema = 1\n"
-        "title = " +
-        in_quotes(example.title) +
-        "\n"
-        "# description = \"what the case is about\"\n"
-        "model = " +
-        in_quotes(Model::kind) + "\n" + annotated_values(example.model) + annotated_sections(example.model, "") + "\n" +
-        commented(example.further_parts.substr(1)) +
-        (std::same_as<Model, PlaneFailureStudy<>> ? commented(annotated_studies()) : "");
-    return with_input_of(example.model, text);
-}
-
-template <std::size_t... index>
-std::string template_of_name(std::string_view model, std::index_sequence<index...>) {
-    std::string text;
-    const auto try_model = [&]<class Model>(const Model* choice) {
-        if (model == Model::kind) {
-            text = template_of(example_case(choice));
-        }
-    };
-    (try_model(static_cast<const std::variant_alternative_t<index, CaseModel>*>(nullptr)), ...);
-    return text;
-}
-
 }  // namespace
 
 std::string commented_template(std::string_view name) {
+    const std::vector<std::string> models = model_names();
+    const bool known = std::ranges::find(models, name) != models.end();
     const std::vector<std::string> starting = starting_case_names();
-    const std::string model = std::ranges::find(starting, name) == starting.end()
-                                  ? std::string(name)
-                                  : std::string(model_name(parse_case(starting_case(name), name).model));
-    std::string text = template_of_name(model, std::make_index_sequence<std::variant_size_v<CaseModel>>{});
-    if (text.empty()) {
-        throw std::invalid_argument("no model is named " + model + suggestion(model, model_names()));
+    if (!known && std::ranges::find(starting, name) == starting.end()) {
+        throw std::invalid_argument("no model is named " + std::string(name) + suggestion(std::string(name), models));
     }
-    return text;
+    const std::string_view model = known ? name : model_name(parse_case(starting_case(name), name).model);
+    const std::string text = template_case(model);
+    const CaseFile file = parse_case(text, model);
+    const std::size_t further = std::min(text.find("[sources]"), text.find("[[expect]]"));
+    return with_input_of(
+        file.model,
+        "schema = 1\ntitle = " + in_quotes(file.title) +
+            "\n# description = \"what the case is about\"\nmodel = " + in_quotes(model) + "\n" +
+            std::visit([](const auto& study) { return annotated_values(study) + annotated_sections(study, ""); },
+                       file.model) +
+            "\n" + commented(std::string_view(text).substr(further)) +
+            (std::holds_alternative<PlaneFailureStudy<>>(file.model) ? commented(annotated_studies()) : ""));
 }
 
 }  // namespace delabole

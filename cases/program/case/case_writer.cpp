@@ -5,7 +5,6 @@
 #include "numerics/fnv_1a.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace delabole {
 namespace {
@@ -125,7 +124,7 @@ std::string case_hash(const CaseFile& case_file) {
     return text;
 }
 
-std::string aligned_columns(const std::vector<std::vector<std::string>>& rows) {
+std::string aligned_columns(const std::vector<std::vector<std::string>>& rows, FurtherColumns further) {
     std::vector<std::size_t> widths;
     for (const auto& row : rows) {
         widths.resize(std::max(widths.size(), row.size()));
@@ -137,7 +136,9 @@ std::string aligned_columns(const std::vector<std::vector<std::string>>& rows) {
     for (const auto& row : rows) {
         std::string line;
         for (std::size_t column = 0; column < row.size(); ++column) {
-            line += row[column] + std::string(widths[column] - characters_in(row[column]) + 2, ' ');
+            const std::string padding(widths[column] - characters_in(row[column]), ' ');
+            const bool left = column == 0 || further == FurtherColumns::left;
+            line += (column == 0 ? "" : "  ") + (left ? row[column] + padding : padding + row[column]);
         }
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + "\n";

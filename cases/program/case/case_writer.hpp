@@ -25,8 +25,12 @@ std::string case_hash(const CaseFile& case_file);
 // choices as comments. Throws std::invalid_argument for a name that is not in model_names().
 std::string commented_template(std::string_view model);
 
-// Rows as columns of text, each as wide as its longest entry, two blanks apart.
-std::string aligned_columns(const std::vector<std::vector<std::string>>& rows);
+enum class FurtherColumns { left, right };
+
+// Rows as columns of text, each as wide as its longest entry, two blanks apart; the columns behind the first stand to
+// the left or, as numbers do, to the right of their width.
+std::string aligned_columns(const std::vector<std::vector<std::string>>& rows,
+                            FurtherColumns further = FurtherColumns::left);
 
 // A table of all numbers of the model, a line each: name, value, allowed range, meaning and source.
 std::string described_inputs(const CaseFile& case_file);

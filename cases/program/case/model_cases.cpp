@@ -1,8 +1,12 @@
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/case/case_parts.hpp"
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reader/units.hpp"
+#include "limit_equilibrium/block_row/block_row.hpp"
+#include "limit_equilibrium/stepped_path/stepped_path.hpp"
 #include "strength/shear_strength.hpp"
+#include "water/column_tilt.hpp"
+#include "wedge_failure/wedge_failure.hpp"
 
 #include <algorithm>
 

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -72,49 +71,28 @@ void take_files(Reading& reading, KinematicsStudy& study, const std::filesystem:
 void take_files(Reading& reading, RelaxationStudy& study, const std::filesystem::path& folder,
                 const std::string& prefix);
 
-// What `delabole init` writes: a valid case, and what else a case of the model may say, as text to be commented out.
+// What concerns several inputs at once and can be judged without running the model; nothing for some models.
 template <class Model>
-struct ModelExample {
-    Model model;
-    std::string_view title;
-    std::string_view further_parts;
-};
-
-// What concerns several inputs at once and can be judged without running the model.
+void check_case(Checker& /*checker*/, const Model& /*model*/) {}
 void check_case(Checker& checker, const PlaneFailureStudy<>& study);
 void check_case(Checker& checker, const SteppedBaseStudy<>& study);
 void check_case(Checker& checker, const SingleBlock<>& problem);
 void check_case(Checker& checker, const BlockRow<>& row);
-void check_case(Checker& checker, const TiltedColumn<>& column);
 void check_case(Checker& checker, const KinematicsStudy& study);
 void check_case(Checker& checker, const RelaxationStudy& study);
 void check_case(Checker& checker, const FlexuralSlope& slope);
 void check_case(Checker& checker, const SteppedPath& path);
 void check_case(Checker& checker, const WedgeFailureStudy<>& study);
 
-// The pointers only choose the model.
-ModelExample<PlaneFailureStudy<>> example_case(const PlaneFailureStudy<>*);
-ModelExample<SteppedBaseStudy<>> example_case(const SteppedBaseStudy<>*);
-ModelExample<SingleBlock<>> example_case(const SingleBlock<>*);
-ModelExample<BlockRow<>> example_case(const BlockRow<>*);
-ModelExample<TiltedColumn<>> example_case(const TiltedColumn<>*);
-ModelExample<KinematicsStudy> example_case(const KinematicsStudy*);
-ModelExample<RelaxationStudy> example_case(const RelaxationStudy*);
-ModelExample<FlexuralSlope> example_case(const FlexuralSlope*);
-ModelExample<SteppedPath> example_case(const SteppedPath*);
-ModelExample<WedgeFailureStudy<>> example_case(const WedgeFailureStudy<>*);
-
-// All that the model can answer, whatever a case asks of it. The values of the model may be out of their ranges; only
-// how many parts it has may matter.
+// All that the model can answer, whatever a case asks of it: what its interface names, unless that depends on more than
+// how many parts it has. The values of the model may be out of their ranges.
+template <class Model>
+std::vector<Quantity> possible_outputs(const Model& model) {
+    return model_interface(model).outputs;
+}
 std::vector<Quantity> possible_outputs(const PlaneFailureStudy<>& study);
 std::vector<Quantity> possible_outputs(const SteppedBaseStudy<>& study);
-std::vector<Quantity> possible_outputs(const SingleBlock<>& problem);
-std::vector<Quantity> possible_outputs(const BlockRow<>& row);
-std::vector<Quantity> possible_outputs(const TiltedColumn<>& column);
 std::vector<Quantity> possible_outputs(const KinematicsStudy& study);
 std::vector<Quantity> possible_outputs(const RelaxationStudy& study);
-std::vector<Quantity> possible_outputs(const FlexuralSlope& slope);
-std::vector<Quantity> possible_outputs(const SteppedPath& path);
-std::vector<Quantity> possible_outputs(const WedgeFailureStudy<>& study);
 
 }  // namespace delabole

@@ -10,7 +10,7 @@
 #include "limit_equilibrium/stepped_base/stepped_base_study.hpp"
 #include "limit_equilibrium/stepped_path/stepped_path_parameters.hpp"
 #include "plane_failure/study.hpp"
-#include "water/tilted_column.hpp"
+#include "water/column_tilt.hpp"
 #include "wedge_failure/parameters.hpp"
 
 #include <variant>

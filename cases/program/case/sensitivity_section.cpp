@@ -1,7 +1,7 @@
 // [sensitivity]: what is uncertain and how, which quantity is studied, what is computed.
 #include "cases/program/case/case_parts.hpp"
 #include "cases/program/reader/described_reader.hpp"
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 
 #include <algorithm>
 

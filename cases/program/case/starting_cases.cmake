@@ -1,11 +1,21 @@
-# Builds the cases to start from into the program.
+# Builds the cases to start from into the program, and the examples that templates are made of.
+set(models plane_failure stepped_base stepped_path single_block block_row tilted_column kinematics relaxation
+    flexural_toppling wedge)
 set(starting_cases "")
-foreach(name plane_failure stepped_base stepped_path single_block block_row tilted_column kinematics relaxation
-    flexural_toppling wedge jointed_slope fit sensitivity support)
-    set(file ${PROJECT_SOURCE_DIR}/cases/starting/${name}.toml)
+set(template_cases "")
+function(build_in list name file)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     file(READ ${file} text)
-    string(APPEND starting_cases "        {\"${name}\", R\"toml(${text})toml\"},\n")
+    set(${list} "${${list}}    {\"${name}\", R\"toml(${text})toml\"},\n" PARENT_SCOPE)
+endfunction()
+foreach(name ${models} jointed_slope fit sensitivity support)
+    build_in(starting_cases ${name} ${PROJECT_SOURCE_DIR}/cases/starting/${name}.toml)
 endforeach()
+foreach(name ${models})
+    build_in(template_cases ${name} ${PROJECT_SOURCE_DIR}/cases/starting/full/${name}.toml)
+endforeach()
+set(values ${PROJECT_SOURCE_DIR}/cases/starting/full/values.csv)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${values})
+file(READ ${values} template_values)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/starting_cases.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/starting_cases.cpp @ONLY)
 target_sources(delabole_cases PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/starting_cases.cpp)

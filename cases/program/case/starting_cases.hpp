@@ -1,4 +1,4 @@
-// Short cases to start from: what `delabole init` writes, the files of cases/starting/ when the program was built.
+// Short cases to start from: what `delabole init` writes, the files of cases/starting/, when the program was built.
 #pragma once
 
 #include <string>
@@ -12,5 +12,12 @@ std::vector<std::string> starting_case_names();
 
 // A valid case of a page. Throws std::invalid_argument for other names.
 std::string starting_case(std::string_view name);
+
+// What the commented template of a model is made of: a valid case, which from [sources] or [[expect]] on holds what the
+// template has as comments.
+std::string template_case(std::string_view model);
+
+// Table of values for keys that such a case does not have.
+extern const std::string_view template_values;
 
 }  // namespace delabole

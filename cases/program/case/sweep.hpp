@@ -3,14 +3,13 @@
 
 #include "cases/program/reader/document.hpp"
 #include "fitting/posterior/fit_problem.hpp"
+#include "fitting/work/spaced_values.hpp"
 #include "geometry/polyline.hpp"
 #include "parameters/fields.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -51,10 +50,6 @@ struct SweptInput {
 // A dashed curve has the colour of the solid one before it, a dotted one is a reference in grey.
 enum class CurveDash { solid, dashed, dotted };
 
-constexpr std::array<std::string_view, 3> enum_names(CurveDash) {
-    return {"solid", "dashed", "dotted"};
-}
-
 struct SweepCurve {
     std::string label;
     std::string output;
@@ -85,7 +80,7 @@ struct PrintedPoints {
     }
 };
 
-// What is printed of curves.
+// A printed remark on curves, to be tested.
 struct CurveRemark {
     std::string label;
     std::string curve;
@@ -119,10 +114,6 @@ struct CurveCrossing : CurveRemark {
 
 enum class CurveRelation { falls, rises, below, above };
 
-constexpr std::array<std::string_view, 4> enum_names(CurveRelation) {
-    return {"falls", "rises", "below", "above"};
-}
-
 // A printed statement on a curve, wherever there are values; or on crossings over `each`. A curve is below or above
 // another.
 struct CurveStatement : CurveRemark {
@@ -135,10 +126,6 @@ struct CurveStatement : CurveRemark {
 
 // The figures that are drawn of a sweep with `each`.
 enum class SweepDrawing { all, crossings };
-
-constexpr std::array<std::string_view, 2> enum_names(SweepDrawing) {
-    return {"all", "crossings"};
-}
 
 struct SweepInputs {
     std::string name;  // of its files
@@ -178,8 +165,5 @@ struct SweepCurves {
 struct CaseSweep : SweepInputs, SweepCurves {
     Place place = {};
 };
-
-// Ends where an input is meant to end, and equal steps between.
-std::vector<double> spaced_values(double from, double to, std::int64_t points);
 
 }  // namespace delabole

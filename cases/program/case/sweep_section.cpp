@@ -4,7 +4,7 @@
 #include "cases/program/case/case_parts.hpp"
 #include "cases/program/reader/described_reader.hpp"
 #include "cases/program/reader/described_writer.hpp"
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -63,7 +63,7 @@ bool too_many(Section& section, std::string_view key) {
     return true;
 }
 
-// What is read once it is known what the numbers of crossings are values of.
+// Reads the curves, once it is known which quantity the numbers of crossings belong to.
 void read_curves(Section& section, const ModelNames& names, CaseSweep& sweep) {
     const std::string output = read_optional_text(section, "output");
     section.name_quantity(sweep.vary.empty() ? nullptr : find_quantity(names.inputs, sweep.vary.front().input));
@@ -200,17 +200,6 @@ void read_sweep(Section& section, const ModelNames& names, std::vector<CaseSweep
 }
 
 }  // namespace
-
-std::vector<double> spaced_values(double from, double to, std::int64_t points) {
-    std::vector<double> values;
-    for (std::int64_t index = 0; index < points; ++index) {
-        // The last one as it was given.
-        values.push_back(index + 1 == points
-                             ? to
-                             : from + (to - from) * static_cast<double>(index) / static_cast<double>(points - 1));
-    }
-    return values;
-}
 
 std::vector<CaseSweep> read_sweeps(Section& root, const ModelNames& names) {
     std::vector<CaseSweep> sweeps;

@@ -3,7 +3,7 @@
 #include "cases/program/case/starting_cases.hpp"
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/case_error.hpp"
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/result_folder.hpp"

@@ -1,12 +1,10 @@
 // delabole fit
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/case_error.hpp"
-#include "cases/program/reports/conclusions_report.hpp"
-#include "cases/program/reports/fit_report.hpp"
-#include "cases/program/reports/information_report.hpp"
-#include "cases/program/results/fit_problem_of_case.hpp"
+#include "cases/program/reports/study_reports.hpp"
 #include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/kept_evaluations.hpp"
+#include "cases/program/results/problems_of_case.hpp"
 #include "cases/program/results/study_output.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/terminal/progress.hpp"
@@ -101,19 +99,19 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     const std::string status = status_of_fit(result);
     const std::string reserved = reservation_of_fit(status);
     add_reservation(reserved, status == "interrupted", report);
-    FitDocuments documents = document_fit(file, problem, result, folder, report);
+    StudyDocuments documents = document_fit(file, problem, result, folder, report);
     if (!left_out.empty()) {
         documents.json["left_out"] = left_out;
         documents.screen += left_out_in_words(left_out) + "\n";
         report.blocks.emplace_back(Paragraph{left_out_in_words(left_out)});
     }
     if (!information.empty()) {
-        const InformationDocuments next = document_information(problem.candidates, information, folder, report);
+        const StudyDocuments next = document_information(problem.candidates, information, folder, report);
         documents.json["value_of_information"] = next.json;
         documents.screen += next.screen;
     }
     if (!findings.empty()) {
-        const ConclusionDocuments held = document_conclusions(problem.conclusions, findings, folder, report);
+        const StudyDocuments held = document_conclusions(problem.conclusions, findings, folder, report);
         documents.json["conclusions"] = held.json;
         documents.screen += held.screen;
     }

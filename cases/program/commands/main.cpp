@@ -4,7 +4,7 @@
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/commands/description.hpp"
 #include "cases/program/reader/case_error.hpp"
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/terminal/plain_output.hpp"
 #include "fitting/work/evaluation_store.hpp"
@@ -28,6 +28,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <type_traits>
 #include <utility>
 
 namespace {
@@ -66,44 +67,48 @@ std::string missing_command(const CLI::App& app, int argument_count, char** argu
            delabole::choices(commands);
 }
 
-void add_common(CLI::App& command, Options& options) {
-    command.add_option("--set", options.settings, "Replace a value of the case, key=value; may be given several times")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
-    command.add_flag("--json", options.json, "Print the result as JSON on standard output");
-    command.add_flag("--quiet", options.quiet, "Print nothing but errors (and what --json asks for)");
-}
+// Options that several commands take.
+enum Part : unsigned { settings = 1, printing = 2, output = 4, threads = 8, seed = 16, store = 32 };
+constexpr unsigned common = settings | printing;
 
-void add_output(CLI::App& command, Options& options) {
-    command
-        .add_option(
-            "--out", options.out,
-            "Folder for the results; by default results/<name of the case>. It holds one result, which takes the "
-            "place of what files.txt in it lists; other files stay. Symbolic links in it are not followed, and a "
-            "second delabole is refused while one is writing")
-        ->type_name("DIR");
-    command.add_flag("--no-report", options.no_report,
-                     "Neither report nor figures, which take most of a second: for scripts");
-}
-
-void add_threads(CLI::App& command, Options& options) {
-    command.add_option("--threads", options.threads, "Threads to use; the result does not depend on their number")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N");
-}
-
-void add_loops(CLI::App& command, Options& options) {
-    add_threads(command, options);
-    command.add_option("--seed", options.seed, "Replace the seed of the case")->check(is_seed)->type_name("N");
-}
-
-void add_store(CLI::App& command, Options& options) {
-    command
-        .add_option("--store", options.store,
-                    "File that keeps the evaluations of costly models (dynamic relaxation), made where it is missing: "
-                    "a study that was stopped goes on from it, and others of the same model use them too; by default "
-                    "evaluations.sqlite in the result folder")
-        ->type_name("FILE");
+void add_parts(CLI::App& command, Options& options, unsigned parts) {
+    if ((parts & settings) != 0) {
+        command
+            .add_option("--set", options.settings, "Replace a value of the case, key=value; may be given several times")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+    }
+    if ((parts & printing) != 0) {
+        command.add_flag("--json", options.json, "Print the result as JSON on standard output");
+        command.add_flag("--quiet", options.quiet, "Print nothing but errors (and what --json asks for)");
+    }
+    if ((parts & output) != 0) {
+        command
+            .add_option(
+                "--out", options.out,
+                "Folder for the results; by default results/<name of the case>. It holds one result, which takes the "
+                "place of what files.txt in it lists; other files stay. Symbolic links in it are not followed, and a "
+                "second delabole is refused while one is writing")
+            ->type_name("DIR");
+        command.add_flag("--no-report", options.no_report,
+                         "Neither report nor figures, which take most of a second: for scripts");
+    }
+    if ((parts & threads) != 0) {
+        command.add_option("--threads", options.threads, "Threads to use; the result does not depend on their number")
+            ->check(CLI::Range(1, 1024))
+            ->type_name("N");
+    }
+    if ((parts & seed) != 0) {
+        command.add_option("--seed", options.seed, "Replace the seed of the case")->check(is_seed)->type_name("N");
+    }
+    if ((parts & store) != 0) {
+        command
+            .add_option("--store", options.store,
+                        "File that keeps the evaluations of costly models (dynamic relaxation), made where it is "
+                        "missing: a study that was stopped goes on from it, and others of the same model use them too; "
+                        "by default evaluations.sqlite in the result folder")
+            ->type_name("FILE");
+    }
 }
 
 std::string reproduce_help() {
@@ -205,70 +210,86 @@ struct Program {
         return program;
     }
 
-    // A command whose work several ranks can share.
-    void share_out(std::function<ExitCode()> command) {
-        options.quiet = options.quiet || !options.ranks->leads();
-        chosen = std::move(command);
+    // Where `shared` is false, several ranks cannot share the work of the command.
+    template <class What>
+    void complete(CLI::App* command, unsigned parts, const std::string& line,
+                  ExitCode (*run)(const What&, const Options&), const std::type_identity_t<What>& what,
+                  bool shared = false) {
+        add_parts(*command, options, parts);
+        command->footer(example("delabole " + line));
+        command->callback([this, run, &what, shared] {
+            options.quiet = options.quiet || (shared && !options.ranks->leads());
+            chosen = [this, run, &what, shared] {
+                if (!shared && !options.ranks->alone()) {
+                    throw delabole::UsageError(
+                        "of the commands only fit, recover and sensitivity share their work among ranks: run this one "
+                        "without mpirun");
+                }
+                return run(what, options);
+            };
+        });
     }
 
-    void choose(std::function<ExitCode()> command) {
-        chosen = [this, command = std::move(command)] {
-            if (!options.ranks->alone()) {
-                throw delabole::UsageError(
-                    "of the commands only fit, recover and sensitivity share their work among ranks: run this one "
-                    "without "
-                    "mpirun");
-            }
-            return command();
-        };
+    CLI::App* add_on_case(const std::string& name, const std::string& meaning, const std::string& of_case) {
+        CLI::App* command = app.add_subcommand(name, meaning);
+        command->add_option("CASE", one_case, of_case)->required();
+        return command;
     }
 
     void add_analysis() {
         CLI::App* run = app.add_subcommand("run", "Analyse cases; prints a table and writes a result folder for each");
         run->add_option("CASE", cases, "Case files; - is standard input")->required();
-        add_common(*run, options);
-        add_output(*run, options);
-        add_threads(*run, options);
+        complete(run, common | output | threads,
+                 "run cases/plane_failure/wyllie_mah_7_1.toml --set water.water_depth=\"2 m\"", delabole::run_command,
+                 cases);
         run->add_option("--checkpoint-every", options.seconds_between_checkpoints,
                         "Seconds between checkpoints of a long dynamic relaxation, from which the same command goes on "
                         "once it was stopped; 60 by default")
             ->check(CLI::Range(0.0, 86'400.0))  // a day: the bounds are printed
             ->type_name("SECONDS");
-        run->footer(example("delabole run cases/plane_failure/wyllie_mah_7_1.toml --set water.water_depth=\"2 m\""));
-        run->callback([this] { choose([this] { return delabole::run_command(cases, options); }); });
 
-        CLI::App* fit = app.add_subcommand(
-            "fit", "Back-analyse a failure: what its evidence determines, fitted parameters, ranking of mechanisms");
-        fit->add_option("CASE", one_case, "Case file with a [fit] section")->required();
-        add_common(*fit, options);
-        add_output(*fit, options);
-        add_loops(*fit, options);
-        add_store(*fit, options);
+        CLI::App* fit = add_on_case(
+            "fit", "Back-analyse a failure: what its evidence determines, fitted parameters, ranking of mechanisms",
+            "Case file with a [fit] section");
+        complete(fit, common | output | threads | seed | store,
+                 "fit cases/delabole_1967/delabole_1967.toml --out results/delabole_1967", delabole::fit_command,
+                 one_case, true);
         fit->add_option("--mechanism", options.mechanisms, "Fit this mechanism only; may be given again")
             ->type_name("NAME");
         fit->add_flag("--with-costly", options.with_costly,
                       "Fit mechanisms too whose every prediction is a run of dynamic relaxation: minutes")
             ->excludes("--mechanism");
-        fit->footer(example("delabole fit cases/delabole_1967/delabole_1967.toml --out results/delabole_1967"));
-        fit->callback([this] { share_out([this] { return delabole::fit_command(one_case, options); }); });
 
-        add_recovery();
-        add_live();
+        CLI::App* recover = add_on_case(
+            "recover", "Whether a back-analysis finds known parameters again: coverage of its intervals, bias, ranks",
+            "Case file with a [fit] section");
+        complete(recover, common | output | threads | seed | store,
+                 "recover cases/delabole_1967/delabole_1967.toml --repetitions 20", delabole::recover_command, one_case,
+                 true);
+        recover->add_option("--repetitions", options.repetitions, "Data sets to make and to fit; 100 by default")
+            ->check(CLI::Range(2, 1'000'000))
+            ->type_name("N");
+        recover->add_flag_callback(
+            "--at-best", [this] { options.at_best = true; },
+            "Make the data from the best fit instead of draws of the prior");
 
-        CLI::App* sensitivity = app.add_subcommand(
-            "sensitivity", "Which parameter matters, the distribution of an answer, the probability of failure");
-        sensitivity->add_option("CASE", one_case, "Case file with a [sensitivity] section")->required();
-        add_common(*sensitivity, options);
-        add_output(*sensitivity, options);
-        add_loops(*sensitivity, options);
-        add_store(*sensitivity, options);
-        sensitivity->footer(example("delabole sensitivity cases/plane_failure/sau_mau_ping_probability.toml"));
-        sensitivity->callback(
-            [this] { share_out([this] { return delabole::sensitivity_command(one_case, options); }); });
+        complete(
+            add_on_case("live",
+                        "Look at a case in the browser and change it: the answer follows while points are dragged. "
+                        "Served to this machine alone, at an address that is printed, until Ctrl-C",
+                        "Case file"),
+            common | output | threads, "live cases/plane_failure/wyllie_mah_7_1.toml", delabole::live_command,
+            one_case);
 
-        CLI::App* grid =
-            app.add_subcommand("grid", "An output over one or two inputs: curves or a map, and all points as CSV");
-        grid->add_option("CASE", one_case, "Case file; - is standard input")->required();
+        complete(add_on_case("sensitivity",
+                             "Which parameter matters, the distribution of an answer, the probability of failure",
+                             "Case file with a [sensitivity] section"),
+                 common | output | threads | seed | store,
+                 "sensitivity cases/plane_failure/sau_mau_ping_probability.toml", delabole::sensitivity_command,
+                 one_case, true);
+
+        CLI::App* grid = add_on_case("grid", "An output over one or two inputs: curves or a map, and all points as CSV",
+                                     "Case file; - is standard input");
         grid->add_option("--vary", options.vary,
                          "Input and its values, \"input=from:to:points\" or \"input=value,value\"; twice for a map")
             ->type_name("INPUT=VALUES")
@@ -278,82 +299,36 @@ struct Program {
                          "What is asked at each point; may be given again; by default factor_of_safety")
             ->type_name("NAME")
             ->allow_extra_args(false);
-        add_common(*grid, options);
-        add_output(*grid, options);
-        add_threads(*grid, options);
-        grid->footer(example(
-            "delabole grid cases/plane_failure/wyllie_mah_7_1.toml --vary \"water.water_depth=0 m:4.35 m:30\""));
-        grid->callback([this] { choose([this] { return delabole::grid_command(one_case, options); }); });
+        complete(grid, common | output | threads,
+                 "grid cases/plane_failure/wyllie_mah_7_1.toml --vary \"water.water_depth=0 m:4.35 m:30\"",
+                 delabole::grid_command, one_case);
 
-        CLI::App* trade = app.add_subcommand(
-            "trade", "Accuracy against cost of a dynamic relaxation: its critical value over the numerical knobs");
-        trade->add_option("CASE", one_case, "Case file of model relaxation with a [critical] section")->required();
-        add_common(*trade, options);
-        add_output(*trade, options);
-        add_threads(*trade, options);
-        trade->footer(example("delabole trade cases/relaxation/single_block.toml"));
-        trade->callback([this] { choose([this] { return delabole::trade_command(one_case, options); }); });
-    }
-
-    void add_live() {
-        CLI::App* live = app.add_subcommand(
-            "live",
-            "Look at a case in the browser and change it: the answer follows while points are dragged. Served to "
-            "this machine alone, at an address that is printed, until Ctrl-C");
-        live->add_option("CASE", one_case, "Case file")->required();
-        add_common(*live, options);
-        add_output(*live, options);
-        add_threads(*live, options);
-        live->footer(example("delabole live cases/plane_failure/wyllie_mah_7_1.toml"));
-        live->callback([this] { choose([this] { return delabole::live_command(one_case, options); }); });
-    }
-
-    void add_recovery() {
-        CLI::App* recover = app.add_subcommand(
-            "recover", "Whether a back-analysis finds known parameters again: coverage of its intervals, bias, ranks");
-        recover->add_option("CASE", one_case, "Case file with a [fit] section")->required();
-        add_common(*recover, options);
-        add_output(*recover, options);
-        add_loops(*recover, options);
-        add_store(*recover, options);
-        recover->add_option("--repetitions", options.repetitions, "Data sets to make and to fit; 100 by default")
-            ->check(CLI::Range(2, 1'000'000))
-            ->type_name("N");
-        recover->add_flag_callback(
-            "--at-best", [this] { options.at_best = true; },
-            "Make the data from the best fit instead of draws of the prior");
-        recover->footer(example("delabole recover cases/delabole_1967/delabole_1967.toml --repetitions 20"));
-        recover->callback([this] { share_out([this] { return delabole::recover_command(one_case, options); }); });
+        complete(
+            add_on_case("trade",
+                        "Accuracy against cost of a dynamic relaxation: its critical value over the numerical knobs",
+                        "Case file of model relaxation with a [critical] section"),
+            common | output | threads, "trade cases/relaxation/single_block.toml", delabole::trade_command, one_case);
     }
 
     void add_case_tools() {
         CLI::App* check = app.add_subcommand("check", "Read cases and report every error in them");
         check->add_option("CASE", cases, "Case files")->required();
-        add_common(*check, options);
-        check->footer(example("delabole check cases/delabole_1967/delabole_1967.toml"));
-        check->callback([this] { choose([this] { return delabole::check_command(cases, options); }); });
+        complete(check, common, "check cases/delabole_1967/delabole_1967.toml", delabole::check_command, cases);
 
         CLI::App* compare = app.add_subcommand("compare", "Analyse two cases and list which inputs and outputs differ");
         compare->add_option("CASE", cases, "Two case files")->required()->expected(2);
-        add_common(*compare, options);
-        add_threads(*compare, options);
-        compare->footer(
-            example("delabole compare cases/relaxation/two_blocks_3.toml cases/relaxation/two_blocks_5.toml"));
-        compare->callback([this] { choose([this] { return delabole::compare_command(cases, options); }); });
+        complete(compare, common | threads,
+                 "compare cases/relaxation/two_blocks_3.toml cases/relaxation/two_blocks_5.toml",
+                 delabole::compare_command, cases);
 
-        CLI::App* show =
-            app.add_subcommand("show", "Print a case as it is understood, with defaults, in standard units");
-        show->add_option("CASE", one_case, "Case file")->required();
-        add_common(*show, options);
-        show->footer(example("delabole show cases/delabole_1967/delabole_1967.toml"));
-        show->callback([this] { choose([this] { return delabole::show_command(one_case, options); }); });
+        complete(add_on_case("show", "Print a case as it is understood, with defaults, in standard units", "Case file"),
+                 common, "show cases/delabole_1967/delabole_1967.toml", delabole::show_command, one_case);
 
         CLI::App* init = app.add_subcommand("init", "Write a short case to start from, to standard output or --out");
         init->add_option("NAME", word, delabole::choices(delabole::starting_case_names()))->required();
         init->add_flag("--full", options.full, "Every key that the model knows, with its meaning and range");
         init->add_option("--out", options.out, "File to write; an existing one is not overwritten")->type_name("FILE");
-        init->footer(example("delabole init plane_failure --out my_slope.toml"));
-        init->callback([this] { choose([this] { return delabole::init_command(word, options); }); });
+        complete(init, 0, "init plane_failure --out my_slope.toml", delabole::init_command, word);
 
         add_list("inputs", "List what can be set, fitted or varied: names, values, ranges, meanings, sources",
                  delabole::inputs_command);
@@ -366,26 +341,17 @@ struct Program {
         CLI::App* command = app.add_subcommand(name, meaning);
         command->add_option("WHAT", word, "A case file, or a model: " + delabole::choices(delabole::model_names()))
             ->required();
-        add_common(*command, options);
-        command->footer(example("delabole " + name + " plane_failure"));
-        command->callback([this, list] { choose([this, list] { return list(word, options); }); });
+        complete(command, common, name + " plane_failure", list, word);
     }
 
     void add_proof() {
         CLI::App* verify = app.add_subcommand("verify", "Compare computed values with the [[expect]] entries of cases");
         verify->add_option("CASE", cases, "Case files or folders of them");
-        add_common(*verify, options);
-        verify->footer(example("delabole verify cases/plane_failure"));
-        verify->callback([this] { choose([this] { return delabole::verify_command(cases, options); }); });
+        complete(verify, common, "verify cases/plane_failure", delabole::verify_command, cases);
 
         CLI::App* reproduce = app.add_subcommand("reproduce", reproduce_help());
         reproduce->add_option("WHAT", word, "What to reproduce; everything by default");
-        reproduce->add_flag("--json", options.json, "Print the result as JSON on standard output");
-        reproduce->add_flag("--quiet", options.quiet, "Print nothing but errors (and what --json asks for)");
-        add_output(*reproduce, options);
-        add_threads(*reproduce, options);
-        reproduce->footer(example("delabole reproduce fig2.8"));
-        reproduce->callback([this] { choose([this] { return delabole::reproduce_command(word, options); }); });
+        complete(reproduce, printing | output | threads, "reproduce fig2.8", delabole::reproduce_command, word);
     }
 };
 

@@ -1,14 +1,14 @@
 // delabole recover
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/case_error.hpp"
-#include "cases/program/reports/recovery_report.hpp"
-#include "cases/program/results/fit_problem_of_case.hpp"
+#include "cases/program/reports/study_reports.hpp"
 #include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/kept_evaluations.hpp"
+#include "cases/program/results/problems_of_case.hpp"
 #include "cases/program/results/study_output.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/terminal/progress.hpp"
-#include "fitting/back_analysis/multi_start.hpp"
+#include "fitting/back_analysis/steps.hpp"
 #include "fitting/mechanism/misfit.hpp"
 
 #include <algorithm>
@@ -113,7 +113,7 @@ ExitCode recover_command(const std::filesystem::path& path, const Options& optio
     const std::string status = status_of(recoveries);
     const std::string reserved = reservation_of_recovery(status);
     add_reservation(reserved, status == "interrupted", report);
-    const RecoveryDocuments documents = document_recovery(recoveries, options.at_best, folder, report);
+    const StudyDocuments documents = document_recovery(recoveries, options.at_best, folder, report);
     Json json;
     json["status"] = status;
     json.update(documents.json);

@@ -1,6 +1,6 @@
 // delabole reproduce
 #include "cases/program/commands/commands.hpp"
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/terminal/progress.hpp"
 #include "cases/program/thesis/reproduction.hpp"

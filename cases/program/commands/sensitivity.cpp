@@ -3,10 +3,10 @@
 
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/case_error.hpp"
-#include "cases/program/reports/sensitivity_report.hpp"
+#include "cases/program/reports/study_reports.hpp"
 #include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/kept_evaluations.hpp"
-#include "cases/program/results/sensitivity_problem_of_case.hpp"
+#include "cases/program/results/problems_of_case.hpp"
 #include "cases/program/results/study_output.hpp"
 #include "cases/program/sweeps/support_report.hpp"
 #include "cases/program/terminal/interrupt.hpp"
@@ -65,7 +65,7 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
     Report report{title_of(file, options), file.description, {}};
     const std::string reserved = reservation(result.status);
     add_reservation(reserved, result.status == SensitivityStatus::interrupted, report);
-    SensitivityDocuments documents = document_sensitivity(file, problem, result, folder, report);
+    StudyDocuments documents = document_sensitivity(file, problem, result, folder, report);
     Json json;
     json["status"] = word_of(result.status);
     json.update(documents.json);

@@ -2,7 +2,7 @@
 #include "cases/program/models/relaxation/trade.hpp"
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/case_error.hpp"
-#include "cases/program/reports/trade_report.hpp"
+#include "cases/program/reports/study_reports.hpp"
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/inputs_report.hpp"
 #include "cases/program/results/study_output.hpp"
@@ -104,7 +104,7 @@ ExitCode trade_command(const std::filesystem::path& path, const Options& options
     if (!remarks.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "Warnings", remarks});
     }
-    TradeDocuments documents = document_trade(problem.knobs, result, truth, folder, report);
+    StudyDocuments documents = document_trade(problem.knobs, result, truth, folder, report);
     Json source = provenance(file, "trade", options, watch.seconds());
     Json json;
     json["status"] = std::string(word_of(result.status));

@@ -5,8 +5,12 @@
 // or quotes stand in quotes, inner quotes doubled. An empty cell is an absent number, or an empty text.
 #pragma once
 
+#include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/described_reader.hpp"
+#include "cases/program/reader/ordinary_file.hpp"
 
+#include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -63,6 +67,26 @@ std::vector<Row> parse_table(std::string_view text, std::string_view name, const
     }
     reading.finish();
     return rows;
+}
+
+// What parse(text, name) makes of the file that a key names; nothing, with the complaints,
+// where that cannot be.
+template <class Parse>
+auto read_table_file(Reading& reading, const std::string& key, const std::filesystem::path& path, std::string_view what,
+                     std::size_t largest, const Parse& parse) -> decltype(parse(what, what)) {
+    const FileContent content = read_ordinary_file(path, what, largest);
+    if (!content.fault.empty()) {
+        reading.complain_at(key, path.string() + " " + content.fault);
+        return {};
+    }
+    try {
+        return parse(content.bytes, path.string());
+    } catch (const CaseError& error) {
+        for (const Problem& problem : error.problems()) {
+            reading.complain(problem);
+        }
+        return {};
+    }
 }
 
 }  // namespace delabole

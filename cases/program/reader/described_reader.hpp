@@ -4,7 +4,6 @@
 #include "cases/program/reader/described_kinds.hpp"
 #include "cases/program/reader/names.hpp"
 #include "cases/program/reader/section.hpp"
-#include "cases/program/reader/spelling.hpp"
 #include "parameters/fields.hpp"
 
 #include <algorithm>
@@ -154,7 +153,7 @@ std::string kinds_with_key(std::string_view key) {
     return choices(kinds);
 }
 
-// Which alternative the section's `kind` chose, with its keys; nothing, with a complaint, where it chose none.
+// Reads the alternative that the section's `kind` chose; complains and returns nothing where it chose none.
 template <class Variant>
 std::optional<std::size_t> read_kind(Section& section, Variant& variant) {
     const std::vector<std::string> kinds = kind_names<Variant>();
@@ -252,7 +251,7 @@ std::string requirement(const FieldInfo& info) {
     std::string text(info.meaning);
     if constexpr (NumberType<Member>) {
         const std::string range = readable_range(info.range, info.dimension);
-        text += " (" + (range.empty() ? std::string(dimension_phrase(info.dimension)) : range) + ")";
+        text += " (" + (range.empty() ? std::string(dimension_words(info.dimension).phrase) : range) + ")";
     } else if constexpr (std::is_enum_v<Member>) {
         text += " (" + choices(enum_words<Member>()) + ")";
     } else if constexpr (is_keyed_variant<Member>) {

@@ -27,7 +27,7 @@ inline std::string joined_path(const std::string& path, std::string_view key) {
 inline void write_line(std::string& text, std::string_view key, const std::string& value) {
     text += std::string(key) + " = " + value + "\n";
 }
-// Nothing where the value is empty.
+// Writes nothing where the value is empty.
 inline void write_text(std::string& text, std::string_view key, const std::string& value) {
     if (!value.empty()) {
         write_line(text, key, in_quotes(value));
@@ -231,7 +231,8 @@ void write_sections(std::string& text, const Object& object, const std::string& 
     });
 }
 
-// What replaces parts of `base` when `object` is read over it: only the fields that differ, values and sections apart.
+// Writes the fields of `object` that differ from `base`, values and sections apart: read over `base` they give
+// `object`.
 template <Described Object>
 void write_differences(std::string& values, std::string& sections, const Object& base, const Object& object,
                        const std::string& path) {

@@ -1,7 +1,7 @@
 #include "cases/program/reader/outline_file.hpp"
 
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reader/ordinary_file.hpp"
-#include "cases/program/reader/spelling.hpp"
 
 #include <algorithm>
 #include <array>

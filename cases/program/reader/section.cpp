@@ -1,6 +1,6 @@
 #include "cases/program/reader/section.hpp"
 
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -147,8 +147,8 @@ std::optional<double> read_number(Reading& reading, const Node& node, const std:
     } else if (node.kind == Node::Kind::integer || node.kind == Node::Kind::real) {
         parsed = bare_number(node.real, dimension);
     } else {
-        parsed.message =
-            "must be " + std::string(dimension_phrase(dimension)) + ", e.g. " + std::string(example_of(dimension));
+        parsed.message = "must be " + std::string(dimension_words(dimension).phrase) + ", e.g. " +
+                         std::string(dimension_words(dimension).example);
     }
     if (parsed.status != QuantityStatus::ok) {
         reading.complain(node.place, path, shown(node), parsed.message);
@@ -164,8 +164,9 @@ std::optional<double> read_number(Reading& reading, const Node& node, const std:
 std::optional<double> read_number(Section& section, std::string_view key, Dimension dimension, const Interval& range,
                                   std::string_view what) {
     const std::string allowed = readable_range(range, dimension);
-    const Node* node = section.require(
-        key, std::string(what) + " (" + (allowed.empty() ? std::string(dimension_phrase(dimension)) : allowed) + ")");
+    const Node* node =
+        section.require(key, std::string(what) + " (" +
+                                 (allowed.empty() ? std::string(dimension_words(dimension).phrase) : allowed) + ")");
     return node == nullptr ? std::nullopt
                            : read_number(section.reading(), *node, section.path_of(key), dimension, range);
 }

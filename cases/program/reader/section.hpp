@@ -35,7 +35,7 @@ class Reading {
 
     void complain(const Place& place, std::string key, std::string value, std::string message);
     void complain(Problem problem);
-    // At the key's own place where it is known, at the start of the file otherwise.
+    // Complains at the key's own place where it is known, at the start of the file otherwise.
     void complain_at(const std::string& key, std::string message);
 
     void remember(const std::string& key, const Node& node);
@@ -119,7 +119,7 @@ class Section {
 
   private:
     bool is_allowed(std::string_view key) const;
-    // What the file says of another kind than the one that --set chose.
+    // True of what the file says of another kind than the one that --set chose.
     bool belongs_to_replaced_kind(const Node& node) const;
     void complain_unknown(const std::string& key, const Node& node, const std::string& hint) const;
 

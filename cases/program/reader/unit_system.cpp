@@ -2,6 +2,7 @@
 
 #include <udunits2.h>
 
+#include <array>
 #include <clocale>
 #include <cmath>
 #include <memory>
@@ -52,45 +53,29 @@ System read_database() {
 
 }  // namespace
 
-std::string si_symbol(Dimension dimension) {
-    switch (dimension) {
-    case Dimension::angle:
-        return "rad";
-    case Dimension::length:
-        return "m";
-    case Dimension::area:
-        return "m2";
-    case Dimension::volume:
-        return "m3";
-    case Dimension::stress:
-        return "Pa";
-    case Dimension::unit_weight:
-        return "N/m3";
-    case Dimension::force:
-        return "N";
-    case Dimension::force_per_length:
-        return "N/m";
-    case Dimension::moment_per_length:
-        return "N m/m";
-    case Dimension::energy_per_length:
-        return "J/m";
-    case Dimension::density:
-        return "kg/m3";
-    case Dimension::stiffness:
-        return "N/m/m";
-    case Dimension::time:
-        return "s";
-    case Dimension::speed:
-        return "m/s";
-    case Dimension::acceleration:
-        return "m/s2";
-    case Dimension::angular_speed:
-        return "rad/s";
-    case Dimension::ratio:
-    case Dimension::named:
-        break;
-    }
-    return {};
+const DimensionWords& dimension_words(Dimension dimension) {
+    static constexpr auto words = std::to_array<DimensionWords>({
+        {"", "a ratio", "0.5"},
+        {"rad", "an angle", "\"40 deg\""},
+        {"m", "a length", "\"10 m\""},
+        {"m2", "an area", "\"10 m2\""},
+        {"m3", "a volume", "\"100 m3\""},
+        {"Pa", "a stress", "\"25 kPa\""},
+        {"N/m3", "a unit weight", "\"26 kN/m3\""},
+        {"N", "a force", "\"100 kN\""},
+        {"N/m", "a force per metre run", "\"100 kN/m\""},
+        {"N m/m", "a moment per metre run", "\"100 kN m/m\""},
+        {"J/m", "an energy per metre run", "\"10 J/m\""},
+        {"kg/m3", "a density", "\"2700 kg/m3\""},
+        {"N/m/m", "a stiffness per metre run", "\"1000 MN/m/m\""},
+        {"s", "a time", "\"1 s\""},
+        {"m/s", "a speed", "\"0.1 m/s\""},
+        {"m/s2", "an acceleration", "\"9.81 m/s2\""},
+        {"rad/s", "an angular speed", "\"1 deg/s\""},
+        {"", "a ratio", "0.5"},
+    });
+    static_assert(words.size() == enum_names(Dimension{}).size());
+    return words[static_cast<std::size_t>(dimension)];
 }
 
 UnitFactor unit_factor(std::string_view unit, Dimension dimension) {
@@ -104,7 +89,9 @@ UnitFactor unit_factor(std::string_view unit, Dimension dimension) {
     if (!from) {
         return {};
     }
-    const Unit to(ut_parse(system.get(), dimension == Dimension::ratio ? "1" : si_symbol(dimension).c_str(), UT_UTF8));
+    const Unit to(ut_parse(
+        system.get(), dimension == Dimension::ratio ? "1" : std::string(dimension_words(dimension).si_symbol).c_str(),
+        UT_UTF8));
     if (!to || ut_are_convertible(from.get(), to.get()) == 0) {
         return {.known = true, .si_per_unit = std::nullopt};
     }

@@ -17,7 +17,12 @@ struct UnitFactor {
 // the unit database is missing.
 UnitFactor unit_factor(std::string_view unit, Dimension dimension);
 
-// The SI unit as people write it, "N/m3"; empty for a ratio.
-std::string si_symbol(Dimension dimension);
+struct DimensionWords {
+    std::string_view si_symbol;  // as people write it, "N/m3"; empty for a ratio
+    std::string_view phrase;     // "a unit weight"
+    std::string_view example;    // as it is to be written in a case file, "\"26 kN/m3\""; 0.5 for a ratio
+};
+
+const DimensionWords& dimension_words(Dimension dimension);
 
 }  // namespace delabole

@@ -1,7 +1,6 @@
 #include "cases/program/reader/units.hpp"
 
-#include "cases/program/reader/spelling.hpp"
-#include "cases/program/reader/unit_system.hpp"
+#include "cases/program/reader/names.hpp"
 
 #include <algorithm>
 #include <array>
@@ -132,7 +131,8 @@ ParsedQuantity failure(QuantityStatus status, std::string message) {
 }
 
 std::string expectation(Dimension dimension) {
-    return std::string(dimension_phrase(dimension)) + " is expected, e.g. " + std::string(example_of(dimension));
+    return std::string(dimension_words(dimension).phrase) + " is expected, e.g. " +
+           std::string(dimension_words(dimension).example);
 }
 
 std::string in_marks(std::string_view text) {
@@ -258,88 +258,6 @@ ParsedQuantity parse_value(const WrittenValue& value, Dimension dimension) {
     return parse_quantity(std::get<std::string>(value), dimension);
 }
 
-std::string_view dimension_phrase(Dimension dimension) {
-    switch (dimension) {
-    case Dimension::angle:
-        return "an angle";
-    case Dimension::length:
-        return "a length";
-    case Dimension::area:
-        return "an area";
-    case Dimension::volume:
-        return "a volume";
-    case Dimension::stress:
-        return "a stress";
-    case Dimension::unit_weight:
-        return "a unit weight";
-    case Dimension::force:
-        return "a force";
-    case Dimension::force_per_length:
-        return "a force per metre run";
-    case Dimension::moment_per_length:
-        return "a moment per metre run";
-    case Dimension::energy_per_length:
-        return "an energy per metre run";
-    case Dimension::density:
-        return "a density";
-    case Dimension::stiffness:
-        return "a stiffness per metre run";
-    case Dimension::time:
-        return "a time";
-    case Dimension::speed:
-        return "a speed";
-    case Dimension::acceleration:
-        return "an acceleration";
-    case Dimension::angular_speed:
-        return "an angular speed";
-    case Dimension::ratio:
-    case Dimension::named:
-        break;
-    }
-    return "a ratio";
-}
-
-std::string_view example_of(Dimension dimension) {
-    switch (dimension) {
-    case Dimension::angle:
-        return "\"40 deg\"";
-    case Dimension::length:
-        return "\"10 m\"";
-    case Dimension::area:
-        return "\"10 m2\"";
-    case Dimension::volume:
-        return "\"100 m3\"";
-    case Dimension::stress:
-        return "\"25 kPa\"";
-    case Dimension::unit_weight:
-        return "\"26 kN/m3\"";
-    case Dimension::force:
-        return "\"100 kN\"";
-    case Dimension::force_per_length:
-        return "\"100 kN/m\"";
-    case Dimension::moment_per_length:
-        return "\"100 kN m/m\"";
-    case Dimension::energy_per_length:
-        return "\"10 J/m\"";
-    case Dimension::density:
-        return "\"2700 kg/m3\"";
-    case Dimension::stiffness:
-        return "\"1000 MN/m/m\"";
-    case Dimension::time:
-        return "\"1 s\"";
-    case Dimension::speed:
-        return "\"0.1 m/s\"";
-    case Dimension::acceleration:
-        return "\"9.81 m/s2\"";
-    case Dimension::angular_speed:
-        return "\"1 deg/s\"";
-    case Dimension::ratio:
-    case Dimension::named:
-        break;
-    }
-    return "0.5";
-}
-
 std::string shortest_number(double value) {
     std::array<char, 64> buffer{};
     const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
@@ -363,7 +281,7 @@ std::string written_quantity(double value, Dimension dimension) {
             return in_marks(text);
         }
     }
-    return in_marks(with_unit(shortest_number(value), si_symbol(dimension)));
+    return in_marks(with_unit(shortest_number(value), dimension_words(dimension).si_symbol));
 }
 
 std::string readable_quantity(double value, Dimension dimension) {

@@ -5,6 +5,7 @@
 // second number) can slip into a value. A ratio is a bare number, a percentage or a quotient of like units ("0.2 m/m").
 #pragma once
 
+#include "cases/program/reader/unit_system.hpp"
 #include "parameters/fields.hpp"
 
 #include <cmath>
@@ -40,12 +41,6 @@ ParsedQuantity parse_value(const WrittenValue& value, Dimension dimension);
 inline bool is_whole(double number) {
     return number == std::floor(number);
 }
-
-// "a length", "an angle", ...
-std::string_view dimension_phrase(Dimension dimension);
-
-// A quantity of the dimension in quotes, "10 m", or 0.5 for a ratio: how a value is to be written in a case file.
-std::string_view example_of(Dimension dimension);
 
 // Shortest decimal number that reads back as the same double; "nan" and "inf" in words.
 std::string shortest_number(double value);

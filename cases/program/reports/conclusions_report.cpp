@@ -1,4 +1,4 @@
-#include "cases/program/reports/conclusions_report.hpp"
+#include "cases/program/reports/study_reports.hpp"
 
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/reader/units.hpp"
@@ -81,10 +81,10 @@ Json json_of(const ConclusionTest& test, const TestFinding& finding) {
 
 }  // namespace
 
-ConclusionDocuments document_conclusions(const std::vector<Conclusion>& conclusions,
-                                         const std::vector<ConclusionFinding>& findings, const ResultFolder& folder,
-                                         Report& report) {
-    ConclusionDocuments documents;
+StudyDocuments document_conclusions(const std::vector<Conclusion>& conclusions,
+                                    const std::vector<ConclusionFinding>& findings, const ResultFolder& folder,
+                                    Report& report) {
+    StudyDocuments documents;
     report.blocks.emplace_back(Heading{"Conclusions held against the fit"});
     Table table{"What was concluded", {"conclusion", "statement", "by this fit", "source", "note"}};
     Table tests{

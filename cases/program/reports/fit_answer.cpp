@@ -1,6 +1,5 @@
-#include "cases/program/reports/fit_answer.hpp"
+#include "cases/program/reports/fit_parts.hpp"
 
-#include "cases/program/reports/posterior_report.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 

@@ -1,8 +1,8 @@
-#include "cases/program/reports/fit_knowledge.hpp"
+#include "cases/program/reports/fit_parts.hpp"
 
 #include "cases/program/reports/sensitivity_parts.hpp"
 #include "fitting/work/words.hpp"
-#include "plots/figures/fit_figures.hpp"
+#include "plots/figures/study_figures.hpp"
 
 #include <cmath>
 

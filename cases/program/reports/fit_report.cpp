@@ -1,17 +1,14 @@
-#include "cases/program/reports/fit_report.hpp"
+#include "cases/program/reports/study_reports.hpp"
 
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/reader/units.hpp"
-#include "cases/program/reports/fit_answer.hpp"
-#include "cases/program/reports/fit_knowledge.hpp"
-#include "cases/program/reports/posterior_report.hpp"
+#include "cases/program/reports/fit_parts.hpp"
 #include "cases/program/reports/sensitivity_parts.hpp"
-#include "cases/program/reports/surrogate_report.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
-#include "plots/figures/fit_figures.hpp"
+#include "plots/figures/study_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -383,9 +380,9 @@ Json json_of_fit(const CaseFile& file, const FitResult& result) {
     return json;
 }
 
-FitDocuments document_fit(const CaseFile& file, const FitProblem& problem, const FitResult& result,
-                          const ResultFolder& folder, Report& report) {
-    FitDocuments documents{json_of_fit(file, result), {}, {}};
+StudyDocuments document_fit(const CaseFile& file, const FitProblem& problem, const FitResult& result,
+                            const ResultFolder& folder, Report& report) {
+    StudyDocuments documents{json_of_fit(file, result), {}, {}};
     HeadCard head = head_card(result);
     FigureRow sections;
     Report details;

@@ -1,7 +1,7 @@
-#include "cases/program/reports/information_report.hpp"
+#include "cases/program/reports/study_reports.hpp"
 
 #include "fitting/work/words.hpp"
-#include "plots/figures/information_figures.hpp"
+#include "plots/figures/study_figures.hpp"
 
 #include <algorithm>
 
@@ -77,10 +77,10 @@ void add_rows(const CandidateInformation& candidate, CsvTable& csv) {
 
 }  // namespace
 
-InformationDocuments document_information(const std::vector<FitCandidate>& candidates,
-                                          const std::vector<CandidateInformation>& information,
-                                          const ResultFolder& folder, Report& report) {
-    InformationDocuments documents;
+StudyDocuments document_information(const std::vector<FitCandidate>& candidates,
+                                    const std::vector<CandidateInformation>& information, const ResultFolder& folder,
+                                    Report& report) {
+    StudyDocuments documents;
     report.blocks.emplace_back(Heading{"What to measure next"});
     report.blocks.emplace_back(folder.draw(
         information_figure(information), "value_of_information",

@@ -1,10 +1,9 @@
-#include "cases/program/reports/posterior_report.hpp"
+#include "cases/program/reports/fit_parts.hpp"
 
 #include "cases/program/reader/units.hpp"
-#include "cases/program/reports/fit_answer.hpp"
 #include "fitting/studies/comparison.hpp"
 #include "fitting/work/words.hpp"
-#include "plots/figures/posterior_figures.hpp"
+#include "plots/figures/study_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "cases/program/reports/recovery_report.hpp"
+#include "cases/program/reports/study_reports.hpp"
 
 #include "cases/program/reports/sensitivity_parts.hpp"
 #include "fitting/work/words.hpp"
-#include "plots/figures/information_figures.hpp"
+#include "plots/figures/study_figures.hpp"
 
 namespace delabole {
 
@@ -118,9 +118,9 @@ void document_mechanism(const MechanismRecovery& recovery, const ResultFolder& f
 
 }  // namespace
 
-RecoveryDocuments document_recovery(const std::vector<MechanismRecovery>& recoveries, bool at_best,
-                                    const ResultFolder& folder, Report& report) {
-    RecoveryDocuments documents;
+StudyDocuments document_recovery(const std::vector<MechanismRecovery>& recoveries, bool at_best,
+                                 const ResultFolder& folder, Report& report) {
+    StudyDocuments documents;
     report.blocks.emplace_back(Heading{"Known parameters found again"});
     report.blocks.emplace_back(Paragraph{
         std::string("Data were made from known parameters, ") +

@@ -50,7 +50,7 @@ std::string reliability_in_words(const ReliabilityResult& result);
 // Each appends blocks to the report, fills its part of the JSON and writes its tables and figures.
 void document_tornado(const StudySubject& subject, const TornadoResult& result, const ResultFolder& folder,
                       Report& report, Json& json);
-// Which parameters move each quantity most, and along which it turns.
+// Sentences on the parameters that move each quantity most, and on those along which it turns.
 std::vector<std::string> sweep_findings(const StudySubject& subject, const std::vector<SweepResult>& results);
 void document_sweeps(const StudySubject& subject, const std::vector<SweepResult>& results, const ResultFolder& folder,
                      Report& report, Json& json);

@@ -1,4 +1,4 @@
-#include "cases/program/reports/sensitivity_report.hpp"
+#include "cases/program/reports/study_reports.hpp"
 
 #include "cases/program/reports/sensitivity_parts.hpp"
 #include "fitting/work/words.hpp"
@@ -171,10 +171,10 @@ std::string evaluations_in_words(const EvaluationCount& count) {
     return text + ".";
 }
 
-SensitivityDocuments document_sensitivity(const CaseFile& file, const SensitivityProblem& problem,
-                                          const SensitivityResult& result, const ResultFolder& folder, Report& report) {
+StudyDocuments document_sensitivity(const CaseFile& file, const SensitivityProblem& problem,
+                                    const SensitivityResult& result, const ResultFolder& folder, Report& report) {
     const StudySubject subject(problem);
-    SensitivityDocuments documents;
+    StudyDocuments documents;
     Json& json = documents.json;
     json["title"] = file.title;
     json["model"] = std::string(model_name(file.model));

@@ -1,4 +1,4 @@
-#include "cases/program/reports/surrogate_report.hpp"
+#include "cases/program/reports/fit_parts.hpp"
 
 #include "cases/program/reader/units.hpp"
 #include "fitting/work/words.hpp"

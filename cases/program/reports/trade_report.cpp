@@ -1,12 +1,11 @@
-#include "cases/program/reports/trade_report.hpp"
+#include "cases/program/reports/study_reports.hpp"
 
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
-#include "plots/figures/trade_figure.hpp"
+#include "plots/figures/study_figures.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace delabole {
@@ -188,7 +187,7 @@ std::vector<std::size_t> all_rows(const TradeResult& result) {
 
 }  // namespace
 
-TradeDocuments document_trade(const std::vector<TradeKnob>& knobs, const TradeResult& result, const TradeTruth& truth,
+StudyDocuments document_trade(const std::vector<TradeKnob>& knobs, const TradeResult& result, const TradeTruth& truth,
                               const ResultFolder& folder, Report& report) {
     folder.write("trade.csv", csv_of(truth, knobs, result));
 
@@ -214,7 +213,7 @@ TradeDocuments document_trade(const std::vector<TradeKnob>& knobs, const TradeRe
                                               knobs, result, front_of(result)));
     report.blocks.emplace_back(settings_table("All settings", truth, knobs, result, all_rows(result)));
 
-    TradeDocuments documents;
+    StudyDocuments documents;
     documents.json["quantity"] = truth.quantity;
     if (result.truth) {
         documents.json[column_name("truth", dimension)] = in_display_unit(*result.truth, dimension);

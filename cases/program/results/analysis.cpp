@@ -2,6 +2,7 @@
 
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -13,6 +14,20 @@ namespace {
 template <class Study>
 const AnswerTo<Study>& own_answer(const Study&, const CaseAnswer& answer) {
     return std::get<AnswerTo<Study>>(answer);
+}
+
+// "3 rows" would need a plural for each input: "rows 3, spacing 2 m".
+std::string choice_in_words(const SupportDesign& design, const TriedSupport& tried) {
+    const std::string only_pattern = "support[1].";
+    std::string words;
+    for (std::size_t index = 0; index < design.choices.size(); ++index) {
+        const SupportChoice& choice = design.choices[index];
+        const bool short_name = choice.input.starts_with(only_pattern);
+        words += (index == 0 ? "" : ", ") +
+                 human_name(short_name ? choice.input.substr(only_pattern.size()) : choice.input) + " " +
+                 value_in_words(tried.values[index], choice.dimension);
+    }
+    return words;
 }
 
 }  // namespace
@@ -107,6 +122,16 @@ std::string required_in_words(const std::string& parameter, double target, const
     return {};
 }
 
+std::string support_in_words(const SupportDesign& design, const SupportDesignResult& found, const TriedSupport& shown) {
+    const std::string patterns = std::to_string(found.patterns) + " patterns";
+    const std::string factor = "FS " + number_in_words(design.factor_of_safety);
+    const std::string what = choice_in_words(design, shown);
+    return found.cheapest ? "Of " + patterns + " the cheapest for " + factor + " has " + what + " and costs " +
+                                number_in_words(shown.cost) + " per metre of slope."
+                          : "None of " + patterns + " gives " + factor + "; the strongest, shown here, has " + what +
+                                " and costs " + number_in_words(shown.cost) + " per metre of slope.";
+}
+
 CaseModel with_conditions(const CaseModel& model, const std::vector<Condition>& conditions) {
     CaseModel changed = model;
     for (const Condition& condition : conditions) {
@@ -137,8 +162,14 @@ CaseAnswer analyse_case(const CaseModel& model, const AnalysisWork& work) {
 }
 
 Analysis named_outputs(const CaseModel& model, const CaseAnswer& answer) {
-    Analysis analysis =
-        std::visit([&](const auto& study) { return named_outputs(study, own_answer(study, answer)); }, model);
+    Analysis analysis = std::visit(
+        [&](const auto& study) {
+            const auto& own = own_answer(study, answer);
+            Analysis without_answer;
+            without_answer.failure = failure_in(own);
+            return without_answer.failure.empty() ? named_outputs(study, own) : without_answer;
+        },
+        model);
     for (const Quantity& input : named_inputs(model)) {
         if (input.name == "slope.height") {
             warn_of_height(input.name, input.value, analysis);
@@ -161,15 +192,11 @@ Analysis analyse_model(const CaseModel& model, const AnalysisWork& work) {
 }
 
 std::string failure_of(const CaseModel& model) {
-    return std::visit(
-        [](const auto& parameters) -> std::string {
-            if constexpr (requires { failure_without_run(parameters); }) {
-                return failure_without_run(parameters);
-            } else {
-                return named_outputs(parameters, analyse_case(parameters)).failure;
-            }
-        },
-        model);
+    if (const auto* study = std::get_if<RelaxationStudy>(&model)) {
+        const SceneFault fault = check(*study);
+        return fault.check == SceneCheck::valid ? "" : std::string(word_of(fault.check));
+    }
+    return std::visit([](const auto& answer) { return failure_in(answer); }, analyse_case(model));
 }
 
 }  // namespace delabole

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
+#include "fitting/studies/support_design.hpp"
 #include "numerics/required_value.hpp"
 #include "parameters/model_interface.hpp"
 #include "support/bolt_pattern.hpp"
@@ -52,8 +53,10 @@ void append_required_value(Analysis& analysis, const std::string& parameter, dou
 
 // The same in a sentence.
 std::string required_in_words(const std::string& parameter, double target, const Required& required);
+// The cheapest support that gives its factor of safety, or the strongest where none does; `shown` is that one.
+std::string support_in_words(const SupportDesign& design, const SupportDesignResult& found, const TriedSupport& shown);
 
-// What the rows of each pattern of bolts hold together, as "support[1].force"; warns where they hold nothing.
+// Appends the force of each pattern of bolts as "support[1].force"; warns where rows hold nothing.
 void append_support(Analysis& analysis, const std::vector<std::vector<BoltRow>>& patterns);
 
 // Named numbers of the model set to other values than the case's. Unknown names: std::invalid_argument.

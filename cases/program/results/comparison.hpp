@@ -1,4 +1,4 @@
-// What is printed beside what is computed: [[expect]] and the statements of [[sweep]], for `verify`, reports and the
+// Printed values beside computed ones: [[expect]] and the statements of [[sweep]], for `verify`, reports and the
 // reproductions of the thesis alike.
 #pragma once
 

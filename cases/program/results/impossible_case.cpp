@@ -1,16 +1,47 @@
 #include "cases/program/results/impossible_case.hpp"
 
 #include "cases/program/reader/case_error.hpp"
+#include "cases/program/reader/data_table.hpp"
 #include "cases/program/results/analysis.hpp"
-#include "cases/program/results/fit_problem_of_case.hpp"
 #include "cases/program/results/model_reports.hpp"
-#include "cases/program/results/sensitivity_problem_of_case.hpp"
+#include "cases/program/results/problems_of_case.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace delabole {
+
+namespace {
+
+struct StatedImpossibility {
+    std::string model;
+    std::string check;
+    std::string keys;  // with blanks between them
+    std::string words;
+    static constexpr auto fields() {
+        using S = StatedImpossibility;
+        return std::tuple{section("model", &S::model, "word of the model"),
+                          section("check", &S::check, "name of the check that failed"),
+                          with_default(section("keys", &S::keys, "keys that may be to blame")),
+                          section("words", &S::words, "what is wrong")};
+    }
+};
+
+}  // namespace
+
+Impossibility stated_impossibility(std::string_view model, std::string_view failure) {
+    static const auto all = parse_table<StatedImpossibility>(impossible_cases, "impossible_cases.csv");
+    const auto found = std::ranges::find_if(
+        all, [&](const StatedImpossibility& one) { return one.model == model && one.check == failure; });
+    if (found == all.end()) {
+        return {{}, "a number is outside its allowed range"};
+    }
+    std::istringstream keys(found->keys);
+    return {{std::istream_iterator<std::string>(keys), {}}, found->words};
+}
 
 Problem impossible(const CaseFile& file, std::string_view failure) {
     return std::visit(

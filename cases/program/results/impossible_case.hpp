@@ -12,6 +12,9 @@ namespace delabole {
 // are not blamed.
 Problem impossible(const CaseFile& file, std::string_view failure);
 
+// impossible_cases.csv when the program was built.
+extern const std::string_view impossible_cases;
+
 // All that can be said against a case before it is run, which is what `delabole check` says: the model has the last
 // word, then [fit] and [sensitivity]. Throws CaseError where there is something.
 void refuse_impossible(const CaseFile& file);

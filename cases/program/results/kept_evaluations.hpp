@@ -27,7 +27,7 @@ class KeptEvaluations {
     void enter(Json& provenance) const;
     // One line for the reader of the screen, with its end; empty where there is no store.
     std::string summary() const;
-    // On standard error, after a study that did not come to its end.
+    // Says so on standard error after a study that did not come to its end.
     void say_how_to_go_on() const;
 
   private:

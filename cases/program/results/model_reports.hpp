@@ -3,10 +3,8 @@
 #pragma once
 
 #include "cases/program/results/analysis.hpp"
-#include "cases/program/results/plane_failure_answer.hpp"
-#include "cases/program/results/relaxation_answer.hpp"
+#include "cases/program/results/answers.hpp"
 #include "cases/program/results/result_folder.hpp"
-#include "cases/program/results/stepped_base_answer.hpp"
 #include "fitting/mechanism/fit_result.hpp"
 #include "kinematics/kinematics.hpp"
 #include "limit_equilibrium/block_row/block_row.hpp"
@@ -30,27 +28,40 @@ struct WedgeFailureAnswer {
 
 // All that is computed of a case, once; its check says whether there is an answer. Only relaxation takes long: it alone
 // heeds `work`, reports how far it has come, and can be ended and gone on with.
+template <class Study>
+auto analyse_case(const Study& study, const AnalysisWork& /*work*/ = {}) {
+    return analyse(study);
+}
 PlaneFailureAnswer analyse_case(const PlaneFailureStudy<>& study, const AnalysisWork& work = {});
 SteppedBaseAnswer analyse_case(const SteppedBaseStudy<>& study, const AnalysisWork& work = {});
-SingleBlockResult analyse_case(const SingleBlock<>& problem, const AnalysisWork& work = {});
-BlockRowResult analyse_case(const BlockRow<>& row, const AnalysisWork& work = {});
-ColumnTilt analyse_case(const TiltedColumn<>& column, const AnalysisWork& work = {});
-KinematicsResult analyse_case(const KinematicsStudy& study, const AnalysisWork& work = {});
-FlexuralStability analyse_case(const FlexuralSlope& slope, const AnalysisWork& work = {});
-SteppedPathResult analyse_case(const SteppedPath& path, const AnalysisWork& work = {});
 WedgeFailureAnswer analyse_case(const WedgeFailureStudy<>& study, const AnalysisWork& work = {});
 RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisWork& work = {});
-// Its failure alone, without the run.
-std::string failure_without_run(const RelaxationStudy& study);
 
-// The answer in names, numbers and warnings, or the name of the check that failed.
+// Name of the check that an answer failed; empty where there is an answer.
+template <class Answer>
+std::string failure_in(const Answer& answer) {
+    if constexpr (requires { answer.result.check; }) {
+        return failure_in(answer.result);
+    } else if constexpr (requires { answer.check; }) {
+        return answer.check == decltype(answer.check)::valid ? std::string() : std::string(word_of(answer.check));
+    } else {
+        return {};
+    }
+}
+std::string failure_in(const RelaxationStudyAnswer& answer);
+
+// The answer, whose check is valid, in names, numbers and warnings.
+template <class Study, class Answer>
+Analysis named_outputs(const Study& /*study*/, const Answer& answer) {
+    Analysis analysis;
+    append_outputs(analysis, answer);
+    return analysis;
+}
 Analysis named_outputs(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer);
 Analysis named_outputs(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer);
 Analysis named_outputs(const SingleBlock<>& problem, const SingleBlockResult& result);
 Analysis named_outputs(const BlockRow<>& row, const BlockRowResult& result);
-Analysis named_outputs(const TiltedColumn<>& column, const ColumnTilt& tilt);
 Analysis named_outputs(const KinematicsStudy& study, const KinematicsResult& result);
-Analysis named_outputs(const FlexuralSlope& slope, const FlexuralStability& result);
 Analysis named_outputs(const SteppedPath& path, const SteppedPathResult& result);
 Analysis named_outputs(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer);
 Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer& answer);
@@ -67,8 +78,11 @@ HeadCard head_card(const SteppedPath& path, const SteppedPathResult& result);
 HeadCard head_card(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer);
 HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& answer);
 
-// Figures and tables that only this model has, in the report of `delabole run`, the picture of the answer first. The
-// answer's check is valid.
+// Figures and tables that only this model has, in the report of `delabole run`, the picture of the answer first; some
+// models have none. The answer's check is valid.
+template <class Study, class Answer>
+void append_case_figures(const Study& /*study*/, const Answer& /*answer*/, const ResultFolder& /*folder*/,
+                         Report& /*report*/) {}
 void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer, const ResultFolder& folder,
                          Report& report);
 void append_case_figures(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer, const ResultFolder& folder,
@@ -76,8 +90,6 @@ void append_case_figures(const SteppedBaseStudy<>& study, const SteppedBaseAnswe
 void append_case_figures(const SingleBlock<>& problem, const SingleBlockResult& result, const ResultFolder& folder,
                          Report& report);
 void append_case_figures(const BlockRow<>& row, const BlockRowResult& result, const ResultFolder& folder,
-                         Report& report);
-void append_case_figures(const TiltedColumn<>& column, const ColumnTilt& tilt, const ResultFolder& folder,
                          Report& report);
 void append_case_figures(const KinematicsStudy& study, const KinematicsResult& result, const ResultFolder& folder,
                          Report& report);
@@ -104,6 +116,9 @@ HeadCard head_card(const CaseModel& model, const CaseAnswer& answer);
 void append_case_figures(const CaseModel& model, const CaseAnswer& answer, const ResultFolder& folder, Report& report);
 
 // The same in the report of `delabole fit`, for a mechanism at its best point.
+template <class Study>
+void append_mechanism_figures(const Study& /*at_best*/, const MechanismFit& /*fit*/, const FitProblem& /*problem*/,
+                              const ResultFolder& /*folder*/, Report& /*report*/) {}
 void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
 void append_mechanism_figures(const SteppedBaseStudy<>& at_best, const MechanismFit& fit, const FitProblem& problem,
@@ -111,10 +126,6 @@ void append_mechanism_figures(const SteppedBaseStudy<>& at_best, const Mechanism
 void append_mechanism_figures(const SingleBlock<>& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
 void append_mechanism_figures(const BlockRow<>& at_best, const MechanismFit& fit, const FitProblem& problem,
-                              const ResultFolder& folder, Report& report);
-void append_mechanism_figures(const TiltedColumn<>& at_best, const MechanismFit& fit, const FitProblem& problem,
-                              const ResultFolder& folder, Report& report);
-void append_mechanism_figures(const KinematicsStudy& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
 void append_mechanism_figures(const RelaxationStudy& at_best, const MechanismFit& fit, const FitProblem& problem,
                               const ResultFolder& folder, Report& report);
@@ -133,19 +144,18 @@ struct Impossibility {
     std::function<std::string(const std::string& key)> limit = {};
 };
 
-inline Impossibility out_of_range() {
-    return {{}, "a number is outside its allowed range"};
-}
+// What impossible_cases.csv says of a check of a model; "a number is outside its allowed range" where it says nothing.
+Impossibility stated_impossibility(std::string_view model, std::string_view failure);
 
+template <class Study>
+Impossibility impossibility(const Study& /*study*/, std::string_view failure) {
+    return stated_impossibility(Study::kind, failure);
+}
 Impossibility impossibility(const PlaneFailureStudy<>& study, std::string_view failure);
 Impossibility impossibility(const SteppedBaseStudy<>& study, std::string_view failure);
 Impossibility impossibility(const SingleBlock<>& problem, std::string_view failure);
 Impossibility impossibility(const BlockRow<>& row, std::string_view failure);
-Impossibility impossibility(const TiltedColumn<>& column, std::string_view failure);
 Impossibility impossibility(const KinematicsStudy& study, std::string_view failure);
 Impossibility impossibility(const RelaxationStudy& study, std::string_view failure);
-Impossibility impossibility(const FlexuralSlope& slope, std::string_view failure);
-Impossibility impossibility(const SteppedPath& path, std::string_view failure);
-Impossibility impossibility(const WedgeFailureStudy<>& study, std::string_view failure);
 
 }  // namespace delabole

@@ -52,11 +52,6 @@ std::string quoted(const std::string& text) {
 }
 
 // Letters as a reader counts them: UTF-8 continuation bytes take no room.
-std::size_t width(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));
-}
-
 }  // namespace
 
 std::string stem_of(const CaseFile& file) {
@@ -286,25 +281,7 @@ void ResultFolder::write_report(const Report& report) const {
 }
 
 std::string text_table(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> widths;
-    for (const auto& row : rows) {
-        widths.resize(std::max(widths.size(), row.size()));
-        for (std::size_t column = 0; column < row.size(); ++column) {
-            widths[column] = std::max(widths[column], width(row[column]));
-        }
-    }
-    std::string text;
-    for (const auto& row : rows) {
-        std::string line;
-        for (std::size_t column = 0; column < row.size(); ++column) {
-            const std::string padding(widths[column] - width(row[column]), ' ');
-            line += column == 0 ? "" : "  ";
-            line += column == 0 ? row[column] + padding : padding + row[column];
-        }
-        line.erase(line.find_last_not_of(' ') + 1);
-        text += line + '\n';
-    }
-    return text;
+    return aligned_columns(rows, FurtherColumns::right);
 }
 
 }  // namespace delabole

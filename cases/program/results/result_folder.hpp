@@ -1,4 +1,5 @@
-// What a command leaves behind: result.json, resolved.toml, tables as CSV, figures and report.html in one folder.
+// The folder that a command leaves behind: result.json, resolved.toml, tables as CSV, figures and report.html in one
+// folder.
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
@@ -28,7 +29,7 @@ std::string stem_of(const CaseFile& file);
 
 std::vector<Setting> settings_of(const Options& options);
 
-// In the units of its [report]; until the next case.
+// Shows sentences, tables and figures in the units of the case's [report], until the next case.
 void show_units_of(const CaseFile& file);
 
 // The case's title, or its name, with what --set has changed.
@@ -108,7 +109,8 @@ class ResultFolder {
     // report alone says so.
     FigureInReport draw(const Figure& figure, const std::string& name, const std::string& caption) const;
     void write_report(const Report& report) const;
-    // Before something else writes files here, named from the folder: they go as all others when the next result comes.
+    // Enters files, named from the folder, that something else is about to write here: the next result removes them
+    // too.
     void enter(const std::vector<std::string>& names) const;
 
   private:

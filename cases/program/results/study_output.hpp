@@ -1,4 +1,4 @@
-// What a command over many runs of a model (fit, trade, sensitivity) leaves behind.
+// The result folder of a command over many runs of a model (fit, trade, sensitivity).
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
@@ -18,7 +18,7 @@ struct StudyOutput {
     std::string reserved;  // what keeps the result from being the answer; empty where nothing does
 };
 
-// On top of the report, where something keeps the result from being the answer.
+// Puts a notice on top of the report where something keeps the result from being the answer.
 void add_reservation(const std::string& reserved, bool interrupted, Report& report);
 
 // Ends the report with the provenance, writes the files, prints; not_converged where something is reserved.

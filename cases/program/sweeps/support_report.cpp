@@ -3,35 +3,9 @@
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 
-#include <cmath>
-
 namespace delabole {
 
 namespace {
-
-// "3 rows" would need a plural for each input: "rows 3, spacing 2 m".
-std::string choice_in_words(const SupportDesign& design, const TriedSupport& tried) {
-    const std::string only_pattern = "support[1].";
-    std::string words;
-    for (std::size_t index = 0; index < design.choices.size(); ++index) {
-        const SupportChoice& choice = design.choices[index];
-        const bool short_name = choice.input.starts_with(only_pattern);
-        words += (index == 0 ? "" : ", ") +
-                 human_name(short_name ? choice.input.substr(only_pattern.size()) : choice.input) + " " +
-                 value_in_words(tried.values[index], choice.dimension);
-    }
-    return words;
-}
-
-std::string sentence_of(const SupportDesign& design, const SupportDesignResult& found, const TriedSupport& shown) {
-    const std::string patterns = std::to_string(found.patterns) + " patterns";
-    const std::string factor = "FS " + number_in_words(design.factor_of_safety);
-    const std::string what = choice_in_words(design, shown);
-    return found.cheapest ? "Of " + patterns + " the cheapest for " + factor + " has " + what + " and costs " +
-                                number_in_words(shown.cost) + " per metre of slope."
-                          : "None of " + patterns + " gives " + factor + "; the strongest, shown here, has " + what +
-                                " and costs " + number_in_words(shown.cost) + " per metre of slope.";
-}
 
 const TriedSupport& answer_of(const SupportDesignResult& found) {
     return found.tried[found.cheapest.value_or(found.strongest.value())];
@@ -57,10 +31,9 @@ Figure cost_figure(const DesignedSupport& support) {
     required.dash = Dash::dashed;
     required.points = {{support.found.tried.front().cost, support.design.factor_of_safety},
                        {support.found.tried.back().cost, support.design.factor_of_safety}};
-    Points chosen;
-    chosen.legend = support.found.cheapest ? "cheapest that suffices" : "strongest";
-    chosen.colour = Colour::vermilion;
-    chosen.points = {{answer.cost, *answer.factor_of_safety}};
+    Points chosen{.points = {{answer.cost, *answer.factor_of_safety}},
+                  .legend = support.found.cheapest ? "cheapest that suffices" : "strongest",
+                  .colour = Colour::vermilion};
     figure.series = {tried, required, chosen};
     return figure;
 }
@@ -98,7 +71,7 @@ std::optional<DesignedSupport> design_support_of(CaseFile& file, const std::func
         return std::nullopt;
     }
     const TriedSupport& answer = answer_of(support.found);
-    support.sentence = sentence_of(design, support.found, answer);
+    support.sentence = support_in_words(design, support.found, answer);
     std::vector<Condition> conditions;
     for (std::size_t index = 0; index < design.choices.size(); ++index) {
         conditions.push_back({design.choices[index].input, answer.values[index], design.choices[index].dimension});

@@ -20,7 +20,7 @@ struct DesignedSupport {
 // Nothing where the case asks for none or nothing it allows has an answer.
 std::optional<DesignedSupport> design_support_of(CaseFile& file, const std::function<bool(double)>& watch);
 
-// Behind the first sentence, the verdict.
+// Puts the sentence behind the first, the verdict.
 void add_to_head(const DesignedSupport& support, HeadCard& head);
 
 // The figure, support.csv, the result for result.json.

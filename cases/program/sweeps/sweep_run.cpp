@@ -1,7 +1,7 @@
 #include "cases/program/sweeps/sweep_run.hpp"
 
 #include "cases/program/reader/case_error.hpp"
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "cases/program/terminal/interrupt.hpp"
@@ -70,7 +70,7 @@ Answer answer_of(const Analysis& analysis, const std::string& output) {
     return answer;
 }
 
-// What the case is asked at one point of a sweep, and where its answers go.
+// Asks the case at the points of a sweep and puts its answers in their places.
 class SweepComputation {
   public:
     SweepComputation(const CaseFile& file, const CaseSweep& sweep) : file_(file), sweep_(sweep) {

@@ -46,7 +46,7 @@ std::int64_t time_now() {
 }
 
 extern "C" void note_interrupt(int signal) {
-    // What passes a signal on sends it twice, to its child and to the group that the child is in: `timeout` does.
+    // `timeout` sends a signal twice, to its child and to the group that the child is in.
     constexpr std::int64_t together = 200'000'000;  // ns
     const std::int64_t time = time_now();
     std::int64_t first = 0;

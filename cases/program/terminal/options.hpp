@@ -1,4 +1,4 @@
-// What a command is asked for on the command line, apart from how it is spelt, and how it ends.
+// The options of a command, apart from how they are spelt, and how a command ends.
 #pragma once
 
 #include <cstdint>

@@ -2,7 +2,6 @@
 // control characters in them: it moves its cursor, changes its title, hides or repeats what was typed.
 #pragma once
 
-#include <cstddef>
 #include <ostream>
 #include <streambuf>
 #include <string>

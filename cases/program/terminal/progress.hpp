@@ -10,7 +10,7 @@ namespace delabole {
 // Tells the time left from the pace of all the work and from that of late.
 class TimeLeft {
   public:
-    // Of work of which a share, more than 0, is done after so many seconds: "12 s left", or, where the two paces differ
+    // "12 s left" of work of which a share, more than 0, is done after so many seconds, or, where the two paces differ
     // by more than a factor of two, "time left not known". To be called as the work goes on.
     std::string in_words(double elapsed, double share);
 

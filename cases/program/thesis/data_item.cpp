@@ -1,11 +1,10 @@
-#include "cases/program/thesis/data_item.hpp"
+#include "cases/program/thesis/reproduction.hpp"
 
 #include "cases/program/sweeps/sweep_report.hpp"
 #include "cases/program/thesis/thesis_tables.hpp"
 
 #include <algorithm>
 #include <iterator>
-#include <utility>
 
 namespace delabole {
 

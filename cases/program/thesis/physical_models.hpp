@@ -29,27 +29,11 @@ constexpr std::array<std::string_view, 3> enum_names(SlopeBehaviour) {
 
 enum class SlopeFoundation { model_material, steel_frame, tin_strip, not_said };
 
-constexpr std::array<std::string_view, 4> enum_names(SlopeFoundation) {
-    return {"model_material", "steel_frame", "tin_strip", "not_said"};
-}
-
 enum class ToeChange { as_built, vertical_cut, horizontal_cut, blocks_removed, triangle_removed };
-
-constexpr std::array<std::string_view, 5> enum_names(ToeChange) {
-    return {"as_built", "vertical_cut", "horizontal_cut", "blocks_removed", "triangle_removed"};
-}
 
 enum class ColumnKind { continuous, cross_jointed, saw_tooth };
 
-constexpr std::array<std::string_view, 3> enum_names(ColumnKind) {
-    return {"continuous", "cross_jointed", "saw_tooth"};
-}
-
 enum class ModelSurroundings { near_frame, boundary_free };
-
-constexpr std::array<std::string_view, 2> enum_names(ModelSurroundings) {
-    return {"near_frame", "boundary_free"};
-}
 
 // A row of Table 3.2: one state of a base friction model and what became of it.
 struct BaseFrictionState {
@@ -158,11 +142,7 @@ struct TiltingFrameAngle {
 
 enum class FieldVerdict { no, partly, yes, not_said };
 
-constexpr std::array<std::string_view, 4> enum_names(FieldVerdict) {
-    return {"no", "partly", "yes", "not_said"};
-}
-
-// What a model of Plates 2.I to 2.VI reproduced of the failure, by the three criteria of 2.3.3.2.
+// How far a model of Plates 2.I to 2.VI reproduced the failure, by the three criteria of 2.3.3.2.
 struct MechanismVerdict {
     std::string plate;
     std::string mechanism;
@@ -208,10 +188,6 @@ struct MechanismVerdict {
 };
 
 enum class PrintedChange { none, rises, falls, falls_slightly };
-
-constexpr std::array<std::string_view, 4> enum_names(PrintedChange) {
-    return {"none", "rises", "falls", "falls_slightly"};
-}
 
 // A conclusion of 2.3.4: how a response changes as a parameter grows.
 struct PrintedTrend {

@@ -1,5 +1,4 @@
 // The thesis's limiting equilibrium of columns on a stepped base: 4.4, Appendix A and what 5.3.4.2 says of it.
-#include "cases/program/models/stepped_base/columns.hpp"
 #include "cases/program/models/stepped_base/drawing.hpp"
 #include "cases/program/thesis/appendix_a.hpp"
 #include "cases/program/thesis/reproduction.hpp"

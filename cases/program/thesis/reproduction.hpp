@@ -26,7 +26,7 @@ struct Reproduction {
     std::vector<PrintedRow> rows;
 };
 
-// What takes minutes is done where it or its chapter is named, not with all of the thesis.
+// An item that takes minutes is computed where it or its chapter is named, not with all of the thesis.
 enum class ReproductionCost { seconds, minutes };
 
 struct ReproductionItem {
@@ -51,7 +51,7 @@ ReproductionChapter chapter_5();
 ReproductionChapter appendix_a_chapter();
 ReproductionChapter published_problems();
 
-// What is being done, and of the item's work where it begins and ends, 0 to 1.
+// A part of an item's work, in words, and the shares of the whole at which it begins and ends, 0 to 1.
 struct PartOfWork {
     std::string what;
     double begin = 0;
@@ -70,5 +70,10 @@ std::string columns_in_words(const std::vector<std::string_view>& does, const st
 // A difference of rounding is no difference.
 std::string difference_in_words(double difference);
 Table printed_table(const std::string& caption, const std::vector<PrintedRow>& rows);
+
+// `cases` are built-in ones of a folder (thesis_tables.hpp), in the order of the report.
+// An item that is data alone: cases whose texts, [[expect]] and [[sweep]] say what is printed and drawn.
+ReproductionItem data_item(const std::string& name, const std::string& meaning, const std::string& folder,
+                           const std::vector<std::string>& cases);
 
 }  // namespace delabole

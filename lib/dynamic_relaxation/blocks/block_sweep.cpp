@@ -144,7 +144,7 @@ void move_block(const BlockSweep& sweep, std::size_t block, StepSums& sums) {
     noticed.moved[block] = 0;
     if (sweep.held[block] != 0) {
         const BlockForce force = force_of_joints(sweep, block);
-        // What the others do to a moved block, it does to them.
+        // A moved block does to the others what they do to it.
         sums.prescribed -= (force.x * motion.vx + force.y * motion.vy + force.moment * motion.spin) * sweep.step;
     } else if (!kick_block(sweep, block, sums)) {
         return;

@@ -5,7 +5,6 @@
 #include "dynamic_relaxation/wide/lanes.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 

@@ -3,7 +3,6 @@
 #include "dynamic_relaxation/blocks/shared_faces.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace delabole {
 

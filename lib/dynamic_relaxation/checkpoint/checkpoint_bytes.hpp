@@ -5,7 +5,6 @@
 #include "numerics/archive.hpp"
 #include "numerics/fnv_1a.hpp"
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -24,10 +23,6 @@ enum class CheckpointCheck {
     other_scene,    // or other settings
     damaged,        // cut short, lengthened or altered
 };
-
-constexpr std::array<std::string_view, 5> enum_names(CheckpointCheck) {
-    return {"ok", "not_a_checkpoint", "other_version", "other_scene", "damaged"};
-}
 
 // `hash` tells what the body depends on: it must be the same at opening.
 std::string seal_checkpoint(std::uint64_t hash, std::string_view body);

@@ -41,12 +41,10 @@
 #include "dynamic_relaxation/contact/contact_forces.hpp"
 #include "dynamic_relaxation/scene/scene.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -74,10 +72,6 @@ struct Bond : FaceStiffness {
 
 // Handed over: only of a joint; its contacts bear in the bond's place, with all of the strength of theirs.
 enum class BondState { whole, broken_in_tension, broken_in_shear, block_removed, handed_over };
-
-constexpr std::array<std::string_view, 5> enum_names(BondState) {
-    return {"whole", "broken_in_tension", "broken_in_shear", "block_removed", "handed_over"};
-}
 
 constexpr bool is_broken(BondState state) {
     return state == BondState::broken_in_tension || state == BondState::broken_in_shear;

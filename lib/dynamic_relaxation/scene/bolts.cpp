@@ -8,14 +8,14 @@ namespace delabole {
 
 namespace {
 
-// Of a line inside a block, m from the line's beginning.
+// The part of a line that lies inside a block, m from the line's beginning.
 struct Stretch {
     std::size_t block;
     double begin;
     double end;
 };
 
-// Nothing where it lies outside a convex outline, or only touches it.
+// There is none where the line lies outside a convex outline, or only touches it.
 std::optional<Stretch> stretch_in(const Polygon<>& outline, const PlanePoint<>& from, const PlanePoint<>& along,
                                   double length) {
     Stretch inside{0, 0, length};

@@ -14,8 +14,8 @@
 
 namespace delabole {
 
-// Of the bolt of that index. One segment of a block that does not exist, which the scene's check refuses, where the
-// bolt begins or ends outside the blocks or crosses no joint.
+// The segments of the bolt of that index. One segment of a block that does not exist, which the scene's check refuses,
+// where the bolt begins or ends outside the blocks or crosses no joint.
 std::vector<BoltSegment> bolt_segments(const RelaxationScene& scene, const RelaxationBolt& bolt, std::size_t index);
 
 }  // namespace delabole

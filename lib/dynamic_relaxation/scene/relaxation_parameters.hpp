@@ -10,7 +10,6 @@
 #include "parameters/fields.hpp"
 #include "parameters/lengths.hpp"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,10 +20,6 @@
 namespace delabole {
 
 enum class BlockHold { free, fixed, held_at_first };
-
-constexpr std::array<std::string_view, 3> enum_names(BlockHold) {
-    return {"free", "fixed", "held_at_first"};
-}
 
 inline constexpr std::string_view hold_meaning =
     "fixed moves only as prescribed, held_at_first not before settings.consolidation_time; absent: free";
@@ -256,10 +251,6 @@ struct RelaxationSlope {
 using BlockScene = std::variant<RelaxationRow, RelaxationColumns, RelaxationPolygons, RelaxationSlope>;
 
 enum class TiltingFrame { gravity, base };
-
-constexpr std::array<std::string_view, 2> enum_names(TiltingFrame) {
-    return {"gravity", "base"};
-}
 
 // The base seen from itself while gravity turns; or turned as it is in a laboratory, about a pivot, with its inertia.
 struct Tilting {

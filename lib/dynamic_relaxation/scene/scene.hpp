@@ -9,10 +9,8 @@
 
 #include "geometry/polygon.hpp"
 
-#include <array>
 #include <cstddef>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -184,32 +182,6 @@ enum class SceneCheck {
     modulus_not_positive,  // or spacing
     bolt_outside_blocks,   // its head or its end, or it crosses no joint
 };
-
-constexpr std::array<std::string_view, 23> enum_names(SceneCheck) {
-    return {"valid",
-            "no_free_block",
-            "number_not_finite",
-            "outline_not_convex",
-            "edge_too_short",
-            "sizes_too_different",
-            "density_not_positive",
-            "stiffness_not_positive",
-            "stiffness_too_soft",
-            "stiffness_too_stiff",
-            "friction_out_of_range",
-            "strength_negative",
-            "unknown_block",
-            "unknown_material",
-            "unknown_edge",
-            "times_not_increasing",
-            "motion_of_free_block",
-            "overlap_at_start",
-            "load_out_of_range",
-            "setting_out_of_range",
-            "bond_without_face",
-            "modulus_not_positive",
-            "bolt_outside_blocks"};
-}
 
 struct SceneFault {
     SceneCheck check = SceneCheck::valid;

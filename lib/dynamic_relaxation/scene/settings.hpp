@@ -2,10 +2,8 @@
 // each costs and gains.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
-#include <string_view>
 
 namespace delabole {
 
@@ -15,10 +13,6 @@ enum class RelaxationStart {
     ramped,     // springs free, gravity grows from zero over `ramp_time`
     stepped,    // as preloaded, but the first loads grow in ten equal steps, each of which finds its equilibrium
 };
-
-constexpr std::array<std::string_view, 4> enum_names(RelaxationStart) {
-    return {"preloaded", "dropped", "ramped", "stepped"};
-}
 
 constexpr bool is_preloaded(RelaxationStart start) {
     return start == RelaxationStart::preloaded || start == RelaxationStart::stepped;

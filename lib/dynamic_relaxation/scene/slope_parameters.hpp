@@ -5,10 +5,8 @@
 #include "jointed_slope/slope_geometry.hpp"
 #include "parameters/fields.hpp"
 
-#include <array>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -25,10 +23,6 @@ struct SlopeRock {
 };
 
 enum class FrameSides { below, below_and_behind, all_around };
-
-constexpr std::array<std::string_view, 3> enum_names(FrameSides) {
-    return {"below", "below_and_behind", "all_around"};
-}
 
 // Fixed blocks along the lowest edges of the outline, along those farthest into the slope, and along those in front.
 struct SlopeFrame {

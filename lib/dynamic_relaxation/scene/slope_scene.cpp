@@ -242,7 +242,7 @@ class SlopeSceneMaker {
         scene_.rock.push_back(block.rock);
     }
 
-    // On an edge of the block that is being made.
+    // Adds the pressures on an edge of the block that is being made.
     void add_pressures(std::size_t edge, double unit_weight, const std::vector<FaceDepth>& depths) {
         for (std::size_t piece = 1; piece < depths.size(); ++piece) {
             const FaceDepth& from = depths[piece - 1];

@@ -1,7 +1,6 @@
 #include "dynamic_relaxation/scene/water_table.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 namespace delabole {
 

@@ -15,12 +15,10 @@
 
 #include "dynamic_relaxation/step/simulation.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -44,10 +42,6 @@ enum class StrengthStatus {
     run_failed,            // overlaps too large or motion not finite
     interrupted,
 };
-
-constexpr std::array<std::string_view, 5> enum_names(StrengthStatus) {
-    return {"found", "fails_however_strong", "stands_however_weak", "run_failed", "interrupted"};
-}
 
 // The slope between two runs.
 struct ReducedSlope {

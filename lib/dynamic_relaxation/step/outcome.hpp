@@ -5,10 +5,8 @@
 #include "dynamic_relaxation/scene/settings.hpp"
 #include "dynamic_relaxation/step/state.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -25,11 +23,6 @@ enum class RelaxationOutcome {
     interrupted,
     scene_not_valid,
 };
-
-constexpr std::array<std::string_view, 10> enum_names(RelaxationOutcome) {
-    return {"undecided",         "equilibrium",         "held_by_corners",   "onset",       "collapse",
-            "overlap_too_large", "energy_not_balanced", "motion_not_finite", "interrupted", "scene_not_valid"};
-}
 
 // Share of the energy turned over, and stored in springs at the start, that a run's ledger may lack and its outcome
 // still be believed: several times what impacts lose. Energy that lifts the blocks by no more than so many of their
@@ -50,20 +43,6 @@ enum class BlockMovement {
     removed,  // by a schedule
     left,     // below the level at which what has left the slope is taken away
 };
-
-constexpr std::array<std::string_view, 11> enum_names(BlockMovement) {
-    return {"stays",
-            "slides_forward",
-            "slides_backward",
-            "rotates",
-            "slides_forward_and_rotates",
-            "slides_backward_and_rotates",
-            "moves",
-            "held_by_corners",
-            "fixed",
-            "removed",
-            "left"};
-}
 
 constexpr bool has_failed(BlockMovement movement) {
     return movement != BlockMovement::stays && movement != BlockMovement::fixed && movement != BlockMovement::removed;

@@ -36,7 +36,7 @@ CriticalValue find_critical(const std::function<CriticalProbe(double)>& probe, d
     CriticalValue critical;
     critical.stands = should_stand;
     critical.fails = should_fail;
-    // Nothing where the run had no answer, with the status set.
+    // Returns nothing, with the status set, where the run had no answer.
     const auto stands_at = [&](double value) -> std::optional<bool> {
         const CriticalProbe run = probe(value);
         critical.last = value;

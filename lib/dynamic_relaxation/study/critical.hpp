@@ -7,10 +7,8 @@
 
 #include "dynamic_relaxation/step/outcome.hpp"
 
-#include <array>
 #include <cstdint>
 #include <functional>
-#include <string_view>
 
 namespace delabole {
 
@@ -23,10 +21,6 @@ enum class CriticalStatus {
     interrupted,        // likewise
     not_valid,          // the scene is not valid at one of the values
 };
-
-constexpr std::array<std::string_view, 7> enum_names(CriticalStatus) {
-    return {"found", "stands_everywhere", "fails_everywhere", "undecided", "run_failed", "interrupted", "not_valid"};
-}
 
 struct CriticalValue {
     CriticalStatus status = CriticalStatus::found;

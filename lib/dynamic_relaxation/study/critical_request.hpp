@@ -32,15 +32,7 @@ enum class LoadingPath {
     stages,     // each value from before the first stage of excavation, with settings.start; then stage after stage
 };
 
-constexpr std::array<std::string_view, 5> enum_names(LoadingPath) {
-    return {"consolidated", "preloaded", "gravity", "sudden", "stages"};
-}
-
 enum class PathChoice { one, all };
-
-constexpr std::array<std::string_view, 2> enum_names(PathChoice) {
-    return {"one", "all"};
-}
 
 inline constexpr std::string_view path_meaning =
     "how the blocks come to each value; stages only where the scene has some: blocks that they take away are not there "

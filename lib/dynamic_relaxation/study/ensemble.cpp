@@ -118,7 +118,7 @@ EnsemblePrediction predict_ensemble(const RelaxationStudy& study, Prediction fir
         for (const Prediction& member : members) {
             squares += (member.outputs[output] - mean) * (member.outputs[output] - mean);
         }
-        // What is infinite in one of them has no deviation that could be told.
+        // An output that is infinite in one of them has no deviation.
         ensemble.deviation[output] = std::isfinite(mean) ? std::sqrt(squares / (count - 1)) : mean;
     }
     // Members have the same outline, and so their profiles the same stations, unless excavation leaves gaps in them.

@@ -15,7 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double share_of(double moved_by, double limit) {
     const double ratio = (moved_by / limit) * (moved_by / limit);
-    // Without overflow for a block that has fallen far.
+    // It must not overflow for a block that has fallen far.
     return ratio > 1 ? 1 / (1 + 1 / (ratio * ratio)) : ratio * ratio / (1 + ratio * ratio);
 }
 

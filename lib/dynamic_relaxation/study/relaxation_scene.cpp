@@ -196,7 +196,7 @@ RelaxationScene blocks_of(const RelaxationPolygons& polygons) {
     return scene;
 }
 
-// Without blocks where the slope cannot be cut.
+// The scene has no blocks where the slope cannot be cut.
 RelaxationScene blocks_of(const RelaxationSlope& slope) {
     SlopeScene made = slope_scene(slope);
     RelaxationScene scene;
@@ -418,7 +418,7 @@ RelaxationSettings relaxation_settings(const RelaxationStudy& study, const Relax
     settings.equilibrium_ratio = numerics.equilibrium_ratio.value_or(quality.equilibrium_ratio);
     settings.time_step = numerics.time_step;
     take(settings.viscous_damping, numerics.viscous_damping);
-    // What shaking leaves behind are displacements; damping would take its share of them.
+    // Shaking leaves displacements behind, of which damping would take a share.
     settings.local_damping = study.model.shaking.size() > 1 ? 0 : settings.local_damping;
     take(settings.local_damping, numerics.local_damping);
     settings.kinetic_damping = numerics.kinetic_damping == OffOn::on;

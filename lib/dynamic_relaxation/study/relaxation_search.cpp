@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 namespace delabole {
@@ -43,7 +41,7 @@ LoadingPath path_of(RelaxationStart start) {
     return LoadingPath::preloaded;
 }
 
-// On which path a case is searched that does not say.
+// The path on which a case is searched that names none.
 LoadingPath usual_path(const RelaxationStudy& study, CriticalParameter parameter) {
     if (dimension_of(parameter) == Dimension::ratio) {
         return LoadingPath::consolidated;
@@ -76,7 +74,7 @@ class PathSearch {
           progress_(progress),
           scene_(relaxation_scene(study)),
           settings_(settings_for(study, work, scene_)) {
-        // What happens after onset does not matter to a search, nor how long it takes until then.
+        // A search needs neither what happens after onset nor the time until then.
         settings_.stop_at_onset = true;
         settings_.creep = true;
         settings_.stop_at_equilibrium = true;
@@ -219,7 +217,7 @@ class PathSearch {
         return progress_.probe.back();
     }
 
-    // What goes on from a state at its time may take as long as what begins at the start.
+    // A run that goes on from a state may take as long as one from the start.
     RelaxationSettings settings_of_run() const {
         RelaxationSettings settings = settings_;
         if (progress_.consolidated) {

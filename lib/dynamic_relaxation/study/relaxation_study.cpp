@@ -101,7 +101,7 @@ Prediction prediction_of(const RelaxationStudy& study, const RelaxationRun& made
     return {{}, std::move(outputs), made.post_failure ? made.post_failure->left_standing : Polyline{}};
 }
 
-// Without its ensemble.
+// The study without its ensemble.
 Prediction predict_once(const RelaxationStudy& study) {
     if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
         const SlopeScene made = slope_scene(*slope);
@@ -147,7 +147,7 @@ RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
     return shape;
 }
 
-// What a search tells that ended at one of its bounds. At the critical value itself the blocks stand. Of several paths
+// A search that ended at one of its bounds tells this. At the critical value itself the blocks stand. Of several paths
 // it is not known which ended there.
 std::vector<OutputBound> bounds_of(const CriticalPlan& plan, std::size_t output) {
     if (plan.path.size() > 1) {

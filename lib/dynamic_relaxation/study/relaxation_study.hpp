@@ -12,7 +12,6 @@
 #include "dynamic_relaxation/study/retrogression.hpp"
 #include "parameters/model_interface.hpp"
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -25,21 +24,9 @@ namespace delabole {
 // the stable one give the same bracket.
 enum class RelaxationQuality { draft, standard, reference };
 
-constexpr std::array<std::string_view, 3> enum_names(RelaxationQuality) {
-    return {"draft", "standard", "reference"};
-}
-
 enum class RelaxationStop { equilibrium, onset, collapse, duration, rest };
 
-constexpr std::array<std::string_view, 5> enum_names(RelaxationStop) {
-    return {"equilibrium", "onset", "collapse", "duration", "rest"};
-}
-
 enum class OffOn { off, on };
-
-constexpr std::array<std::string_view, 2> enum_names(OffOn) {
-    return {"off", "on"};
-}
 
 // RelaxationSettings says what each does; absent: its value there, or that of the quality.
 struct RelaxationNumerics {
@@ -275,7 +262,7 @@ struct RelaxationRun {
     bool in_stages = false;             // by retrogression
     std::vector<FailureStage> stage{};  // of it, those that failed; `end` and `result` are then of the run after them
 
-    // Out of time or steps before the end that was asked for.
+    // The run was out of time or steps before the end that was asked for.
     bool unfinished() const {
         return result.outcome == RelaxationOutcome::undecided &&
                (!ends_with_duration || result.cost.steps >= settings.most_steps);
@@ -311,7 +298,7 @@ struct PathValue : CriticalValue {
     std::optional<RelaxationRun> failed = {};
 };
 
-// On the first path of the plan, with those on the others.
+// The answer on the first path of the plan, with those on the others.
 struct CriticalAnswer : PathValue {
     std::vector<PathValue> other = {};
 

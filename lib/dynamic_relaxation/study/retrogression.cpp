@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace delabole {
@@ -46,7 +45,7 @@ void divide_by_area(RetrogressionStage& sum) {
     }
 }
 
-// Without water on what of their faces those that stay have shared with those that are gone.
+// Blocks that stay lose the water on faces that they have shared with those that are gone.
 std::vector<FacePressure> drained(const std::vector<FacePressure>& pressures, const Bodies& bodies,
                                   const std::vector<SharedFace>& faces, const std::vector<char>& gone) {
     std::vector<FacePressure> left = pressures;
@@ -65,7 +64,7 @@ std::vector<FacePressure> drained(const std::vector<FacePressure>& pressures, co
             }
             const EdgePart part = pressure.part.value_or(EdgePart{0, whole});
             const auto keep = [&](double from, double to) {
-                // What rounding leaves of a piece presses on nothing.
+                // A piece that is left by rounding alone presses on nothing.
                 if (to - from > 1e-9 * whole) {
                     const double slope = (pressure.at_second - pressure.at_first) / (part.end - part.begin);
                     kept.push_back({block, pressure.edge, pressure.at_first + slope * (from - part.begin),

@@ -17,7 +17,6 @@
 #include "dynamic_relaxation/blocks/bodies.hpp"
 #include "parameters/fields.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <tuple>

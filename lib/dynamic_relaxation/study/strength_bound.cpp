@@ -14,7 +14,7 @@ namespace delabole {
 
 namespace {
 
-// What bolts come to hold depends on how the blocks move.
+// The force of a bolt depends on how the blocks move.
 bool is_static(const RelaxationScene& scene) {
     return scene.bolt.empty() && scene.motion.empty() && scene.removal.empty() && scene.shaking.empty() &&
            !scene.belt && (scene.gravity.rate == 0 || scene.gravity.final_tilt == scene.gravity.tilt);
@@ -34,7 +34,7 @@ Assembly assembly_of(const RelaxationScene& scene) {
     return assembly_of(scene, bodies, find_shared_faces(bodies));
 }
 
-// Nothing where the linear programme has no answer.
+// Returns nothing where the linear programme has no answer.
 std::optional<bool> stands(const Assembly& assembly) {
     const LeastImbalance found = least_imbalance(assembly);
     return found.status == LpStatus::optimal ? std::optional(found.stands()) : std::nullopt;

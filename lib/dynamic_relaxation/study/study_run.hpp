@@ -4,7 +4,6 @@
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include <functional>
-#include <optional>
 
 namespace delabole {
 

@@ -215,13 +215,13 @@ DELABOLE_INLINED FourOf<Lanes> transposed(const Lanes& one, const Lanes& two, co
 template <IsLanes Lanes>
 using Rows = std::array<const double*, lane_count<Lanes>>;
 
-// What stands in the same places of all rows, side by side: four places from `place` on.
+// Four places of all rows, from `place` on, side by side.
 DELABOLE_INLINED FourOf<FourLanes> gather_four(const Rows<FourLanes>& rows, std::size_t place) {
     return transposed<FourLanes>(load_lanes<FourLanes>(rows[0] + place), load_lanes<FourLanes>(rows[1] + place),
                                  load_lanes<FourLanes>(rows[2] + place), load_lanes<FourLanes>(rows[3] + place));
 }
 
-// Likewise the first eight places.
+// The first eight places of all rows, side by side.
 template <IsLanes Lanes>
 DELABOLE_INLINED std::array<Lanes, 8> gather_eight(const Rows<Lanes>& rows) {
     if constexpr (std::same_as<Lanes, FourLanes>) {

@@ -92,7 +92,7 @@ RowState failure_in(const std::vector<VirtualMotion>& mechanism) {
     return !turns ? RowState::slides : slides ? RowState::slides_and_topples : RowState::topples;
 }
 
-// Nothing where the programme has no answer.
+// Returns nothing where the programme has no answer.
 std::optional<RowAnswer> bounded_answer(const std::vector<RowMember<double>>& members, double inclination) {
     if (members.size() > most_bounded_row) {
         return std::nullopt;
@@ -155,19 +155,11 @@ BlockRowResult analyse(const BlockRow<>& row) {
 }
 
 ModelInterface model_interface(const BlockRow<>& row) {
-    ModelInterface model;
-    model.inputs = inputs_of(row);
-    model.outputs = outputs_of(RowAnswer{});
-    model.predict = [row](std::span<const Assignment> assignments) -> Prediction {
-        BlockRow<> varied = row;
-        assign(varied, assignments);
+    return interface_of_function(row, RowAnswer{}, [](const BlockRow<>& varied) -> Prediction {
         const BlockRowResult result = analyse(varied);
-        if (result.check != BlockRowCheck::valid) {
-            return {word_of(result.check), {}, {}};
-        }
-        return {{}, output_values(result.answer), {}};
-    };
-    return model;
+        return result.check == BlockRowCheck::valid ? Prediction{{}, output_values(result.answer), {}}
+                                                    : Prediction{word_of(result.check), {}, {}};
+    });
 }
 
 }  // namespace delabole

@@ -14,9 +14,7 @@
 #include "limit_equilibrium/block_row/block_row_parameters.hpp"
 #include "parameters/model_interface.hpp"
 
-#include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -30,10 +28,6 @@ enum class BlockRowCheck {
     input_out_of_range,  // a number outside the range of its field, or not finite
 };
 
-constexpr std::array<std::string_view, 5> enum_names(BlockRowCheck) {
-    return {"valid", "no_blocks", "too_many_blocks", "no_admissible_mode", "input_out_of_range"};
-}
-
 enum class RowState {
     stands,
     stands_if_pressed,  // between both critical tilts: only if the blocks were pressed together. Where the tilts are
@@ -43,15 +37,7 @@ enum class RowState {
     slides_and_topples,
 };
 
-constexpr std::array<std::string_view, 5> enum_names(RowState) {
-    return {"stands", "stands_if_pressed", "slides", "topples", "slides_and_topples"};
-}
-
 enum class RowSearchKind { exact, bounded, upper_bound };
-
-constexpr std::array<std::string_view, 3> enum_names(RowSearchKind) {
-    return {"exact", "bounded", "upper_bound"};
-}
 
 struct RowAnswer {
     RowState state{};

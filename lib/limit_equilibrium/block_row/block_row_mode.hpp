@@ -1,4 +1,4 @@
-// What a mode of motion of a row of blocks is, and its equations.
+// Modes of motion of a row of blocks, and their equations.
 //
 // A mode gives every block a role, from the lowest block up:
 //     S...  slide together down the plane, pushed by what stands above or by themselves
@@ -44,10 +44,6 @@
 // same friction under all of them this choice does not affect the tilt.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -66,21 +62,6 @@ enum class RowModeCheck {
     blocked_by_standing_block,  // the heel of the uppermost turning block runs into its neighbour
     standing_blocks_fail,       // the part that is to stand fails first, or is too long to tell
 };
-
-constexpr std::array<std::string_view, 12> enum_names(RowModeCheck) {
-    return {"admissible",
-            "no_tilt",
-            "locked",
-            "over_determined",
-            "tension",
-            "base_lifts",
-            "pivot_slips",
-            "thrust_outside_interface",
-            "sliding_block_overturns",
-            "adhering_blocks_slip",
-            "blocked_by_standing_block",
-            "standing_blocks_fail"};
-}
 
 // Roles as letters, one per block, the lowest first: "SFPB0".
 namespace row_role {

@@ -291,7 +291,7 @@ class RowModeSolver {
             right_sides_[row + 1] = member.weight * cosine_ / largest;
             right_sides_[row + 2] = own_moment(member) / (size * largest);
         }
-        // What the turning block bears is taken off its lowest neighbour.
+        // The turning block's share is taken off its lowest neighbour.
         right_sides_[0] -= heel.thrust / largest;
         right_sides_[1] -= heel.shear / largest;
         return infeasibility_(coefficients_, right_sides_) <= slack / largest;

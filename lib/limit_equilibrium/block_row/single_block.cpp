@@ -230,19 +230,8 @@ double toe_slip_friction_angle(double inclination, double slenderness_angle) {
 }
 
 ModelInterface model_interface(const SingleBlock<>& problem) {
-    ModelInterface model;
-    model.inputs = inputs_of(problem);
-    model.outputs = outputs_of(SingleBlockResult{});
-    model.predict = [problem](std::span<const Assignment> assignments) -> Prediction {
-        SingleBlock<> varied = problem;
-        assign(varied, assignments);
-        const SingleBlockResult result = analyse(varied);
-        if (result.check != SingleBlockCheck::valid) {
-            return {word_of(result.check), {}, {}};
-        }
-        return {{}, output_values(result), {}};
-    };
-    return model;
+    return interface_of_function(problem, SingleBlockResult{},
+                                 [](const SingleBlock<>& varied) { return prediction_of(analyse(varied)); });
 }
 
 }  // namespace delabole

@@ -31,7 +31,6 @@
 #include "parameters/model_interface.hpp"
 #include "plane_failure/parameters.hpp"
 
-#include <array>
 #include <optional>
 #include <string_view>
 
@@ -104,15 +103,7 @@ enum class SingleBlockCheck {
     input_out_of_range,  // a number outside the range of its field, or not finite
 };
 
-constexpr std::array<std::string_view, 3> enum_names(SingleBlockCheck) {
-    return {"valid", "water_above_block", "input_out_of_range"};
-}
-
 enum class BlockMotion { stable, slides, topples, slides_and_topples, lifts_off };
-
-constexpr std::array<std::string_view, 5> enum_names(BlockMotion) {
-    return {"stable", "slides", "topples", "slides_and_topples", "lifts_off"};
-}
 
 struct SingleBlockResult {
     SingleBlockCheck check = SingleBlockCheck::input_out_of_range;  // the rest is meaningful only where valid

@@ -4,10 +4,8 @@
 
 #include "geometry/polyline.hpp"
 
-#include <array>
 #include <cstddef>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -27,22 +25,6 @@ enum class AssemblyCheck {
     cross_joints_too_near,      // spacing or offset out of range, or more blocks than `most_blocks`
     input_out_of_range,         // not finite
 };
-
-constexpr std::array<std::string_view, 13> enum_names(AssemblyCheck) {
-    return {"valid",
-            "no_bodies",
-            "block_without_size",
-            "weight_not_positive",
-            "weights_too_different",
-            "contact_of_unknown_body",
-            "contact_without_length",
-            "friction_not_below_90_deg",
-            "cohesion_negative",
-            "columns_not_valid",
-            "loads_beyond_weight",
-            "cross_joints_too_near",
-            "input_out_of_range"};
-}
 
 // Force on a body at its centroid, N/m, and moment about it, anticlockwise, N.
 struct BodyLoad {

@@ -67,7 +67,7 @@ void add_slide_head(const TurnedAxes& axes, const ColumnSlope<>& slope, double i
     const Point along(std::cos(wedge.joint_dip), std::sin(wedge.joint_dip));
     Body body{};
     body.weight = wedge.weight;
-    // On the line of the resultant, so that weight, water and loads have no moment about it.
+    // A point on the line of the resultant, so that weight, water and loads have no moment about it.
     body.centroid = foot + wedge.reaction_position * along;
     body.load.force =
         Point(wedge.force_x, wedge.force_y + wedge.weight) + wedge.water_force * Point(-along.y(), along.x());

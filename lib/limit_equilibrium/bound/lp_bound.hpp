@@ -37,10 +37,6 @@ enum class LpStatus {
     interrupted,       // asked to stop
 };
 
-constexpr std::array<std::string_view, 6> enum_names(LpStatus) {
-    return {"optimal", "unbounded", "infeasible", "not_converged", "invalid_assembly", "interrupted"};
-}
-
 struct EndForce {
     double normal;  // on `body`, compression positive, N/m
     double shear;   // on `body`, along the way from start to end, N/m

@@ -50,7 +50,7 @@ LpBound refused(AssemblyCheck check);
 // The weights as forces along -x.
 std::vector<BodyLoad> horizontal_weights(const Assembly& assembly);
 
-// Of a valid assembly, all of whose strength is multiplied by `strength`.
+// Solves a valid assembly, all of whose strength is multiplied by `strength`.
 LpBound solve(const Assembly& assembly, const Scales& scales, const Sought& sought, double strength);
 
 // Imbalance and cone violation, from the forces themselves and not from the programme's numbers.

@@ -99,11 +99,11 @@ std::vector<std::vector<BoltRow>> support_rows(const ColumnScene<>& scene) {
     std::vector<std::vector<BoltRow>> rows;
     for (const BoltPattern<>& pattern : scene.support) {
         rows.emplace_back();
-        for_each_row(pattern, [&](int row) {
+        for (int row = 0; row < pattern.rows; ++row) {
             if (const auto found = detail::bolt_row(pattern, row, *scene.slope, shapes)) {
                 rows.back().push_back({detail::turned_back(shapes.base, found->head), found->force});
             }
-        });
+        }
     }
     return rows;
 }

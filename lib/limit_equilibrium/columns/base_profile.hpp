@@ -1,4 +1,4 @@
-// What a toppling failure leaves standing, and the outlines of the columns for drawing.
+// The ground that a toppling failure leaves standing, and the outlines of the columns for drawing.
 #pragma once
 
 #include "geometry/polyline.hpp"

@@ -1,9 +1,6 @@
 // Named reasons for which a slope cannot be divided into columns on a stepped base.
 #pragma once
 
-#include <array>
-#include <string_view>
-
 namespace delabole {
 
 enum class ColumnCheck {
@@ -26,26 +23,5 @@ enum class ColumnCheck {
     slope_needed,                 // columns cut from a slope, but no slope
     input_out_of_range,
 };
-
-constexpr std::array<std::string_view, 18> enum_names(ColumnCheck) {
-    return {"valid",
-            "base_flatter_than_joints_allow",
-            "base_does_not_daylight",
-            "base_never_surfaces",
-            "base_end_outside_slope",
-            "joints_never_surface",
-            "step_larger_than_block",
-            "no_columns",
-            "too_many_columns",
-            "slide_head_needs_base_end",
-            "head_joint_never_surfaces",
-            "load_outside_columns",
-            "load_needs_slope",
-            "bench_needs_continuous",
-            "elevation_without_datum",
-            "water_points_not_increasing",
-            "slope_needed",
-            "input_out_of_range"};
-}
 
 }  // namespace delabole

@@ -177,7 +177,7 @@ class GroundWalk {
     std::size_t next_ = 1;
 };
 
-// What the two kinds of layout that are cut from a slope have in common.
+// The part that both layouts cut from a slope share.
 template <class T>
 struct BaseLine {
     TurnedGround<T> ground;

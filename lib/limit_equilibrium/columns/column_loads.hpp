@@ -14,8 +14,6 @@
 #include "limit_equilibrium/columns/column.hpp"
 #include "limit_equilibrium/columns/column_layout.hpp"
 
-#include <cmath>
-
 namespace delabole::detail {
 
 // Force and moment (anticlockwise, about `origin`) in turned axes.

@@ -24,19 +24,12 @@
 #include "limit_equilibrium/columns/column.hpp"
 #include "limit_equilibrium/columns/slide_head.hpp"
 
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string_view>
 
 namespace delabole {
 
 enum class ColumnMode { stays, slides, topples };
-
-constexpr std::array<std::string_view, 3> enum_names(ColumnMode) {
-    return {"stays", "slides", "topples"};
-}
 
 template <class T = double>
 struct ColumnStrength {

@@ -120,21 +120,10 @@ FlexuralStability analyse(const FlexuralSlope& slope) {
 }
 
 ModelInterface model_interface(const FlexuralSlope& slope) {
-    ModelInterface model;
-    model.inputs = inputs_of(slope);
     FlexuralStability shape;
     shape.column.resize(slope.column.size());
-    model.outputs = outputs_of(shape);
-    model.predict = [slope](std::span<const Assignment> assignments) -> Prediction {
-        FlexuralSlope varied = slope;
-        assign(varied, assignments);
-        const FlexuralStability result = analyse(varied);
-        if (result.check != FlexuralCheck::valid) {
-            return {word_of(result.check), {}, {}};
-        }
-        return {{}, output_values(result), {}};
-    };
-    return model;
+    return interface_of_function(slope, shape,
+                                 [](const FlexuralSlope& varied) { return prediction_of(analyse(varied)); });
 }
 
 }  // namespace delabole

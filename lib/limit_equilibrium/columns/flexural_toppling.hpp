@@ -29,8 +29,6 @@
 #include "parameters/lengths.hpp"
 #include "parameters/model_interface.hpp"
 
-#include <array>
-#include <optional>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -80,15 +78,7 @@ struct FlexuralSlope {
 
 enum class FlexuralCheck { valid, no_columns, input_out_of_range };
 
-constexpr std::array<std::string_view, 3> enum_names(FlexuralCheck) {
-    return {"valid", "no_columns", "input_out_of_range"};
-}
-
 enum class FlexuralMode { stands, bends, topples, shears };
-
-constexpr std::array<std::string_view, 4> enum_names(FlexuralMode) {
-    return {"stands", "bends", "topples", "shears"};
-}
 
 struct FlexuralColumnState {
     FlexuralMode mode = FlexuralMode::stands;

@@ -85,7 +85,7 @@ struct ColumnBoltRow {
     T force;
 };
 
-// Nothing where the face has no column at that height.
+// Returns nothing where the face has no column at that height.
 template <class T>
 std::optional<ColumnBoltRow<T>> bolt_row(const BoltPattern<T>& pattern, int row, const SlopeSection<T>& slope,
                                          const ColumnShapes<T>& shapes) {
@@ -132,22 +132,20 @@ ColumnCheck add_support(const ColumnScene<T>& scene, const ColumnShapes<T>& shap
     if (!scene.slope && !scene.support.empty()) {
         return ColumnCheck::load_needs_slope;
     }
-    ColumnCheck check = ColumnCheck::valid;
     for (const BoltPattern<T>& pattern : scene.support) {
-        for_each_row(pattern, [&](int row) {
+        for (int row = 0; T(row) < pattern.rows; ++row) {
             const std::optional<ColumnBoltRow<T>> bolts = bolt_row(pattern, row, *scene.slope, shapes);
             if (!bolts) {
-                check = ColumnCheck::load_outside_columns;
-                return;
+                return ColumnCheck::load_outside_columns;
             }
             const ColumnShape<T>& shape = shapes.columns[bolts->column];
             const SineCosine<T> plunge = sine_cosine(pattern.plunge);
             resultants[bolts->column].add_turned(shapes.base, T(bolts->head.x() - shape.base_u),
                                                  T(bolts->head.y() - shape.base_v), T(bolts->force * plunge.cosine),
                                                  T(-bolts->force * plunge.sine));
-        });
+        }
     }
-    return check;
+    return ColumnCheck::valid;
 }
 
 template <class T>

@@ -35,10 +35,6 @@ namespace delabole {
 
 enum class SlideHeadState { stands, pushes, jams, lifts_off };
 
-constexpr std::array<std::string_view, 4> enum_names(SlideHeadState) {
-    return {"stands", "pushes", "jams", "lifts_off"};
-}
-
 template <class T = double>
 struct SlideHeadThrust {
     SlideHeadState state;

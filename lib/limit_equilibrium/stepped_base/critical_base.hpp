@@ -5,17 +5,11 @@
 #include "parameters/lengths.hpp"
 #include "plane_failure/study.hpp"
 
-#include <array>
 #include <functional>
-#include <string_view>
 
 namespace delabole {
 
 enum class CriticalBaseFeature { base_inclination, extent, both };
-
-constexpr std::array<std::string_view, 3> enum_names(CriticalBaseFeature) {
-    return {"base_inclination", "extent", "both"};
-}
 
 // Replaces the base inclination and/or the height at which the base ends by those of least factor of safety.
 template <class T = double>

@@ -222,7 +222,7 @@ std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const Colum
         results[index].height = column.height;
         results[index].weight = column.weight;
     }
-    // Also for a push without bound on a smooth joint.
+    // This holds for a push without bound on a smooth joint, too.
     const auto friction_of = [&](double push) {
         return reduced.joint_friction > 0 ? reduced.joint_friction * push : 0;
     };
@@ -286,7 +286,7 @@ double unit_weight_of(const ColumnScene<>& scene, std::size_t index) {
     return blocks ? blocks->block[index].unit_weight.value_or(scene.rock.unit_weight) : scene.rock.unit_weight;
 }
 
-// What a limiting state does to the slope: which of its parts move, by weight, and where it cracks the crest.
+// Finds which parts of the slope move in a limiting state, by weight, and where the crest cracks.
 void add_movement(const ColumnScene<>& scene, const std::vector<ColumnResult>& columns, double wedge_weight,
                   SteppedBaseResult& result) {
     double topples = 0;

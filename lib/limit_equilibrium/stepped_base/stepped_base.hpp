@@ -9,9 +9,6 @@
 #include "parameters/lengths.hpp"
 #include "parameters/model_interface.hpp"
 
-#include <array>
-#include <limits>
-#include <string>
 #include <vector>
 
 namespace delabole {
@@ -55,10 +52,6 @@ struct SteppedBase {
 // angles of joints and bases multiply to nearly 1 or more, and a column above begins to slide that no push can hold; or
 // a column topples that has no neighbour to lean on.
 enum class LimitState { found, holds_at_any_strength, fails_at_any_strength, abrupt };
-
-constexpr std::array<std::string_view, 4> enum_names(LimitState) {
-    return {"found", "holds_at_any_strength", "fails_at_any_strength", "abrupt"};
-}
 
 // `value` is 0 where the slope fails at any strength and infinite where it holds at any; where the end is abrupt, the
 // last strength at which it stands.
@@ -113,10 +106,6 @@ struct RequiredCable {
 };
 
 enum class CableState { found, not_needed, cannot_hold, no_such_place };
-
-constexpr std::array<std::string_view, 4> enum_names(CableState) {
-    return {"found", "not_needed", "cannot_hold", "no_such_place"};
-}
 
 struct CableForce {
     CableState state;

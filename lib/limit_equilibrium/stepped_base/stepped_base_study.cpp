@@ -2,7 +2,6 @@
 
 #include "limit_equilibrium/columns/base_profile.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace delabole {

@@ -14,7 +14,6 @@
 #include "limit_equilibrium/columns/column.hpp"
 #include "limit_equilibrium/stepped_path/stepped_path_parameters.hpp"
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>

@@ -1,6 +1,5 @@
 #include "limit_equilibrium/stepped_path/path_search.hpp"
 
-#include "limit_equilibrium/stepped_path/sliding_search.hpp"
 #include "limit_equilibrium/stepped_path/surface_strength.hpp"
 #include "numerics/edge_of_sign.hpp"
 
@@ -39,7 +38,7 @@ struct ColumnLaw {
           cosine(std::cos(problem.steps.dip - problem.columns->dip)),
           push_effect(effect(joint)) {}
 
-    // What a push with this drag takes from sliding.
+    // The share of a push with this drag that works against sliding.
     double effect(double drag) const { return sine - (drag + base) * cosine - drag * base * sine; }
     Push from(double needed) const { return {needed, joint, 0}; }
     double overturning(const PathCell& cell, const Push& push) const {
@@ -48,7 +47,8 @@ struct ColumnLaw {
     double unresisted(const PathCell& cell, const Push& push) const {
         return cell.down_dip - base * cell.normal - cohesion * cell.base_length + push.force * effect(push.drag);
     }
-    // What a column needs from below against each; at the face, what it lacks, which may be negative.
+    // The push that the column needs from below against each; at the face, the push that it lacks, which may be
+    // negative.
     double against_turning(const PathCell& cell, const Push& push) const {
         const double moment = overturning(cell, push);
         if (cell.at_face) {
@@ -90,8 +90,8 @@ class ColumnSearch {
     }
 
     static constexpr std::size_t no_wedge = static_cast<std::size_t>(-1);
-    // What stands above a column: the next one on a level, with the need that has a place in the list of its needs; or,
-    // the level being one past the last, a wedge, or a crack in the place of one.
+    // The neighbour above a column: the next one on a level, with the need that has a place in the list of its needs;
+    // or, the level being one past the last, a wedge, or a crack in the place of one.
     struct Choice {
         std::size_t level, place;
     };
@@ -143,8 +143,8 @@ class ColumnSearch {
                                 : std::nullopt;
     }
 
-    // What the surface's toe lacks, negative where it stands or where a column of it stays; from the top down, `visit`
-    // gets the place of each column in the path, the push on it and what it needs.
+    // The push that the surface's toe lacks, negative where it stands or where a column of it stays; from the top down,
+    // `visit` gets the place of each column in the path, the push on it and what it needs.
     template <class Visitor>
     double lacking(const LatticePath& path, double factor, const Visitor& visit) const {
         const ColumnLaw law(problem_, strength_, factor);

@@ -33,15 +33,18 @@
 // The factor of safety of that surface alone is at most F; taken for F, the search is repeated until no surface fails.
 // It ends because surfaces are finite in number and each F is less than the one before.
 //
-// What counts as a failure. Every column between toe and crack has to move: a column that needs no push cuts off what
-// stands above it. The mass has to be one whole block wide at least behind the crest, and in front of each riser of a
-// sliding mass: joints leave whole blocks, and the thesis counts what fails in whole columns of joint set A (2.3.4).
-// Without such a rule the least stable surface is a sliver of the face.
+// A surface counts as a failure where every column between toe and crack moves: a column that needs no push cuts off
+// what stands above it. The mass has to be one whole block wide at least behind the crest, and in front of each riser
+// of a sliding mass: joints leave whole blocks, and the thesis counts what fails in whole columns of joint set A
+// (2.3.4). Without such a rule the least stable surface is a sliver of the face.
 //
 // Jennings, J.E. (1970) A mathematical theory for the calculation of the stability of slopes in open cast mines. In:
 // Planning Open Pit Mines, 87-102. Dinkelbach, W. (1967) On nonlinear fractional programming. Management Science 13,
 // 492-498. Search of stepped paths by the weakest: Call, R.D. & Nicholas, D.E. (1978) Prediction of step path failure
 // geometry for slope stability analysis. 19th US Symp. Rock Mech.
+//
+// Sliding on steps: the surface of least factor of safety as the least ratio of two lengths of a path. See
+// path_search.hpp.
 #pragma once
 
 #include "limit_equilibrium/columns/column_recursion.hpp"
@@ -83,5 +86,10 @@ struct MovingColumn {
 };
 std::vector<MovingColumn> moving_columns(const SteppedPath& problem, const PathLattice& lattice,
                                          const LatticePath& path, double factor);
+
+CriticalPath least_stable_sliding(const SteppedPath& problem, const PathLattice& lattice);
+
+// The same for one surface alone.
+Limit sliding_limit(const SteppedPath& problem, const PathLattice& lattice, const LatticePath& path);
 
 }  // namespace delabole

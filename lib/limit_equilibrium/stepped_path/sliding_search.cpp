@@ -1,4 +1,4 @@
-#include "limit_equilibrium/stepped_path/sliding_search.hpp"
+#include "limit_equilibrium/stepped_path/path_search.hpp"
 
 #include "limit_equilibrium/stepped_path/surface_strength.hpp"
 

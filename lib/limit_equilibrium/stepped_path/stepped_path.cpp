@@ -272,22 +272,17 @@ Polyline water_surface(const SteppedPath& problem) {
 }
 
 ModelInterface model_interface(const SteppedPath& problem) {
-    ModelInterface model;
-    model.inputs = inputs_of(problem);
-    model.outputs = outputs_of(SteppedPathResult{});
-    model.predict = [problem](std::span<const Assignment> assignments) -> Prediction {
-        SteppedPath varied = problem;
-        assign(varied, assignments);
+    return interface_of_function(problem, SteppedPathResult{}, [](const SteppedPath& varied) -> Prediction {
         const SteppedPathResult result = analyse(varied);
-        if (result.check != SteppedPathCheck::valid) {
-            return {word_of(result.check), {}, {}};
+        Prediction prediction = prediction_of(result);
+        if (prediction.failure.empty()) {
+            if (result.surface.empty() || !(result.factor_of_safety > 0)) {
+                return {word_of(result.limit), {}, {}};
+            }
+            prediction.profile = profile_after_failure(varied, result);
         }
-        if (result.surface.empty() || !(result.factor_of_safety > 0)) {
-            return {word_of(result.limit), {}, {}};
-        }
-        return {{}, output_values(result), profile_after_failure(varied, result)};
-    };
-    return model;
+        return prediction;
+    });
 }
 
 }  // namespace delabole

@@ -23,10 +23,6 @@ namespace delabole {
 // Whether the least stable surface is as small or as large as the search allows.
 enum class PathExtent { within, least, greatest };
 
-constexpr std::array<std::string_view, 3> enum_names(PathExtent) {
-    return {"within", "least", "greatest"};
-}
-
 struct SteppedPathResult {
     SteppedPathCheck check = SteppedPathCheck::no_path;
     LimitState limit = LimitState::fails_at_any_strength;

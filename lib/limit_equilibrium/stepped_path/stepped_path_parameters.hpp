@@ -12,7 +12,6 @@
 #include "plane_failure/parameters.hpp"
 #include "water/water.hpp"
 
-#include <array>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -23,10 +22,6 @@ namespace delabole {
 // behind the last one. `slide_head_toppling`: the same, or a wedge behind the last one that slides on a riser and
 // pushes it, whichever fails first.
 enum class SteppedPathMechanism { sliding, toppling, slide_head_toppling };
-
-constexpr std::array<std::string_view, 3> enum_names(SteppedPathMechanism) {
-    return {"sliding", "toppling", "slide_head_toppling"};
-}
 
 struct SteppedPathSearch {
     SteppedPathMechanism mechanism;
@@ -172,19 +167,5 @@ enum class SteppedPathCheck {
     too_many_nodes,  // more than 100 000 crossings of joints
     input_out_of_range,
 };
-
-constexpr std::array<std::string_view, 11> enum_names(SteppedPathCheck) {
-    return {"valid",
-            "risers_needed",
-            "columns_needed",
-            "bench_not_covered",
-            "ground_too_steep",
-            "steps_steeper_than_face",
-            "joints_too_close",
-            "elevation_without_datum",
-            "no_path",
-            "too_many_nodes",
-            "input_out_of_range"};
-}
 
 }  // namespace delabole

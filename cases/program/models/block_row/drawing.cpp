@@ -3,7 +3,6 @@
 #include "limit_equilibrium/block_row/block_row.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace delabole {

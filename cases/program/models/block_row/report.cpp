@@ -7,7 +7,7 @@
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <string>
 #include <variant>
 
@@ -21,33 +21,14 @@ constexpr std::size_t most_rows = 60;
 constexpr std::size_t most_drawn_blocks = 1000;
 
 std::string_view in_words(RowModeCheck check) {
-    switch (check) {
-    case RowModeCheck::admissible:
-        return "admissible";
-    case RowModeCheck::no_tilt:
-        return "moments balance at no tilt below 90°";
-    case RowModeCheck::locked:
-        return "φ + ψ ≥ 90°: no thrust pushes a block forward";
-    case RowModeCheck::over_determined:
-        return "one unknown too few: thrusts from below and from above disagree";
-    case RowModeCheck::tension:
-        return "blocks would have to pull one another";
-    case RowModeCheck::base_lifts:
-        return "the plane would have to pull";
-    case RowModeCheck::pivot_slips:
-        return "the pivot's toe would slip";
-    case RowModeCheck::thrust_outside_interface:
-        return "a thrust would act outside its interface";
-    case RowModeCheck::sliding_block_overturns:
-        return "a sliding block would overturn";
-    case RowModeCheck::adhering_blocks_slip:
-        return "adhering blocks would slip on each other";
-    case RowModeCheck::blocked_by_standing_block:
-        return "the standing block above is in the way";
-    case RowModeCheck::standing_blocks_fail:
-        return "the standing blocks fail first";
-    }
-    return "";
+    static constexpr auto words = std::to_array<std::string_view>(
+        {"admissible", "moments balance at no tilt below 90°", "φ + ψ ≥ 90°: no thrust pushes a block forward",
+         "one unknown too few: thrusts from below and from above disagree", "blocks would have to pull one another",
+         "the plane would have to pull", "the pivot's toe would slip", "a thrust would act outside its interface",
+         "a sliding block would overturn", "adhering blocks would slip on each other",
+         "the standing block above is in the way", "the standing blocks fail first"});
+    static_assert(words.size() == enum_names(RowModeCheck{}).size());
+    return words[static_cast<std::size_t>(check)];
 }
 
 // 90 deg stands for none.
@@ -180,16 +161,8 @@ std::string mode_in_words(const std::string& roles) {
 
 }  // namespace
 
-BlockRowResult analyse_case(const BlockRow<>& row, const AnalysisWork&) {
-    return analyse(row);
-}
-
 Analysis named_outputs(const BlockRow<>& row, const BlockRowResult& result) {
     Analysis analysis;
-    if (result.check != BlockRowCheck::valid) {
-        analysis.failure = word_of(result.check);
-        return analysis;
-    }
     append_outputs(analysis, result.answer);
     for (NamedOutput& output : analysis.outputs) {
         if (output.name.starts_with("mode")) {
@@ -285,26 +258,16 @@ void append_mechanism_figures(const BlockRow<>& at_best, const MechanismFit& fit
 }
 
 Impossibility impossibility(const BlockRow<>& row, std::string_view failure) {
-    switch (value_of<BlockRowCheck>(failure).value_or(BlockRowCheck::valid)) {
-    case BlockRowCheck::no_blocks:
-        return {{"block"}, "at least one [[block]] is required"};
-    case BlockRowCheck::too_many_blocks:
-        return {{"block"}, "at most 100 000 blocks: there are " + std::to_string(row.block.size())};
-    case BlockRowCheck::no_admissible_mode:
-        return {{"block"},
-                "none of the modes examined satisfies statics and kinematics, and " +
-                    (row.block.size() > most_bounded_row
-                         ? std::to_string(row.block.size()) +
-                               " blocks are too many for the bound by linear programming, at most " +
-                               std::to_string(most_bounded_row)
-                         : std::string("the linear programme that bounds the tilt has no answer either, as where the "
-                                       "heaviest block weighs more than 1e7 times the lightest")) +
-                    ": there is no answer"};
-    case BlockRowCheck::input_out_of_range:
-    case BlockRowCheck::valid:
-        break;
+    const std::string count = std::to_string(row.block.size());
+    Impossibility found = stated_impossibility(BlockRow<>::kind, failure);
+    if (failure == word_of(BlockRowCheck::too_many_blocks)) {
+        found.words += ": there are " + count;
+    } else if (failure == word_of(BlockRowCheck::no_admissible_mode) && row.block.size() > most_bounded_row) {
+        found.words = "none of the modes examined satisfies statics and kinematics, and " + count +
+                      " blocks are too many for the bound by linear programming, at most " +
+                      std::to_string(most_bounded_row) + ": there is no answer";
     }
-    return out_of_range();
+    return found;
 }
 
 }  // namespace delabole

@@ -65,20 +65,6 @@ Table column_table(const FlexuralStability& result) {
 
 }  // namespace
 
-FlexuralStability analyse_case(const FlexuralSlope& slope, const AnalysisWork&) {
-    return analyse(slope);
-}
-
-Analysis named_outputs(const FlexuralSlope&, const FlexuralStability& result) {
-    Analysis analysis;
-    if (result.check != FlexuralCheck::valid) {
-        analysis.failure = word_of(result.check);
-        return analysis;
-    }
-    append_outputs(analysis, result);
-    return analysis;
-}
-
 HeadCard head_card(const FlexuralSlope&, const FlexuralStability& result) {
     const bool stands = result.toe_push == 0;
     HeadCard head{stands ? AnswerTone::good : AnswerTone::bad, {}, {}};
@@ -113,11 +99,6 @@ void append_mechanism_figures(const FlexuralSlope& at_best, const MechanismFit& 
         report.blocks.emplace_back(
             folder.draw(columns_figure(at_best, result), fit.name + "_columns", "The columns at the best point."));
     }
-}
-
-Impossibility impossibility(const FlexuralSlope&, std::string_view failure) {
-    return value_of<FlexuralCheck>(failure) == FlexuralCheck::no_columns ? Impossibility{{}, "there is no column"}
-                                                                         : out_of_range();
 }
 
 }  // namespace delabole

@@ -53,35 +53,6 @@ void check_poles(Checker& checker, const Kinematics& model) {
     }
 }
 
-KinematicsStudy example_study() {
-    KinematicsStudy study{};
-    study.model.slope = {.face_dip = degrees(70), .face_dip_direction = degrees(95), .upper_surface = std::nullopt};
-    study.model.strength = {.friction_angle = degrees(30)};
-    study.model.lateral_limit = {
-        .planar_sliding = degrees(20), .flexural_toppling = degrees(30), .direct_toppling = degrees(20)};
-    study.model.joint_set = {
-        {"bedding", OrientationRange{degrees(35), degrees(45), degrees(85), degrees(105)}},
-        {"joints", MeanOrientation{.dip = degrees(80), .dip_direction = degrees(275), .concentration = 80.0}},
-        {"cross_joints", MeanOrientation{.dip = degrees(85), .dip_direction = degrees(185), .concentration = {}}}};
-    return study;
-}
-
-constexpr std::string_view kinematics_parts = R"(
-[sources]                           # where a value comes from, by its key
-"slope.face_dip" = "survey"
-
-[[expect]]                          # a value known otherwise: delabole verify compares
-quantity = "joint_set[1].planar_sliding.critical_friction_angle"
-value = "40 deg"
-tolerance = "0.01 deg"              # absolute, or relative_tolerance
-with = { "joint_set[1].lower_dip" = "35 deg" }  # inputs that differ
-source = "the dip of the bedding"
-
-[[expect]]                          # a word: feasible, or the reason why not
-quantity = "joint_set[1].planar_sliding.at_mean"
-value = "feasible"
-)";
-
 }  // namespace
 
 void check_case(Checker& checker, const KinematicsStudy& study) {
@@ -101,10 +72,6 @@ void check_case(Checker& checker, const KinematicsStudy& study) {
         check_whole(checker, "sampling.sample_count", study.sampling->sample_count);
         check_whole(checker, "sampling.seed", study.sampling->seed);
     }
-}
-
-ModelExample<KinematicsStudy> example_case(const KinematicsStudy*) {
-    return {example_study(), "Sliding and toppling that geometry leaves open", kinematics_parts};
 }
 
 // Every set and every pair answers alike, so their numbers are enough. The bound only keeps a case that is refused for

@@ -1,13 +1,12 @@
 #include "cases/program/models/kinematics/pole_file.hpp"
 
 #include "cases/program/case/model_cases.hpp"
-#include "cases/program/reader/ordinary_file.hpp"
+#include "cases/program/reader/data_table.hpp"
 #include "kinematics/kinematics.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -190,19 +189,8 @@ void take_files(Reading& reading, KinematicsStudy& study, const std::filesystem:
             reading.complain_at(key, "and " + indexed("poles", index) + ".plane exclude each other");
             continue;
         }
-        const std::filesystem::path path = folder / *std::exchange(survey.file, std::nullopt);
-        const FileContent content = read_ordinary_file(path, "a table of poles", largest_pole_file);
-        if (!content.fault.empty()) {
-            reading.complain_at(key, path.string() + " " + content.fault);
-            continue;
-        }
-        try {
-            survey.plane = planes_of_csv(content.bytes, path.string());
-        } catch (const CaseError& error) {
-            for (const Problem& problem : error.problems()) {
-                reading.complain(problem);
-            }
-        }
+        survey.plane = read_table_file(reading, key, folder / *std::exchange(survey.file, std::nullopt),
+                                       "a table of poles", largest_pole_file, planes_of_csv);
     }
 }
 

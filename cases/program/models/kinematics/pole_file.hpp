@@ -11,8 +11,6 @@
 #include "cases/program/reader/section.hpp"
 #include "kinematics/parameters.hpp"
 
-#include <filesystem>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -320,16 +320,8 @@ void append_measured(const Kinematics& model, const KinematicsResult& result, co
 
 }  // namespace
 
-KinematicsResult analyse_case(const KinematicsStudy& study, const AnalysisWork&) {
-    return analyse(study);
-}
-
 Analysis named_outputs(const KinematicsStudy&, const KinematicsResult& result) {
     Analysis analysis;
-    if (result.check != KinematicsCheck::valid) {
-        analysis.failure = word_of(result.check);
-        return analysis;
-    }
     append_summary(analysis, result);
     append_outputs(analysis, result);
     for (std::size_t index = 0; index < result.pair.size(); ++index) {
@@ -406,40 +398,14 @@ void append_case_figures(const KinematicsStudy& study, const KinematicsResult& r
     folder.write("pairs.csv", pairs_csv(result));
 }
 
-void append_mechanism_figures(const KinematicsStudy&, const MechanismFit&, const FitProblem&, const ResultFolder&,
-                              Report&) {}
-
 Impossibility impossibility(const KinematicsStudy&, std::string_view failure) {
-    switch (value_of<KinematicsCheck>(failure).value_or(KinematicsCheck::valid)) {
-    case KinematicsCheck::no_joint_set:
-        return {{"joint_set"}, "at least one [[joint_set]], or measured [[poles]], is required"};
-    case KinematicsCheck::too_many_joint_sets:
+    if (failure == word_of(KinematicsCheck::too_many_joint_sets)) {
         return {{"joint_set"}, "at most " + std::to_string(most_joint_sets) + " joint sets"};
-    case KinematicsCheck::joint_set_without_name:
-        return {{"joint_set"}, "every joint set needs a name"};
-    case KinematicsCheck::joint_set_name_repeated:
-        return {{"joint_set"}, "two joint sets have the same name"};
-    case KinematicsCheck::lower_dip_above_upper_dip:
-        return {{"joint_set"}, "a joint set has a lower_dip above its upper_dip"};
-    case KinematicsCheck::survey_without_planes:
-        return {{"poles"}, "[[poles]] need a file or at least one plane"};
-    case KinematicsCheck::too_many_poles:
-        return {{"poles"}, "there may be at most " + std::to_string(most_poles) + " poles"};
-    case KinematicsCheck::window_without_poles:
-        return {{"joint_set"},
-                "no measured pole lies in the window of a joint set: move it, or make window_radius larger"};
-    case KinematicsCheck::no_set_found:
-        return {
-            {"poles"},
-            "the poles are as likely to be scattered evenly as to form sets: give the sets as [[joint_set]], with a "
-            "window_dip, window_dip_direction and window_radius each"};
-    case KinematicsCheck::setting_not_whole:
-        return {{"sampling", "set_search"}, "sample_count, seed and most_sets must be whole numbers"};
-    case KinematicsCheck::input_out_of_range:
-    case KinematicsCheck::valid:
-        break;
     }
-    return out_of_range();
+    if (failure == word_of(KinematicsCheck::too_many_poles)) {
+        return {{"poles"}, "there may be at most " + std::to_string(most_poles) + " poles"};
+    }
+    return stated_impossibility(KinematicsStudy::kind, failure);
 }
 
 }  // namespace delabole

@@ -68,36 +68,6 @@ void check_slope(Checker& checker, const PlaneFailure<>& model) {
     }
 }
 
-// Wyllie & Mah (2004), example 7.1, with 3 m of water in the crack.
-PlaneFailureStudy<> example_plane_failure() {
-    PlaneFailureStudy<> study{};
-    study.model.slope = {.height = 12,
-                         .face_dip = degrees(60),
-                         .upper_surface_dip = 0,
-                         .bench = std::nullopt,
-                         .toe_elevation = std::nullopt};
-    study.model.failure_plane = {.dip = degrees(35), .daylight_height = std::nullopt};
-    study.model.tension_crack = TensionCrack<>{.dip = degrees(90), .position = CrackAtDistance<>{4}};
-    study.model.rock = {.unit_weight = 26e3};
-    study.model.strength = Coulomb<>{.cohesion = 25e3, .friction_angle = degrees(37)};
-    study.model.water = CrackAndBaseWater<>{.unit_weight = 9.81e3, .level = WaterDepth<>{3}};
-    return study;
-}
-
-constexpr std::string_view study_parts = R"(
-[sources]                           # where a value comes from, by its key
-"slope.height" = "survey of 1966"
-
-[[expect]]                          # a printed value: delabole verify compares
-quantity = "factor_of_safety"
-value = 1.247
-tolerance = 0.001                   # absolute, or relative_tolerance
-with = { "water.water_depth" = "3 m" }  # inputs that differ
-source = "example 7.1"
-note = "printed to three decimals"
-# unreachable = "why the printed value cannot be reached: it is shown, but does not fail"
-)";
-
 }  // namespace
 
 void check_case(Checker& checker, const PlaneFailureStudy<>& study) {
@@ -107,10 +77,6 @@ void check_case(Checker& checker, const PlaneFailureStudy<>& study) {
         checker.complain("critical.lower_dip", "bounds are reversed: must be less than critical.upper_dip");
     }
     check_required(checker, study.required, study);
-}
-
-ModelExample<PlaneFailureStudy<>> example_case(const PlaneFailureStudy<>*) {
-    return {example_plane_failure(), "Plane failure of a slope 12 m high", study_parts};
 }
 
 std::vector<Quantity> possible_outputs(const PlaneFailureStudy<>&) {

@@ -7,7 +7,6 @@
 #include "plane_failure/water_diagram.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

@@ -5,10 +5,7 @@
 #include "plane_failure/wedge.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,7 +25,7 @@ std::string limit_in_words(double limit, Side allowed, Dimension dimension) {
     }
     constexpr int digits = 6;
     const double step = std::pow(10.0, std::floor(std::log10(std::abs(shown))) - (digits - 1));
-    // What is a round number but for the last bits stays as it is.
+    // A number that is round but for the last bits stays as it is.
     const double nearest = std::round(shown / step);
     const bool round_number = std::abs(shown / step - nearest) < 1e-6;
     const double steps = round_number             ? nearest
@@ -136,7 +133,7 @@ std::string water_too_low(PlaneFailure<> problem, const std::string& key) {
     const bool above_daylight = std::holds_alternative<BasePeakMidHeightWater<>>(problem.water) ||
                                 std::holds_alternative<PeakAtToeWater<>>(problem.water);
     const double pond = problem.pond->depth;
-    // What a level of lighter water lacks it must stand higher.
+    // Lighter water must stand higher.
     const double heavier = std::visit(
         [&](const auto& water) {
             if constexpr (requires { water.unit_weight; }) {
@@ -166,8 +163,8 @@ std::string water_too_low(PlaneFailure<> problem, const std::string& key) {
                           : ": must be at least " + least);
 }
 
-// What is wrong with the value of the key, with the limit it broke; empty where no number says more than
-// explain_failure.
+// Says what is wrong with the value of the key, with the limit it broke; empty where no number says more than
+// stated_impossibility.
 std::string broken_limit(const PlaneFailure<>& problem, std::string_view failure, const std::string& key) {
     if (failure == "plane_does_not_daylight") {
         return "the failure plane is as steep as the face or steeper: must be less than slope.face_dip = " +
@@ -200,69 +197,11 @@ std::string broken_limit(const PlaneFailure<>& problem, std::string_view failure
     return {};
 }
 
-// The general sentence, where no number says more.
-Impossibility in_general(std::string_view failure) {
-    const std::vector<std::string> crack_position = {"tension_crack.distance_behind_crest", "tension_crack.depth",
-                                                     "tension_crack.base_below_crest", "tension_crack.base_elevation"};
-    switch (value_of<PlaneFailureCheck>(failure).value_or(PlaneFailureCheck::valid)) {
-    case PlaneFailureCheck::plane_does_not_daylight:
-        return {{"failure_plane.dip"},
-                "the failure plane is as steep as the face or steeper: failure_plane.dip must be less than "
-                "slope.face_dip"};
-    case PlaneFailureCheck::plane_daylights_above_crest:
-        return {{"failure_plane.daylight_height"}, "failure_plane.daylight_height must be less than slope.height"};
-    case PlaneFailureCheck::plane_never_surfaces:
-        return {{"slope.upper_surface_dip"},
-                "the ground behind the crest is as steep as the failure plane, so the plane never meets it: give a "
-                "tension crack or a flatter upper surface"};
-    case PlaneFailureCheck::crack_flatter_than_plane:
-        return {{"tension_crack.dip"}, "tension_crack.dip must be more than failure_plane.dip"};
-    case PlaneFailureCheck::crack_below_plane:
-        return {crack_position, "the tension crack lies behind the point where the failure plane meets the ground"};
-    case PlaneFailureCheck::crack_base_below_daylight:
-        return {crack_position, "the bottom of the tension crack lies below the point where the plane daylights"};
-    case PlaneFailureCheck::crack_deeper_than_mass:
-        return {crack_position,
-                "nowhere behind the crest is the rock above the failure plane as thick as tension_crack.depth"};
-    case PlaneFailureCheck::crack_never_surfaces:
-        return {{"tension_crack.dip"}, "the tension crack does not reach the ground"};
-    case PlaneFailureCheck::mass_vanishes:
-        return {{"failure_plane.dip"}, "nothing lies between failure plane, crack and ground"};
-    case PlaneFailureCheck::water_needs_crack:
-        return {{"water.kind"}, "this water form fills a tension crack, but the case has none"};
-    case PlaneFailureCheck::water_above_crack:
-        return {{"water.water_depth", "water.water_elevation", "water.kind"},
-                "the water stands above the top of the tension crack (or of the base)"};
-    case PlaneFailureCheck::water_points_not_increasing:
-        return {{"water.point", "water.base", "water.crack"},
-                "the points of the water form must increase along the line, two at least for a piezometric line"};
-    case PlaneFailureCheck::water_below_pond:
-        return {{"water.water_depth", "water.filled_ratio", "water.water_elevation", "water.point", "water.base",
-                 "water.crack", "pond.depth"},
-                "the water states less pressure than the pond gives where the plane daylights or at the bottom of the "
-                "crack"};
-    case PlaneFailureCheck::pond_above_crest:
-        return {{"pond.depth"}, "pond.depth must not exceed slope.height"};
-    case PlaneFailureCheck::elevation_without_datum:
-        return {{"tension_crack.base_elevation", "water.water_elevation"},
-                "an elevation is given, so slope.toe_elevation is needed"};
-    case PlaneFailureCheck::friction_not_below_90_deg:
-        return {{"strength.roughness_angle", "strength.friction_angle"},
-                "friction_angle plus roughness_angle must not exceed 89.9 deg"};
-    case PlaneFailureCheck::bolt_head_above_crest:
-        return {{"bolt"}, "a bolt's head_height must not exceed slope.height"};
-    case PlaneFailureCheck::input_out_of_range:
-    case PlaneFailureCheck::valid:
-        break;
-    }
-    return out_of_range();
-}
-
 }  // namespace
 
 Impossibility impossibility(const PlaneFailureStudy<>& study, std::string_view failure) {
     const ResolvedStudy resolved = resolve(study);
-    Impossibility found = in_general(failure);
+    Impossibility found = stated_impossibility(PlaneFailureStudy<>::kind, failure);
     found.limit = [failure, problem = resolved.check == PlaneFailureCheck::valid ? resolved.problem : study.model](
                       const std::string& key) { return broken_limit(problem, failure, key); };
     return found;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace delabole {
 
@@ -135,10 +134,6 @@ PlaneFailureAnswer analyse_case(const PlaneFailureStudy<>& study, const Analysis
 
 Analysis named_outputs(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer) {
     Analysis analysis;
-    if (answer.result.check != PlaneFailureCheck::valid) {
-        analysis.failure = word_of(answer.result.check);
-        return analysis;
-    }
     append_outputs(analysis, answer.result);
     for (std::size_t index = 0; index < study.required.size(); ++index) {
         append_required_value(analysis, study.required[index].parameter, study.required[index].factor_of_safety,
@@ -216,7 +211,9 @@ void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const Mechanis
                               const ResultFolder& folder, Report& report) {
     const PlaneFailureStudy<> best{resolve(at_best).problem, std::nullopt, {}};
     const PlaneFailure<>& slope = best.model;
-    const std::vector<std::string> warnings = named_outputs(best, analyse_case(best)).warnings;
+    const PlaneFailureAnswer answer = analyse_case(best);
+    const std::vector<std::string> warnings =
+        failure_in(answer).empty() ? named_outputs(best, answer).warnings : std::vector<std::string>{};
     if (!warnings.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "The mass at the best point", warnings});
     }

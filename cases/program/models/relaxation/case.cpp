@@ -2,7 +2,7 @@
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/models/relaxation/jointed_slope_case.hpp"
 #include "cases/program/models/relaxation/shaking_file.hpp"
-#include "cases/program/reader/spelling.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/reader/units.hpp"
 #include "dynamic_relaxation/blocks/joint_water.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
@@ -239,28 +239,6 @@ void check_ensemble(Checker& checker, const RelaxationStudy& study) {
     }
 }
 
-RelaxationStudy example_relaxation() {
-    RelaxationStudy study{};
-    RelaxationRow row{};
-    row.tilt = degrees(10);
-    row.density = 2700;
-    row.interface = {degrees(30), {}, {}, {}, {}, {}, {}};
-    row.base = {degrees(30), {}, {}, {}, {}, {}, {}};
-    row.block = {{1, 3, {}}, {1, 3, {}}};
-    study.model.scene = row;
-    return study;
-}
-
-constexpr std::string_view relaxation_parts = R"(
-[sources]                           # where a value comes from, by its key
-"scene.density" = "laboratory"
-
-[[expect]]                          # a value known otherwise: delabole verify compares
-quantity = "outcome"
-value = "equilibrium"
-source = "limiting equilibrium"
-)";
-
 }  // namespace
 
 void take_files(Reading& reading, RelaxationStudy& study, const std::filesystem::path& folder,
@@ -306,10 +284,6 @@ void check_case(Checker& checker, const RelaxationStudy& study) {
             }
         }
     }
-}
-
-ModelExample<RelaxationStudy> example_case(const RelaxationStudy*) {
-    return {example_relaxation(), "Two blocks on an inclined plane, by dynamic relaxation", relaxation_parts};
 }
 
 std::vector<Quantity> possible_outputs(const RelaxationStudy& study) {

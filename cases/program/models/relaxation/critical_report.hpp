@@ -15,7 +15,7 @@ struct FailingBlocks {
     double area = 0;  // m2
 };
 
-// Those that had begun to move when a run ended.
+// Names the blocks that had begun to move when a run ended.
 FailingBlocks failing_blocks(const RelaxationRun& failed);
 
 void append_critical(Analysis& analysis, const CriticalPlan& plan, const CriticalAnswer& critical);

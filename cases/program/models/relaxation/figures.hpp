@@ -26,7 +26,7 @@ class Upright {
 
 inline constexpr std::size_t most_drawn_blocks = 2500;
 
-// What stands on a block in a drawing: its number, counted from 1, or that it is fixed.
+// The label of a block in a drawing: its number, counted from 1, or that it is fixed.
 inline std::string label_of(std::size_t block, bool fixed) {
     return fixed ? "F" : std::to_string(block + 1);
 }

@@ -9,7 +9,7 @@ namespace delabole {
 
 namespace {
 
-// What a line of the history has under a column's name.
+// A column of the history.
 struct Column {
     std::string name;
     Dimension dimension;

@@ -4,7 +4,6 @@
 #include "dynamic_relaxation/scene/slope_scene.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 
-#include <algorithm>
 #include <set>
 #include <utility>
 

@@ -15,7 +15,7 @@ struct SlopeComplaint {
     std::string message;
 };
 
-// What keeps the slope from being cut; nothing where it can be.
+// Why the slope cannot be cut; nothing where it can.
 std::optional<SlopeComplaint> complaint_of(const RelaxationSlope& slope);
 
 // Names, numbers that are whole, and what cutting says. The joints are checked by the caller.

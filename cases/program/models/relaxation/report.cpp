@@ -267,11 +267,6 @@ std::string joint_key(const RelaxationStudy& study, std::size_t material) {
 
 }  // namespace
 
-std::string failure_without_run(const RelaxationStudy& study) {
-    const SceneFault fault = check(study);
-    return fault.check == SceneCheck::valid ? "" : std::string(word_of(fault.check));
-}
-
 RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisWork& work) {
     RelaxationStudyAnswer answer;
     if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
@@ -313,13 +308,15 @@ RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisW
     return answer;
 }
 
+std::string failure_in(const RelaxationStudyAnswer& answer) {
+    const RelaxationResult& result = answer.run.result;
+    return result.outcome == RelaxationOutcome::scene_not_valid ? std::string(word_of(result.fault.check))
+                                                                : std::string();
+}
+
 Analysis named_outputs(const RelaxationStudy& study, const RelaxationStudyAnswer& answer) {
     Analysis analysis;
     const RelaxationRun& made = answer.run;
-    if (made.result.outcome == RelaxationOutcome::scene_not_valid) {
-        analysis.failure = word_of(made.result.fault.check);
-        return analysis;
-    }
     append_outputs(analysis, answer_of(made));
     if (answer.slope) {
         append_cutting_warnings(std::get<RelaxationSlope>(study.model.scene), answer.slope->section, analysis);

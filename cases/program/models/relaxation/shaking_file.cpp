@@ -1,7 +1,6 @@
 #include "cases/program/models/relaxation/shaking_file.hpp"
 
 #include "cases/program/reader/data_table.hpp"
-#include "cases/program/reader/ordinary_file.hpp"
 
 #include <utility>
 
@@ -46,19 +45,8 @@ void take_shaking_file(Reading& reading, RelaxationStudy& study, const std::file
         reading.complain_at(key, "and " + prefix + "shaking exclude each other");
         return;
     }
-    const std::filesystem::path path = folder / *std::exchange(study.model.shaking_file, std::nullopt);
-    const FileContent content = read_ordinary_file(path, "a record of shaking", largest_bytes);
-    if (!content.fault.empty()) {
-        reading.complain_at(key, path.string() + " " + content.fault);
-        return;
-    }
-    try {
-        study.model.shaking = shaking_of_csv(content.bytes, path.string());
-    } catch (const CaseError& error) {
-        for (const Problem& problem : error.problems()) {
-            reading.complain(problem);
-        }
-    }
+    study.model.shaking = read_table_file(reading, key, folder / *std::exchange(study.model.shaking_file, std::nullopt),
+                                          "a record of shaking", largest_bytes, shaking_of_csv);
 }
 
 }  // namespace delabole

@@ -111,7 +111,7 @@ std::vector<Corner> corners() {
     return list;
 }
 
-// Without what a turning base adds to it.
+// This leaves out what a turning base adds.
 double own_threshold(const RelaxationStudy& study) {
     return numerics_of(study).onset_rotation.value_or(RelaxationSettings{}.onset_rotation);
 }

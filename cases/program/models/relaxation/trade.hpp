@@ -22,7 +22,7 @@ RelaxationStudy with_knobs(const RelaxationStudy& study, const std::vector<Trade
 // The search of `critical`, which must be there, over one knob at a time, corners and the three qualities.
 TradeProblem trade_problem(const RelaxationStudy& study, std::optional<double> truth, int threads);
 
-// What of the case the sweep passes over; empty where nothing.
+// Remarks on parts of the case that the sweep passes over.
 std::vector<std::string> trade_remarks(const RelaxationStudy& study);
 
 }  // namespace delabole

@@ -2,7 +2,6 @@
 
 #include "limit_equilibrium/block_row/single_block.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace delabole {

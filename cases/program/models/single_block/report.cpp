@@ -58,16 +58,8 @@ bool dry_and_at_rest(const SingleBlock<>& problem) {
 
 }  // namespace
 
-SingleBlockResult analyse_case(const SingleBlock<>& problem, const AnalysisWork&) {
-    return analyse(problem);
-}
-
 Analysis named_outputs(const SingleBlock<>&, const SingleBlockResult& result) {
     Analysis analysis;
-    if (result.check != SingleBlockCheck::valid) {
-        analysis.failure = word_of(result.check);
-        return analysis;
-    }
     append_outputs(analysis, result);
     if (result.static_mode != result.onset_mode) {
         analysis.warnings.push_back("the static criteria say " + human_name(word_of(result.static_mode)) +
@@ -116,7 +108,7 @@ void append_mechanism_figures(const SingleBlock<>& at_best, const MechanismFit& 
 
 Impossibility impossibility(const SingleBlock<>& problem, std::string_view failure) {
     if (value_of<SingleBlockCheck>(failure) != SingleBlockCheck::water_above_block) {
-        return out_of_range();
+        return stated_impossibility(SingleBlock<>::kind, failure);
     }
     const bool behind = problem.water && problem.water->depth_behind > problem.block.height;
     return {{behind ? "water.depth_behind" : "water.depth_in_front", "block.height"},

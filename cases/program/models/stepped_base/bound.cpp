@@ -2,14 +2,13 @@
 
 #include "cases/program/models/stepped_base/drawing.hpp"
 #include "cases/program/results/analysis.hpp"
+#include "cases/program/results/answers.hpp"
 #include "cases/program/results/result_folder.hpp"
-#include "cases/program/results/stepped_base_answer.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "fitting/work/words.hpp"
 
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace delabole {

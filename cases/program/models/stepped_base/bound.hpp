@@ -17,7 +17,7 @@ class ResultFolder;
 constexpr std::string_view bound_prefix = "bound";
 constexpr std::string_view bound_of_blocks_prefix = "bound.blocks";
 
-// What to tell the user before a bound that takes long; empty otherwise.
+// A notice to the user before a bound that takes long; empty otherwise.
 std::string announcement(const SteppedBaseStudy<>& study);
 
 // Adds the bounds to an answer that has its columns. Ends by Interrupted; so do

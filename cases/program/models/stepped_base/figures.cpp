@@ -1,6 +1,5 @@
 // Figures and tables of columns on a stepped base.
 #include "cases/program/models/stepped_base/bound.hpp"
-#include "cases/program/models/stepped_base/columns.hpp"
 #include "cases/program/models/stepped_base/drawing.hpp"
 #include "cases/program/models/stepped_base/sweeps.hpp"
 #include "cases/program/results/model_reports.hpp"

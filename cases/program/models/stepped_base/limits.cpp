@@ -97,57 +97,15 @@ std::vector<std::string> keys_of_high_steps(const SteppedBaseStudy<>& study) {
 }  // namespace
 
 Impossibility impossibility(const SteppedBaseStudy<>& study, std::string_view failure) {
-    switch (value_of<ColumnCheck>(failure).value_or(ColumnCheck::valid)) {
-    case ColumnCheck::base_flatter_than_joints_allow:
-        return {{"columns.base_inclination"},
-                "the base would step downwards: columns.base_inclination must be at least 90 deg - columns.joint_dip"};
-    case ColumnCheck::base_does_not_daylight:
-        return {
-            {"columns.base_inclination"},
-            "the base is as steep as the face or steeper: columns.base_inclination must be less than slope.face_dip"};
-    case ColumnCheck::base_never_surfaces:
-        return {{"columns.base_inclination"},
-                "the ground behind the crest is as steep as the base, so the base never meets it: give "
-                "columns.base_end_height"};
-    case ColumnCheck::base_end_outside_slope:
-        return {{"columns.base_end_height"},
-                "the base would end above the ground: columns.base_end_height is too large"};
-    case ColumnCheck::joints_never_surface:
-        return {{"slope.upper_surface_dip", "columns.joint_dip"},
-                "part of the ground falls away as steeply as the joints, so that they do not reach it"};
-    case ColumnCheck::step_larger_than_block:
-        return {keys_of_high_steps(study), "a step is higher than the block below it"};
-    case ColumnCheck::no_columns:
-        return {{"columns.base_inclination", "columns.spacing"}, "nothing lies between base and ground"};
-    case ColumnCheck::too_many_columns:
-        return {{"columns.spacing", "columns.block"},
-                "gives more than 1 000 000 columns: columns.spacing is too small"};
-    case ColumnCheck::slide_head_needs_base_end:
-        return {{"slide_head.joint_dip"},
-                "the wedge rises from the end of the base, inside the slope: columns.base_end_height is required"};
-    case ColumnCheck::head_joint_never_surfaces:
-        return {{"slide_head.joint_dip"}, "the ground above the wedge is as steep as its joint, which never meets it"};
-    case ColumnCheck::load_outside_columns:
+    Impossibility found = stated_impossibility(SteppedBaseStudy<>::kind, failure);
+    if (failure == word_of(ColumnCheck::step_larger_than_block)) {
+        found.keys = keys_of_high_steps(study);
+    } else if (failure == word_of(ColumnCheck::load_outside_columns)) {
         if (const auto misplaced = first_misplaced(study)) {
-            return {{misplaced->key}, misplaced->explanation};
+            found = {{misplaced->key}, misplaced->explanation};
         }
-        return {{}, "a load or bolt names a column that does not exist, or lies above its top"};
-    case ColumnCheck::load_needs_slope:
-        return {{"water.kind", "columns.kind"},
-                "loads on the ground and levels as a ratio or an elevation need [slope]"};
-    case ColumnCheck::bench_needs_continuous:
-        return {{"columns.kind"}, "flat-topped columns know no bench: columns.kind = \"continuous\" does"};
-    case ColumnCheck::elevation_without_datum:
-        return {{"water.water_elevation"}, "an elevation is given, so slope.toe_elevation is needed"};
-    case ColumnCheck::water_points_not_increasing:
-        return {{"water.point"}, "the points of the piezometric line must increase, two at least"};
-    case ColumnCheck::slope_needed:
-        return {{"columns.kind"}, "columns cut out of a slope need [slope]"};
-    case ColumnCheck::input_out_of_range:
-    case ColumnCheck::valid:
-        break;
     }
-    return out_of_range();
+    return found;
 }
 
 }  // namespace delabole

@@ -1,6 +1,5 @@
 // Columns on a stepped base as the program reports them: answers and warnings.
 #include "cases/program/models/stepped_base/bound.hpp"
-#include "cases/program/models/stepped_base/columns.hpp"
 #include "cases/program/models/stepped_base/drawing.hpp"
 #include "cases/program/models/stepped_base/sweeps.hpp"
 #include "cases/program/results/model_reports.hpp"
@@ -8,7 +7,6 @@
 #include "limit_equilibrium/columns/base_profile.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace delabole {
 
@@ -250,10 +248,6 @@ SteppedBaseAnswer analyse_case(const SteppedBaseStudy<>& study, const AnalysisWo
 
 Analysis named_outputs(const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer) {
     Analysis analysis;
-    if (answer.result.check != ColumnCheck::valid) {
-        analysis.failure = word_of(answer.result.check);
-        return analysis;
-    }
     append_outputs(analysis, answer.result);
     mark_what_is_not(analysis, answer.resolved.problem, answer.result);
     append_required(analysis, study, answer);

@@ -19,7 +19,7 @@ constexpr double most_work = 2e6;  // inputs times columns
 constexpr std::size_t most_bars = 15;
 constexpr double most_bisected_columns = 500;
 
-// Nothing where the columns cannot be or have no limit.
+// There is none where the columns cannot be or have no limit.
 std::optional<double> safety_of(const SteppedBase<>& problem) {
     const ColumnSlope<> slope = make_columns(problem.scene);
     if (slope.check != ColumnCheck::valid) {

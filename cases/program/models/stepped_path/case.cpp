@@ -5,42 +5,6 @@
 #include <variant>
 
 namespace delabole {
-namespace {
-
-// A slope of 60 m whose columns, 5 m wide, are pushed by a wedge.
-SteppedPath example_path() {
-    SteppedPath path{};
-    path.search = {.mechanism = SteppedPathMechanism::slide_head_toppling,
-                   .least_width = std::nullopt,
-                   .greatest_retreat = std::nullopt};
-    path.slope = {
-        .height = 60, .face_dip = degrees(65), .upper_surface_dip = 0, .bench = std::nullopt, .toe_elevation = 100};
-    path.steps = {.dip = degrees(10), .spacing = 3, .friction_angle = degrees(38), .cohesion = 0};
-    path.risers = PathRisers{.dip = degrees(70), .spacing = 5, .friction_angle = degrees(35), .cohesion = 50e3};
-    path.columns = PathColumns{.dip = degrees(-75), .spacing = 8, .friction_angle = degrees(35)};
-    path.rock = {.unit_weight = 26e3};
-    path.rock_bridges = RockBridges{.step_persistence = 1,
-                                    .riser_persistence = 0.9,
-                                    .cohesion = 1e6,
-                                    .friction_angle = degrees(45),
-                                    .tensile_strength = 200e3};
-    path.water = WaterTable<>{.unit_weight = 9.81e3, .level = WaterDepth<>{8}};
-    return path;
-}
-
-constexpr std::string_view path_parts = R"(
-[sources]                           # where a value comes from, by its key
-"steps.dip" = "mapping of the face"
-
-[[expect]]                          # a value known otherwise: delabole verify compares
-quantity = "factor_of_safety"
-value = 1
-tolerance = 10                      # absolute, or relative_tolerance
-source = "an earlier analysis"
-)";
-
-}  // namespace
-
 void check_case(Checker& checker, const SteppedPath& path) {
     const bool slides = path.search.mechanism == SteppedPathMechanism::sliding;
     if (path.search.mechanism != SteppedPathMechanism::toppling && !path.risers) {
@@ -66,14 +30,6 @@ void check_case(Checker& checker, const SteppedPath& path) {
             }
         },
         path.water);
-}
-
-ModelExample<SteppedPath> example_case(const SteppedPath*) {
-    return {example_path(), "The stepped surface that fails first", path_parts};
-}
-
-std::vector<Quantity> possible_outputs(const SteppedPath& path) {
-    return model_interface(path).outputs;
 }
 
 }  // namespace delabole

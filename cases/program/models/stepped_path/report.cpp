@@ -5,7 +5,6 @@
 #include "limit_equilibrium/stepped_path/stepped_path.hpp"
 #include "plots/figures/block_figures.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace delabole {
@@ -42,16 +41,8 @@ Figure section_figure(const SteppedPath& path, const SteppedPathResult& result) 
 
 }  // namespace
 
-SteppedPathResult analyse_case(const SteppedPath& path, const AnalysisWork&) {
-    return analyse(path);
-}
-
 Analysis named_outputs(const SteppedPath&, const SteppedPathResult& result) {
     Analysis analysis;
-    if (result.check != SteppedPathCheck::valid) {
-        analysis.failure = word_of(result.check);
-        return analysis;
-    }
     append_outputs(analysis, result);
     if (result.surface.empty()) {
         for (NamedOutput& output : analysis.outputs) {
@@ -121,37 +112,6 @@ void append_mechanism_figures(const SteppedPath& at_best, const MechanismFit& fi
     if (!warnings.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "The surface at the best point", warnings});
     }
-}
-
-Impossibility impossibility(const SteppedPath&, std::string_view failure) {
-    switch (value_of<SteppedPathCheck>(failure).value_or(SteppedPathCheck::valid)) {
-    case SteppedPathCheck::risers_needed:
-        return {{"search.mechanism"}, "the mechanism steps up along risers, and there are none"};
-    case SteppedPathCheck::columns_needed:
-        return {{"search.mechanism"}, "the mechanism moves columns, and no joints cut them"};
-    case SteppedPathCheck::bench_not_covered:
-        return {{"slope.bench"}, "the ground is a face and an upper surface, without a bench"};
-    case SteppedPathCheck::ground_too_steep:
-        return {{"slope.upper_surface_dip"},
-                "the ground behind the crest is as steep as the face or the joints that should come out there"};
-    case SteppedPathCheck::steps_steeper_than_face:
-        return {{"steps.dip"}, "steps as steep as the face do not daylight in it"};
-    case SteppedPathCheck::joints_too_close:
-        return {{"steps.dip"},
-                "two joint sets have nearly the same direction: steps, risers and columns have to cross"};
-    case SteppedPathCheck::elevation_without_datum:
-        return {{"water.water_elevation"}, "an elevation is given, but slope.toe_elevation is not"};
-    case SteppedPathCheck::no_path:
-        return {{"search.greatest_retreat", "search.least_width", "search.mechanism"},
-                "no surface along the joints is as wide as the least width and comes out within the greatest retreat"};
-    case SteppedPathCheck::too_many_nodes:
-        return {{"steps.spacing"},
-                "the joints cross more than 100 000 times: larger spacings, or a smaller search.greatest_retreat"};
-    case SteppedPathCheck::input_out_of_range:
-    case SteppedPathCheck::valid:
-        break;
-    }
-    return out_of_range();
 }
 
 }  // namespace delabole

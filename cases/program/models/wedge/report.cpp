@@ -60,10 +60,6 @@ WedgeFailureAnswer analyse_case(const WedgeFailureStudy<>& study, const Analysis
 
 Analysis named_outputs(const WedgeFailureStudy<>& study, const WedgeFailureAnswer& answer) {
     Analysis analysis;
-    if (answer.result.check != WedgeFailureCheck::valid) {
-        analysis.failure = word_of(answer.result.check);
-        return analysis;
-    }
     append_outputs(analysis, answer.result);
     if (answer.result.contact == SlidingContact::none) {
         mark_none(analysis, "sliding_");
@@ -117,42 +113,6 @@ void append_mechanism_figures(const WedgeFailureStudy<>& at_best, const Mechanis
     if (result.check == WedgeFailureCheck::valid) {
         append_drawings(at_best.model, result, fit.name + "_", folder, report);
     }
-}
-
-Impossibility impossibility(const WedgeFailureStudy<>&, std::string_view failure) {
-    switch (value_of<WedgeFailureCheck>(failure).value_or(WedgeFailureCheck::valid)) {
-    case WedgeFailureCheck::planes_parallel:
-        return {{"plane_2.dip"},
-                "planes 1 and 2 are parallel: they meet in no line, so there is no wedge; plane_failure may be meant"};
-    case WedgeFailureCheck::line_does_not_daylight:
-        return {{"plane_2.dip"},
-                "the line of intersection does not come out of the face: it is level, plunges into the slope, or more "
-                "steeply than the face. Without a steeper face or flatter planes no wedge can slide"};
-    case WedgeFailureCheck::line_does_not_surface:
-        return {
-            {"slope.upper_surface_dip"},
-            "the line of intersection does not reach the ground behind the crest: the upper surface must be flatter"};
-    case WedgeFailureCheck::upper_surface_steeper_than_face:
-        return {{"slope.upper_surface_dip"}, "the upper surface is steeper than the face, so there is no crest"};
-    case WedgeFailureCheck::crest_below_daylight:
-        return {{"plane_1.dip"}, "plane 1 does not rise to the crest: call the other plane 1"};
-    case WedgeFailureCheck::crack_misses_wedge:
-        return {{"tension_crack.distance"},
-                "the tension crack does not cut the wedge: it lies too far behind the crest, or dips too flat to cut "
-                "the line of intersection"};
-    case WedgeFailureCheck::crack_cuts_face:
-        return {{"tension_crack.distance"},
-                "the tension crack meets the crest between planes 1 and 2: it must lie behind the crest"};
-    case WedgeFailureCheck::water_needs_crack:
-        return {{"water.tension_crack"}, "a water pressure is given in a tension crack, but the case has none"};
-    case WedgeFailureCheck::friction_not_below_90_deg:
-        return {{"plane_1.strength.roughness_angle", "plane_2.strength.roughness_angle"},
-                "friction_angle plus roughness_angle must not exceed 89.9 deg"};
-    case WedgeFailureCheck::input_out_of_range:
-    case WedgeFailureCheck::valid:
-        break;
-    }
-    return out_of_range();
 }
 
 }  // namespace delabole

@@ -1,9 +1,8 @@
 // The calculations of the thesis's chapter 2.
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
 #include "cases/program/reader/units.hpp"
-#include "cases/program/thesis/chapter_2/fig_2_8.hpp"
-#include "cases/program/thesis/data_item.hpp"
 #include "cases/program/thesis/imperial.hpp"
+#include "cases/program/thesis/reproduction.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/figures/figures.hpp"
 

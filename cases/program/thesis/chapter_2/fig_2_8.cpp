@@ -1,9 +1,8 @@
-#include "cases/program/thesis/chapter_2/fig_2_8.hpp"
+#include "cases/program/thesis/chapter_2/chapter_2.hpp"
 
 #include "cases/program/thesis/thesis_tables.hpp"
 #include "numerics/scalar_search.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace delabole {

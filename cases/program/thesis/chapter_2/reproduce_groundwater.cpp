@@ -216,7 +216,7 @@ void add_observation_4(Reproduction& result) {
 
 Reproduction reproduce_groundwater(const ResultFolder& folder, Report& report) {
     const std::vector<GroundwaterTest> tests = groundwater_tests();
-    const ColumnTilt full = column_tilt({joint_dip, degrees(47.5), 1.0});
+    const ColumnTilt full = analyse(TiltedColumn<>{joint_dip, degrees(47.5), 1.0});
     Reproduction result;
     add_observation_1(tests_with("mixture", 0).front(), tests_with("cork", 0).front(), result);
     add_observation_2(full, result);

@@ -6,8 +6,6 @@
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace delabole {

@@ -2,7 +2,6 @@
 // criteria of 2.3.3.2 beside the thesis's verdicts.
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
-#include "cases/program/thesis/chapter_2/slope_models.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 

@@ -2,7 +2,6 @@
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
-#include "cases/program/thesis/chapter_2/slope_models.hpp"
 #include "dynamic_relaxation/scene/slope_scene.hpp"
 #include "plots/drawing/text.hpp"
 #include "plots/figures/block_figures.hpp"

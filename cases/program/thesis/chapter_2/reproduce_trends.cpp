@@ -1,8 +1,6 @@
 // Figs 2.11 to 2.14 of the thesis as trends: how much of the slope of Plate 2.III fails as one of its dimensions is
 // changed, with rank correlations, beside conclusions (i) to (iv) of 2.3.4.
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
-#include "cases/program/thesis/chapter_2/rank_correlation.hpp"
-#include "cases/program/thesis/chapter_2/slope_models.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
@@ -33,7 +31,7 @@ struct Trial {
     // Into the slope; with a fault the model is that of Plate 2.VI, and the rest stays as it is there.
     std::optional<double> fault_dip = {};
 
-    // Between the crossings of A and B along A.
+    // Distance between the crossings of A and B along A.
     double crossing() const { return joint_b_spacing / std::sin(degrees(180) - joint_a_dip - joint_b_dip); }
     double cleavage_spacing() const {
         return crossing() * std::sin(joint_a_dip + cleavage_dip) / cleavages_in_crossing;
@@ -144,7 +142,7 @@ std::vector<Variation> all_series() {
             trial.cleavages_in_crossing = 6 / columns;
         },
         [&](const Trial& trial) { return trial.joint_b_spacing / millimetre; });
-    // Which way the faults of the thesis dip is not legible.
+    // It is not legible which way the faults of the thesis dip.
     const auto vary_fault = [&](const std::string& name, double way, const auto& dips) {
         vary(
             "fault_inclination", "deg", dips, [&](Trial& trial, int dip) { trial.fault_dip = way * degrees(dip); },

@@ -1,4 +1,4 @@
-#include "cases/program/thesis/chapter_2/slope_models.hpp"
+#include "cases/program/thesis/chapter_2/chapter_2.hpp"
 
 #include "cases/program/thesis/thesis_tables.hpp"
 #include "plots/drawing/text.hpp"

@@ -1,4 +1,4 @@
-#include "cases/program/thesis/chapter_3/base_friction_runs.hpp"
+#include "cases/program/thesis/chapter_3/base_friction.hpp"
 
 #include "fitting/search/minimise.hpp"
 

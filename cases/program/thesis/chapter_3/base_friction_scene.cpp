@@ -1,8 +1,7 @@
-#include "cases/program/thesis/chapter_3/base_friction_scene.hpp"
+#include "cases/program/thesis/chapter_3/base_friction.hpp"
 
 #include "cases/program/thesis/imperial.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>

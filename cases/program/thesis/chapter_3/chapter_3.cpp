@@ -1,6 +1,6 @@
 // The thesis's chapter 3: its tables, its models as runs of blocks in motion, and limit equilibrium beside its graphs.
 #include "cases/program/thesis/chapter_3/chapter_3.hpp"
-#include "cases/program/thesis/data_item.hpp"
+#include "cases/program/thesis/reproduction.hpp"
 
 namespace delabole {
 

@@ -80,7 +80,7 @@ bool columns_slip(const BaseFrictionState& state) {
     return state.slope_angle > degrees(90) - state.joint_dip + mixture_friction;
 }
 
-// What any prediction of the tests has to be better than. The last rule was made after the tests were seen.
+// Any prediction of the tests has to be better than these rules. The last was made after the tests were seen.
 std::vector<Guess> guesses() {
     return {{"every slope fails", [](const BaseFrictionState&) { return true; }},
             {"slopes of 70 deg and more fail", is_steep},

@@ -1,6 +1,6 @@
 // The base friction tests of Table 3.2 as runs of blocks on a belt.
 #include "cases/program/terminal/interrupt.hpp"
-#include "cases/program/thesis/chapter_3/base_friction_runs.hpp"
+#include "cases/program/thesis/chapter_3/base_friction.hpp"
 #include "cases/program/thesis/chapter_3/chapter_3.hpp"
 #include "cases/program/thesis/physical_models.hpp"
 #include "dynamic_relaxation/study/cracks.hpp"
@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 
 namespace delabole {

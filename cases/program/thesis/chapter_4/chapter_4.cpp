@@ -3,12 +3,11 @@
 // reproduce_multiple_blocks.cpp for rows.
 #include "cases/program/thesis/chapter_4/chapter_4.hpp"
 #include "cases/program/models/single_block/chart.hpp"
-#include "cases/program/thesis/data_item.hpp"
+#include "cases/program/thesis/reproduction.hpp"
 #include "fitting/work/words.hpp"
 #include "limit_equilibrium/block_row/single_block.hpp"
 #include "plots/drawing/text.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
 

@@ -5,9 +5,7 @@
 #include "plots/drawing/text.hpp"
 #include "plots/figures/figures.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace delabole {
 

@@ -56,7 +56,7 @@ HockingResult fine_history(Chapter5Run run, int cycles, Engine engine) {
     return compute(run, engine);
 }
 
-// What the last typed digit of the coordinates does.
+// Shows how the last typed digit of the coordinates changes the runs.
 Table last_digit_table() {
     constexpr int starts = 50;
     Table table{"Single block, fixed inclination: coordinates shifted at random by one digit (1e-6 m), " +
@@ -81,7 +81,7 @@ Table last_digit_table() {
     return table;
 }
 
-// Of the first swing, downwards.
+// How far the first swing goes down, m.
 double depth(const HockingResult& history) {
     return x_of(history.prints.front()) - x_of(*std::ranges::min_element(history.prints, {}, x_of));
 }

@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -23,7 +22,7 @@ std::string in_words(HockingOutcome outcome);
 std::string printed_outcome(const Chapter5Run& run);
 // "stands", "blows out at cycle 680".
 std::string outcome_in_words(const HockingResult& result);
-// With the cycle at which the first block has turned by a degree.
+// Adds the cycle at which the first block has turned by a degree.
 std::string outcome_with_rotation(const Chapter5Run& run, const HockingResult& result);
 // "of 20: 3 stand and 17 fail".
 std::string in_words(const std::vector<HockingResult>& results);

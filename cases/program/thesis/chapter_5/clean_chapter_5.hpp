@@ -1,7 +1,7 @@
 // The thesis's runs of chapter 5 computed by the clean engine: same blocks, stiffness at corners, share of critical
 // damping, time step and cycles as the re-created program, so that the histories of both can be set side by side.
 //
-// What differs: coordinates are exact, not typed; the time step is divided where it is more than a stable share;
+// Three things differ: coordinates are exact, not typed; the time step is divided where it is more than a stable share;
 // tilting turns gravity in increments, or the base smoothly at the same rate; there is no local damping, which the
 // thesis's program lacks too.
 #pragma once
@@ -33,14 +33,14 @@ RelaxationSettings clean_settings(const Chapter5Run& run, RelaxationStart start)
 
 CleanRun run_clean(const Chapter5Run& run, const std::vector<HockingBlock>& blocks, RelaxationStart start);
 
-// What computes a run: the re-created program, or the clean engine with its blocks dropped onto their springs, as the
+// A run is computed by the re-created program, or the clean engine with its blocks dropped onto their springs, as the
 // thesis's are, or preloaded.
 enum class Engine { recreated, dropped, preloaded };
 
 inline constexpr std::array engines{Engine::recreated, Engine::dropped, Engine::preloaded};
 
 HockingResult compute(const Chapter5Run& run, Engine engine, const std::vector<HockingBlock>& blocks);
-// From typed coordinates by the re-created program, from exact ones by the clean engine.
+// The re-created program begins at typed coordinates, the clean engine at exact ones.
 HockingResult compute(const Chapter5Run& run, Engine engine);
 // From so many starts, with the free blocks' typed coordinates shifted at random by a unit. Interrupted once the flag
 // of cases/program/terminal/interrupt.hpp is set.

@@ -54,7 +54,7 @@ DrawnMode behaviour(const Chapter5Run& run, const HockingResult& result, const H
 JointOpening widest_opening(const Chapter5Run& run, const HockingPrint& print) {
     const std::vector<HockingBlock> blocks = make_blocks(run.columns);
     JointOpening widest{0, -std::numeric_limits<double>::infinity()};
-    // Of a point beyond a side, from one corner to the other; the sides face each other only between their ends.
+    // Takes the distance of a point from a side, which it faces only between the side's ends.
     const auto include = [&](std::size_t column, const Point& from, const Point& to, const Point& point,
                              const Point& outward) {
         const Point side = to - from;

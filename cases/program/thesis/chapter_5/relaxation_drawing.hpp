@@ -11,7 +11,7 @@
 
 namespace delabole {
 
-// What a column has done by a print: it topples where it has turned by more than a degree, else slides where it has
+// The mode of a column by a print: it topples where it has turned by more than a degree, else slides where it has
 // moved by more than a fiftieth of its width, else stays.
 DrawnMode behaviour(const Chapter5Run& run, const HockingResult& result, const HockingPrint& print, std::size_t column);
 

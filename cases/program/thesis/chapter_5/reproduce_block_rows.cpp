@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace delabole {
 
@@ -21,7 +20,7 @@ std::string in_words(const SlidingTotals& totals) {
 constexpr int shifted_starts = 40;
 constexpr std::array counted{&SlidingTotals::forward, &SlidingTotals::backward, &SlidingTotals::none};
 
-// Of what is counted, over the starts.
+// The range of each count over the starts.
 using TotalsRange = std::array<CountRange, counted.size()>;
 
 std::string in_words(const TotalsRange& range) {
@@ -32,7 +31,7 @@ std::vector<SlidingTotals> totals_of(const Chapter5Run& run, const HockingResult
     return count_sliding(result, run.columns.heights.size(), run.first_print);
 }
 
-// By column; runs that blow out are left out.
+// The ranges are by column; runs that blow out are left out.
 std::vector<TotalsRange> spread_of_totals(const Chapter5Run& run, Engine engine, double unit) {
     std::vector<TotalsRange> ranges(run.columns.heights.size());
     for (const HockingResult& result : compute_shifted(run, engine, unit, shifted_starts)) {

@@ -14,7 +14,7 @@ namespace delabole {
 
 namespace {
 
-// What 'tilted_blocks' finds of the runs that do not end as printed.
+// The reasons that 'tilted_blocks' finds for runs that do not end as printed.
 std::string why_not_as_printed(const Chapter5Run& run) {
     if (run.settings.tilting->part == TiltedPart::base) {
         return "on a base 1.1 in thick and more it fails: the thickness is not printed";
@@ -147,7 +147,7 @@ Reproduction reproduce_fig_5_12(const ResultFolder& folder, Report& report) {
         {"blocks", "printed: about cycle"_number, "cycle"_number, "rotation, deg"_number, "rotation / atan(b/a)"_number,
          "clean engine: cycle"_number, "rotation, deg"_number, "rotation / atan(b/a)"_number}};
     report.blocks.emplace_back(Heading{"Fig 5.12: backward sliding and a/b"});
-    // By engine: the last share of atan(b/a), and whether it has fallen from run to run.
+    // For each engine the last share of atan(b/a), and whether it has fallen from run to run.
     std::array<double, 2> last = {INFINITY, INFINITY};
     std::array<bool, 2> earlier = {true, true};
     constexpr std::array keys{"rotation_over_slenderness_angle", "clean_rotation_over_slenderness_angle"};
@@ -191,7 +191,7 @@ Reproduction reproduce_observations(const ResultFolder& folder, Report& report) 
     };
     const HockingResult first = compute(runs[0], Engine::recreated);
     const double reference = moved(first, print_at(first, printed_cycle));
-    // Of the displacement that the first run has at its printed cycle.
+    // The cycle of the displacement that the first run has at its printed cycle.
     const auto cycle_of = [&](const HockingResult& computed) {
         return first_cycle(computed, [&](const HockingPrint& print) { return moved(computed, print) >= reference; });
     };
@@ -208,7 +208,7 @@ Reproduction reproduce_observations(const ResultFolder& folder, Report& report) 
     for (const Chapter5Run& damped : chapter_5_runs("damping")) {
         all.push_back(damped);
     }
-    // Of the runs: their histories, cycles by each engine, and by start; nothing where it blows out.
+    // Histories of the runs, cycles by each engine, and by start; nothing where a run blows out.
     constexpr int starts = 30;
     std::vector<HockingResult> histories;
     std::vector<HockingResult> clean_histories;
@@ -245,7 +245,7 @@ Reproduction reproduce_observations(const ResultFolder& folder, Report& report) 
             result.json["spread"][all[number].name] = {range.least, range.greatest};
         }
     }
-    // In how many of the shifted starts an observation holds that compares some of the runs.
+    // Counts the shifted starts in which an observation holds that compares some of the runs.
     const auto how_often = [&](const std::string& name, const std::vector<std::size_t>& compared, const auto& holds) {
         int usable = 0;
         int held = 0;

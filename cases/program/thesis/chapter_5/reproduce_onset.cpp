@@ -6,7 +6,6 @@
 #include "dynamic_relaxation/step/simulation.hpp"
 #include "plots/drawing/text.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace delabole {

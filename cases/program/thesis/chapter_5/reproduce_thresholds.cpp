@@ -1,4 +1,4 @@
-// What the clean engine says where the thesis's program leaves doubts: at which tilt one and two blocks fail, at which
+// The clean engine's answers where the thesis's program leaves doubts: at which tilt one and two blocks fail, at which
 // friction the stepped base does, and how stiffness, time step, damping and start change that.
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace delabole {
 
@@ -152,7 +151,7 @@ Table table_of_part(std::size_t part, const std::vector<OfIngredient>& computed,
                                                           {"every_10", outcome_in_words(tilted.two[3])},
                                                           {"every_20", outcome_in_words(tilted.two[4])},
                                                           {"last_of_two", outcome_in_words(tilted.two[5])}};
-        // By how much CX comes to rest after CY at most.
+        // CX comes to rest after CY by at most this many cycles.
         int behind = 0;
         for (const std::size_t run : {0U, 1U, 3U}) {
             if (tilted.one[run].outcome == HockingOutcome::stands) {

@@ -48,7 +48,7 @@ std::array<int, slots_per_block> slot_neighbours(const HockingNeighbours& n, boo
                                                        n.below, n.below_downhill, n.downhill, n.above_downhill}
                                           : std::array{n.downhill, n.above_downhill, n.above, n.above_uphill,
                                                        n.uphill,   n.below_uphill,   n.below, n.below_downhill};
-    // For corner IL: NEIGH(2 IL - 1), NEIGH(2 IL + 1), NEIGH(2 IL).
+    // Corner IL has the neighbours NEIGH(2 IL - 1), NEIGH(2 IL + 1), NEIGH(2 IL).
     std::array<int, slots_per_block> slots{};
     for (std::size_t corner = 0; corner < 4; ++corner) {
         slots[3 * corner] = around[2 * corner];

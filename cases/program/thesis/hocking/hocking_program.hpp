@@ -27,9 +27,7 @@
 #include "geometry/polyline.hpp"
 
 #include <array>
-#include <cstddef>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace delabole {
@@ -65,10 +63,6 @@ struct HockingFriction {
 
 enum class TiltedPart { gravity, base };
 
-constexpr std::array<std::string_view, 2> enum_names(TiltedPart) {
-    return {"gravity", "base"};
-}
-
 // Small increments of tilt at regular cycles. The thesis does not say what was turned: gravity, which amounts to
 // turning the whole model, or the fixed blocks under the others, each about its own centroid, which takes one statement
 // in the listing.
@@ -84,10 +78,6 @@ struct HockingTilting {
 // what the listing's memory causes.
 enum class HockingSlotMemory { per_neighbour, per_face };
 
-constexpr std::array<std::string_view, 2> enum_names(HockingSlotMemory) {
-    return {"per_neighbour", "per_face"};
-}
-
 struct HockingSettings {
     double time_step = 0;         // s, > 0 (DT)
     double damping = 0;           // fraction of critical, >= 0 (FAC)
@@ -101,7 +91,7 @@ struct HockingSettings {
     double crossing_guard = 1e-5;  // m, >= 0; the listing's 1.E-5
     int cycles = 0;                // to run (NCYLE)
     int print_interval = 100;      // cycles, >= 1 (IPRINT): histories, sliding, decision
-    // What counts as what; the listing decides nothing.
+    // Limits by which a run is judged; the listing judges nothing.
     double failure_rotation = 0;    // rad; a free block turned by this, relative to its base, has failed
     double stop_rotation = 0;       // rad; and this ends the run
     double settled_speed = 0;       // m/s; settled where no corner of a free block is faster at the end
@@ -111,17 +101,9 @@ struct HockingSettings {
 
 enum class HockingOutcome { undecided, stands, fails, blows_out, impossible_input };
 
-constexpr std::array<std::string_view, 5> enum_names(HockingOutcome) {
-    return {"undecided", "stands", "fails", "blows_out", "impossible_input"};
-}
-
 // At a print edit, from the contacts between a free and a fixed block marked as sliding. `both`: corners of one base
 // slide opposite ways.
 enum class BaseSliding { none, forward, backward, both };
-
-constexpr std::array<std::string_view, 4> enum_names(BaseSliding) {
-    return {"none", "forward", "backward", "both"};
-}
 
 struct HockingBlockState {
     Point centroid = Point::Zero();
@@ -140,10 +122,6 @@ struct HockingPrint {
 
 // Faces of a block as the listing searches them, in the block's own frame.
 enum class HockingFace { positive_side, negative_side, positive_end, negative_end };
-
-constexpr std::array<std::string_view, 4> enum_names(HockingFace) {
-    return {"positive_side", "negative_side", "positive_end", "negative_end"};
-}
 
 // A slot that is used for another face than in the cycle before. Sides are the two longer faces of a block.
 struct HockingFaceChange {

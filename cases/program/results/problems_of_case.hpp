@@ -1,0 +1,27 @@
+// From a case's [fit] section to a back-analysis of its models, from [sensitivity] to a study of its model.
+#pragma once
+
+#include "cases/program/case/case_file.hpp"
+#include "fitting/posterior/fit_problem.hpp"
+#include "fitting/sensitivity/sensitivity_problem.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace delabole {
+
+// The case needs a [fit] section. Throws CaseError with every name that does not fit the mechanisms' models.
+FitProblem fit_problem_of(const CaseFile& file, int threads, std::optional<std::uint64_t> seed);
+
+// Takes out the mechanisms whose model is costly, unless there are no others. Returns their names.
+std::vector<std::string> leave_out_costly(CaseFit& fit);
+
+// Leaves the mechanisms of these names, in the order of the case. UsageError for a name that is no mechanism's.
+void leave_mechanisms(CaseFit& fit, const std::vector<std::string>& names);
+
+// The case needs a [sensitivity] section. Throws CaseError with everything that check_study() finds, at its place.
+SensitivityProblem sensitivity_problem_of(const CaseFile& file, int threads, std::optional<std::uint64_t> seed);
+
+}  // namespace delabole
