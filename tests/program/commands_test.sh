@@ -75,6 +75,14 @@ expect "and the case that was analysed holds it" refuse cmp -s \
 delabole run support.toml --set support_design.factor_of_safety=50 --out too_much
 expect_status 0
 expect_output 'None of 180 patterns gives FS 50; the strongest'
+high='[{ input = "support[1].lowest_height", from = "13 m", to = "20 m", points = 3 }]'
+for command in run sensitivity; do
+    delabole $command support.toml --set support_design.choose="$high" --out too_high
+    expect_status 0
+    expect_output 'None of 3 patterns of support has an answer (bolt head above crest 3)'
+    expect "$command: the report says so" contains too_high/report.html 'None of 3 patterns of support has an answer'
+    expect "$command: so does result.json" contains too_high/result.json '"bolt_head_above_crest": 3'
+done
 delabole sensitivity support.toml --out support_probability
 expect_status 0
 expect_output 'Of 180 patterns the cheapest for FS 2'

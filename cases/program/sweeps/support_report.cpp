@@ -23,21 +23,36 @@ std::string choice_in_words(const SupportDesign& design, const TriedSupport& tri
     return words;
 }
 
-std::string sentence_of(const SupportDesign& design, const SupportDesignResult& found, const TriedSupport& shown) {
+// Null where no pattern has an answer.
+const TriedSupport* answer_of(const SupportDesignResult& found) {
+    const std::optional<std::size_t> answer = found.cheapest ? found.cheapest : found.strongest;
+    return answer ? &found.tried[*answer] : nullptr;
+}
+
+// "bolt head above crest 12, plane never surfaces 3"
+std::string causes_in_words(const SupportDesignResult& found) {
+    std::vector<std::string> causes;
+    for (const auto& [cause, count] : found.failed_by_cause) {
+        causes.push_back(human_name(cause) + " " + std::to_string(count));
+    }
+    return list_in_words(causes);
+}
+
+std::string sentence_of(const SupportDesign& design, const SupportDesignResult& found) {
     const std::string patterns = std::to_string(found.patterns) + " patterns";
+    const TriedSupport* shown = answer_of(found);
+    if (shown == nullptr) {
+        return "None of " + patterns + " of support has an answer (" + causes_in_words(found) +
+               "): what is shown has the support of the case.";
+    }
     const std::string factor = "FS " + number_in_words(design.factor_of_safety);
-    const std::string what = choice_in_words(design, shown);
-    return found.cheapest ? "Of " + patterns + " the cheapest for " + factor + " has " + what + " and costs " +
-                                number_in_words(shown.cost) + " per metre of slope."
-                          : "None of " + patterns + " gives " + factor + "; the strongest, shown here, has " + what +
-                                " and costs " + number_in_words(shown.cost) + " per metre of slope.";
+    const std::string what =
+        choice_in_words(design, *shown) + " and costs " + number_in_words(shown->cost) + " per metre of slope.";
+    return found.cheapest ? "Of " + patterns + " the cheapest for " + factor + " has " + what
+                          : "None of " + patterns + " gives " + factor + "; the strongest, shown here, has " + what;
 }
 
-const TriedSupport& answer_of(const SupportDesignResult& found) {
-    return found.tried[found.cheapest.value_or(found.strongest.value())];
-}
-
-Figure cost_figure(const DesignedSupport& support) {
+Figure cost_figure(const DesignedSupport& support, const TriedSupport& answer) {
     Figure figure;
     figure.title = "Support by its cost";
     figure.x = {.title = "cost per metre of slope"};
@@ -51,7 +66,6 @@ Figure cost_figure(const DesignedSupport& support) {
             tried.points.emplace_back(pattern.cost, *pattern.factor_of_safety);
         }
     }
-    const TriedSupport& answer = answer_of(support.found);
     Line required;
     required.legend = "required";
     required.dash = Dash::dashed;
@@ -94,16 +108,14 @@ std::optional<DesignedSupport> design_support_of(CaseFile& file, const std::func
     }
     const SupportDesign& design = *file.support_design;
     DesignedSupport support{design, design_support(interface_of(file.model), design, watch), {}};
-    if (!support.found.strongest) {
-        return std::nullopt;
+    support.sentence = sentence_of(design, support.found);
+    if (const TriedSupport* answer = answer_of(support.found)) {
+        std::vector<Condition> conditions;
+        for (std::size_t index = 0; index < design.choices.size(); ++index) {
+            conditions.push_back({design.choices[index].input, answer->values[index], design.choices[index].dimension});
+        }
+        file.model = with_conditions(file.model, conditions);
     }
-    const TriedSupport& answer = answer_of(support.found);
-    support.sentence = sentence_of(design, support.found, answer);
-    std::vector<Condition> conditions;
-    for (std::size_t index = 0; index < design.choices.size(); ++index) {
-        conditions.push_back({design.choices[index].input, answer.values[index], design.choices[index].dimension});
-    }
-    file.model = with_conditions(file.model, conditions);
     return support;
 }
 
@@ -114,32 +126,39 @@ void add_to_head(const DesignedSupport& support, HeadCard& head) {
 }
 
 Json document_support(const DesignedSupport& support, const ResultFolder& folder, Report& report) {
-    const TriedSupport& answer = answer_of(support.found);
+    const SupportDesignResult& found = support.found;
+    const TriedSupport* answer = answer_of(found);
     report.blocks.emplace_back(Heading{"Support"});
     report.blocks.emplace_back(Paragraph{support.sentence});
-    report.blocks.emplace_back(
-        folder.draw(cost_figure(support), "support",
-                    "Patterns in the order of their cost, up to the first that gives the factor of safety; support.csv "
-                    "has each."));
-    if (!support.found.failed_by_cause.empty()) {
-        Table table{"Patterns without an answer", {{"why"}, {"patterns", true}}, {}};
-        for (const auto& [cause, count] : support.found.failed_by_cause) {
-            table.rows.push_back({human_name(cause), std::to_string(count)});
-        }
-        report.blocks.emplace_back(std::move(table));
+    if (answer != nullptr) {
+        report.blocks.emplace_back(
+            folder.draw(cost_figure(support, *answer), "support",
+                        "Patterns in the order of their cost, up to the first that gives the factor of safety; "
+                        "support.csv has each."));
     }
     folder.write("support.csv", support_csv(support));
     Json json;
-    json["status"] = support.found.cheapest ? "found" : "never_reached";
-    json["patterns"] = support.found.patterns;
-    json["tried"] = support.found.tried.size();
-    for (std::size_t index = 0; index < answer.values.size(); ++index) {
+    json["status"] = found.cheapest ? "found" : answer != nullptr ? "never_reached" : "no_answer";
+    json["patterns"] = found.patterns;
+    json["tried"] = found.tried.size();
+    if (!found.failed_by_cause.empty()) {
+        Table table{"Patterns without an answer", {{"why"}, {"patterns", true}}, {}};
+        for (const auto& [cause, count] : found.failed_by_cause) {
+            table.rows.push_back({human_name(cause), std::to_string(count)});
+            json["failed_patterns"][cause] = count;
+        }
+        report.blocks.emplace_back(std::move(table));
+    }
+    if (answer == nullptr) {
+        return json;
+    }
+    for (std::size_t index = 0; index < answer->values.size(); ++index) {
         const SupportChoice& choice = support.design.choices[index];
         json[column_name(choice.input, choice.dimension)] =
-            json_number(in_display_unit(answer.values[index], choice.dimension));
+            json_number(in_display_unit(answer->values[index], choice.dimension));
     }
-    json["cost_per_metre_of_slope"] = json_number(answer.cost);
-    json["factor_of_safety"] = json_number(*answer.factor_of_safety);
+    json["cost_per_metre_of_slope"] = json_number(answer->cost);
+    json["factor_of_safety"] = json_number(*answer->factor_of_safety);
     return json;
 }
 
