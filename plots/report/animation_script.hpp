@@ -11,6 +11,10 @@ inline constexpr std::string_view animation_style =
 .animation:not(.numbered) .label { display: none; }
 .animation label { display: flex; align-items: center; gap: .3rem; min-height: 2.75rem; }
 .animation .crack { stroke: #d55e00; stroke-width: 3; stroke-linecap: round; }
+.animation .bar { stroke: #0072b2; stroke-width: 3; stroke-linecap: round; }
+.animation .force { fill: #0072b2; stroke: #fff; stroke-width: .2em; paint-order: stroke; }
+.animation .bar.yielded { stroke: #d55e00; stroke-dasharray: 9 6; }
+.animation .force.yielded { fill: #d55e00; }
 .animation .moment, .animation .controls { max-width: 46rem; margin: .5rem 0 0; font-variant-numeric: tabular-nums; }
 .animation .controls { display: flex; flex-wrap: wrap; gap: .5rem; align-items: center; }
 .animation .controls[hidden] { display: none; }
@@ -49,6 +53,9 @@ function bringToLife(box) {
   for (let index = 3 * moving; index < poses.length; ++index) poses[index] += poses[index - 3 * moving];
   const scene = box.querySelector('.scene'), groups = scene.children;
   const cracks = [...box.querySelectorAll('.crack')].map(line => ({line, from: Number(line.dataset.from)}));
+  const bars = box.querySelectorAll('.bar'), forces = box.querySelectorAll('.force');
+  const states = numbersOf(data.bars, 6 * bars.length * frames);
+  for (let index = 6 * bars.length; index < states.length; ++index) states[index] += states[index - 6 * bars.length];
   const moment = box.querySelector('.moment'), controls = box.querySelector('.controls');
   const [back, play, step] = controls.querySelectorAll('button');
   const scrub = controls.querySelector('input'), speed = controls.querySelector('select');
@@ -73,6 +80,17 @@ function bringToLife(box) {
     }
     for (const {line, from} of cracks)
       if (from <= frame !== from <= shown) line.setAttribute('display', from <= frame ? 'inline' : 'none');
+    bars.forEach((bar, index) => {
+      const at = 6 * (bars.length * frame + index), text = forces[index];
+      const [x1, y1, x2, y2, force, how] = states.subarray(at, at + 6);
+      bar.setAttribute('d', 'M' + x1 / 10 + ' ' + y1 / 10 + 'L' + x2 / 10 + ' ' + y2 / 10);
+      text.setAttribute('transform', 'translate(' + x1 / 10 + ' ' + y1 / 10 + ') rotate(' + data.tilts[frame] + ')');
+      text.textContent = four(force * data.force) + ' ' + data.unit + (how === 1 ? ', yielded' : '');
+      for (const part of [bar, text]) {
+        part.classList.toggle('yielded', how === 1);
+        part.setAttribute('display', how === 2 ? 'none' : 'inline');
+      }
+    });
     scene.setAttribute('transform', 'rotate(' + [-data.tilts[frame], ...data.pivot].join(' ') + ')');
     shown = frame;
     moment.textContent = 'time ' + four(data.times[frame]) + ' s, tilt ' + four(data.tilts[frame]) + '\u00b0, frame ' +
