@@ -35,7 +35,7 @@ void mark_none(Analysis& analysis, std::string_view prefix) {
 void warn_of_height(const std::string& key, double height, Analysis& analysis) {
     constexpr double highest = 5000;  // m; more than any mountain stands above its foot
     if (height > highest) {
-        analysis.warnings.push_back(key + " is " + number_in_words(height) + " m high: is that meant?");
+        analysis.warnings.push_back(key + " is " + value_in_words(height, Dimension::length) + " high: is that meant?");
     }
 }
 

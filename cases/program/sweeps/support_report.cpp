@@ -23,6 +23,15 @@ std::string choice_in_words(const SupportDesign& design, const TriedSupport& tri
     return words;
 }
 
+// In the currency of the case, for the shown unit of length.
+double shown_cost(double per_metre) {
+    return per_metre * shown_unit(Dimension::length).si_per_unit;
+}
+
+std::string per_length_of_slope() {
+    return shown_unit(Dimension::length).symbol == "m" ? " per metre of slope" : " per foot of slope";
+}
+
 // Null where no pattern has an answer.
 const TriedSupport* answer_of(const SupportDesignResult& found) {
     const std::optional<std::size_t> answer = found.cheapest ? found.cheapest : found.strongest;
@@ -46,8 +55,8 @@ std::string sentence_of(const SupportDesign& design, const SupportDesignResult& 
                "): what is shown has the support of the case.";
     }
     const std::string factor = "FS " + number_in_words(design.factor_of_safety);
-    const std::string what =
-        choice_in_words(design, *shown) + " and costs " + number_in_words(shown->cost) + " per metre of slope.";
+    const std::string what = choice_in_words(design, *shown) + " and costs " +
+                             number_in_words(shown_cost(shown->cost)) + per_length_of_slope() + ".";
     return found.cheapest ? "Of " + patterns + " the cheapest for " + factor + " has " + what
                           : "None of " + patterns + " gives " + factor + "; the strongest, shown here, has " + what;
 }
@@ -55,7 +64,7 @@ std::string sentence_of(const SupportDesign& design, const SupportDesignResult& 
 Figure cost_figure(const DesignedSupport& support, const TriedSupport& answer) {
     Figure figure;
     figure.title = "Support by its cost";
-    figure.x = {.title = "cost per metre of slope"};
+    figure.x = {.title = "cost" + per_length_of_slope()};
     figure.y = {.title = "factor of safety"};
     Points tried;
     tried.legend = "patterns that were tried";
@@ -63,18 +72,18 @@ Figure cost_figure(const DesignedSupport& support, const TriedSupport& answer) {
     tried.size = 0.6;
     for (const TriedSupport& pattern : support.found.tried) {
         if (pattern.factor_of_safety) {
-            tried.points.emplace_back(pattern.cost, *pattern.factor_of_safety);
+            tried.points.emplace_back(shown_cost(pattern.cost), *pattern.factor_of_safety);
         }
     }
     Line required;
     required.legend = "required";
     required.dash = Dash::dashed;
-    required.points = {{support.found.tried.front().cost, support.design.factor_of_safety},
-                       {support.found.tried.back().cost, support.design.factor_of_safety}};
+    required.points = {{shown_cost(support.found.tried.front().cost), support.design.factor_of_safety},
+                       {shown_cost(support.found.tried.back().cost), support.design.factor_of_safety}};
     Points chosen;
     chosen.legend = support.found.cheapest ? "cheapest that suffices" : "strongest";
     chosen.colour = Colour::vermilion;
-    chosen.points = {{answer.cost, *answer.factor_of_safety}};
+    chosen.points = {{shown_cost(answer.cost), *answer.factor_of_safety}};
     figure.series = {tried, required, chosen};
     return figure;
 }
