@@ -251,7 +251,7 @@ function show(answer) {
   }
   find('warnings').replaceChildren(...(answer.warnings || []).map(text => Object.assign(document.createElement('li'), {textContent: text})));
   find('figures').replaceChildren();
-  find('more').hidden = Boolean(answer.failure);
+  find('more').hidden = !answer.figures?.length;
   const other = beside && new Map(beside.answer.results.map(one => [one.name, one]));
   find('results').tBodies[0].replaceChildren(...(answer.results || []).filter(one => !one.detail).map(one => {
     const row = document.createElement('tr');

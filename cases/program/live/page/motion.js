@@ -112,7 +112,7 @@ function drawBlocks() {
 
 // With their tension; dashed and in red where they have yielded.
 function drawBolts(pen, bolts, paint, toPicture) {
-  pen.font = '16px system-ui, sans-serif';
+  pen.font = `${16 * canvasScale()}px system-ui, sans-serif`;  // as shown
   for (let at = 0; at < bolts.length; at += 6) {
     const [x1, y1, x2, y2, force, yielded] = bolts.subarray(at, at + 6), from = toPicture([x1, y1]), to = toPicture([x2, y2]);
     pen.strokeStyle = pen.fillStyle = paint(yielded > 0 ? 'vermilion' : 'blue');
@@ -127,6 +127,8 @@ function drawBolts(pen, bolts, paint, toPicture) {
   }
   pen.setLineDash([]);
 }
+
+const canvasScale = () => find('blocks').width / (find('blocks').clientWidth || 1);
 
 function pause() {
   motion.playing = false;
