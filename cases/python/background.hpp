@@ -8,6 +8,7 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <utility>
 
 namespace delabole {
 
@@ -29,6 +30,14 @@ class BackgroundWatch {
     double share_ = 0;
     std::string what_;
 };
+
+// Tells the share done of `what`, for work that goes on while its watch says true.
+inline std::function<bool(double)> telling(BackgroundWatch& watch, std::string what) {
+    return [&watch, what = std::move(what)](double share) {
+        watch.tell(share, what);
+        return !watch.stopped();
+    };
+}
 
 // Does the work in a thread of its own. `progress` (None: nobody asks) is called in the caller's thread, which looks
 // for signals meanwhile. What either raises, KeyboardInterrupt among it, ends the work and is raised once it has ended;

@@ -5,6 +5,7 @@
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/problems_of_case.hpp"
 #include "cases/program/results/result_folder.hpp"
+#include "cases/program/sweeps/support_report.hpp"
 #include "cases/python/background.hpp"
 #include "cases/python/fit_object.hpp"
 #include "cases/python/tree.hpp"
@@ -44,18 +45,21 @@ py::list list_of(const std::vector<Quantity>& quantities) {
 }
 
 py::dict run_case(const CaseObject& object, const py::object& progress, unsigned threads) {
+    CaseFile file = object.file;
+    std::optional<DesignedSupport> support;
     Analysis analysis;
     in_background(progress, [&](BackgroundWatch& watch) {
+        support = design_support_of(file, telling(watch, "patterns of support"));
         AnalysisWork work;
         work.threads = threads;
         work.watch = [&](double share, const std::string& what, bool) {
             watch.tell(share, what);
             return !watch.stopped();
         };
-        analysis = analyse_model(object.file.model, work);
+        analysis = analyse_model(file.model, work);
     });
     if (!analysis.failure.empty()) {
-        throw CaseError({impossible(object.file, analysis.failure)});
+        throw CaseError({impossible(file, analysis.failure)});
     }
     py::dict values;
     py::dict meanings;
@@ -69,7 +73,12 @@ py::dict run_case(const CaseObject& object, const py::object& progress, unsigned
     result["status"] = analysis.status;
     result["unfinished"] = analysis.unfinished;
     result["warnings"] = analysis.warnings;
-    result["json"] = json_text(json_of(object.file, analysis));
+    Json json = json_of(file, analysis);
+    if (support) {
+        Report unused;
+        json["support_design"] = document_support(*support, ResultFolder(), unused);
+    }
+    result["json"] = json_text(json);
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include "cases/program/reports/study_reports.hpp"
 #include "cases/program/results/problems_of_case.hpp"
 #include "cases/program/results/result_folder.hpp"
+#include "cases/program/sweeps/support_report.hpp"
 #include "cases/python/arrays.hpp"
 #include "cases/python/background.hpp"
 #include "fitting/back_analysis/back_analysis.hpp"
@@ -200,7 +201,11 @@ py::dict fit_of(const CaseFile& given, const py::object& progress, const FitRequ
     return dict;
 }
 
-py::dict study_of(const CaseFile& file, const py::object& progress, int threads, std::optional<std::uint64_t> seed) {
+py::dict study_of(CaseFile file, const py::object& progress, int threads, std::optional<std::uint64_t> seed) {
+    std::optional<DesignedSupport> support;
+    in_background(progress, [&](BackgroundWatch& watch) {
+        support = design_support_of(file, telling(watch, "patterns of support"));
+    });
     const SensitivityProblem problem = sensitivity_problem_of(file, threads, seed);
     SensitivityResult result;
     in_background(progress,
@@ -209,6 +214,9 @@ py::dict study_of(const CaseFile& file, const py::object& progress, int threads,
     Json json;
     json["status"] = word_of(result.status);
     json.update(document_sensitivity(file, problem, result, ResultFolder(), unused).json);
+    if (support) {
+        json["support_design"] = document_support(*support, ResultFolder(), unused);
+    }
     py::dict dict;
     dict["status"] = word_of(result.status);
     dict["json"] = json_text(json);

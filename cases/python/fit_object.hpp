@@ -22,7 +22,7 @@ struct FitRequest {
 pybind11::dict fit_of(const CaseFile& file, const pybind11::object& progress, const FitRequest& request);
 
 // The case has a [sensitivity] section.
-pybind11::dict study_of(const CaseFile& file, const pybind11::object& progress, int threads,
+pybind11::dict study_of(CaseFile file, const pybind11::object& progress, int threads,
                         std::optional<std::uint64_t> seed);
 
 }  // namespace delabole

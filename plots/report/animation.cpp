@@ -124,6 +124,9 @@ class Drawing {
                     darkest_ = std::max(darkest_, finite_or_zero(frame.poses[block].colour));
                 }
             }
+            for (const AnimatedBar& bar : frame.bars) {
+                strongest_ = std::max(strongest_, finite_or_zero(bar.force));
+            }
         }
     }
 
@@ -140,6 +143,9 @@ class Drawing {
                 "\" stroke-linejoin=\"round\" transform=\"" + turn_of(last) + "\">\n";
         for (std::size_t block = 0; block < animation_.blocks.size(); ++block) {
             text += group_of(block, state_of(last, block));
+        }
+        for (const AnimatedBar& bar : last.bars) {
+            text += drawing_of(bar_state_of(bar), last.tilt);
         }
         // Hides what lies below the scene, with some to spare for rounded pixels.
         text += "</g>\n<rect y=\"" + fixed_point(height_, 1) + "\" width=\"" + fixed_point(width, 0) + "\" height=\"" +
@@ -165,7 +171,9 @@ class Drawing {
         std::string tilts;
         std::string poses;
         std::string level;
+        std::string bars;
         std::vector<std::array<int, 3>> before(moving.size(), {0, 0, 0});
+        std::vector<BarState> bars_before(animation_.frames.front().bars.size());
         for (const AnimationFrame& frame : animation_.frames) {
             const std::string comma = times.empty() ? "" : ",";
             times += comma + fixed_point(finite_or_zero(frame.time), 6);
@@ -179,6 +187,13 @@ class Drawing {
                 }
                 before[index] = pose;
                 level += state.level;
+            }
+            for (std::size_t index = 0; index < bars_before.size(); ++index) {
+                const BarState state = bar_state_of(frame.bars[index]);
+                for (std::size_t part = 0; part < state.size(); ++part) {
+                    append_number(bars, state[part] - bars_before[index][part]);
+                }
+                bars_before[index] = state;
             }
         }
         std::string numbers;
@@ -198,7 +213,9 @@ class Drawing {
                "],\"pivot\":[" + fixed_point(pivot.x(), 2) + "," + fixed_point(pivot.y(), 2) +
                "],\"length\":" + fixed_point(length_unit_ * scale_, 6) +
                ",\"angle\":" + fixed_point(angle_unit / degree, 9) + ",\"colours\":[" + colours + "],\"poses\":\"" +
-               poses + "\",\"levels\":\"" + level + "\"}";
+               poses + "\",\"levels\":\"" + level + "\",\"bars\":\"" + bars +
+               "\",\"force\":" + fixed_point(strongest_ / force_steps, 9) + ",\"unit\":\"" +
+               escape_html(animation_.bar_unit) + "\"}";
     }
 
   private:
@@ -273,6 +290,45 @@ class Drawing {
         return {{in_units(pose.displacement.x(), length_unit_), in_units(pose.displacement.y(), length_unit_),
                  in_units(pose.rotation, angle_unit)},
                 digits[static_cast<std::size_t>(std::lround(shade * (levels - 1)))]};
+    }
+
+    // The ends in tenths of a pixel, the force in shares of the greatest, and how it is: 0 whole, 1 yielded, 2 not
+    // shown.
+    using BarState = std::array<int, 6>;
+    static constexpr double force_steps = 10'000;
+
+    BarState bar_state_of(const AnimatedBar& bar) const {
+        const Point from = on_paper(bar.from);
+        const Point to = on_paper(bar.to);
+        if (!bar.present || !from.allFinite() || !to.allFinite() || !std::isfinite(bar.force)) {
+            return {0, 0, 0, 0, 0, 2};
+        }
+        const auto whole = [](double value) {
+            return static_cast<int>(std::lround(std::clamp(value, -farthest, farthest)));
+        };
+        return {whole(10 * from.x()),
+                whole(10 * from.y()),
+                whole(10 * to.x()),
+                whole(10 * to.y()),
+                whole(strongest_ > 0 ? bar.force / strongest_ * force_steps : 0),
+                bar.yielded ? 1 : 0};
+    }
+
+    // As the script draws it.
+    std::string drawing_of(const BarState& bar, double tilt) const {
+        const auto& [x1, y1, x2, y2, force, how] = bar;
+        const auto pixels = [](int tenths) { return fixed_point(tenths / 10.0, 1); };
+        const std::string hidden = how == 2 ? " display=\"none\"" : "";
+        const std::string kind = how == 1 ? " yielded" : "";
+        std::string text = "<path class=\"bar" + kind + "\" d=\"M" + pixels(x1) + " " + pixels(y1) + "L" + pixels(x2) +
+                           " " + pixels(y2) + "\"" + hidden + "/>";
+        // Above the bar's head and towards the rock, which is in the picture.
+        text += "<text class=\"force" + kind + "\" text-anchor=\"" + (x2 < x1 ? "end" : "start") +
+                "\" dy=\"-8\" transform=\"translate(" + pixels(x1) + " " + pixels(y1) + ") rotate(" +
+                fixed_point(finite_or_zero(tilt) / degree, 4) + ")\"" + hidden + ">" +
+                human_number(force * strongest_ / force_steps, 4) + " " + escape_html(animation_.bar_unit) +
+                (how == 1 ? ", yielded" : "") + "</text>\n";
+        return text;
     }
 
     // Blocks that differ in any way from the last frame, which is what the page shows at first.
@@ -396,6 +452,7 @@ class Drawing {
     double height_ = 0;       // px, of the scene
     double length_unit_ = 1;  // m
     double darkest_ = 0;
+    double strongest_ = 0;
 };
 
 }  // namespace

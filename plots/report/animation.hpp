@@ -34,18 +34,29 @@ struct BlockPose {
     bool present = true;          // false: removed
 };
 
+// A bar across joints in one frame, drawn with its force; marked where it has yielded.
+struct AnimatedBar {
+    Point from = {0, 0};  // m, where it is in that frame, in the axes of the drawing
+    Point to = {0, 0};
+    double force = 0;  // in the unit of the animation, at least 0
+    bool yielded = false;
+    bool present = true;  // false: not shown
+};
+
 struct AnimationFrame {
-    double time = 0;                    // s, increasing
-    double tilt = 0;                    // rad, of the drawing's x axis, which dips towards -x
-    std::vector<BlockPose> poses = {};  // as many as blocks
+    double time = 0;                     // s, increasing
+    double tilt = 0;                     // rad, of the drawing's x axis, which dips towards -x
+    std::vector<BlockPose> poses = {};   // as many as blocks
+    std::vector<AnimatedBar> bars = {};  // the same ones in each frame
 };
 
 struct BlockAnimation {
     std::vector<AnimatedBlock> blocks = {};
     std::vector<AnimationFrame> frames = {};
-    std::string outcome = {};  // "collapse at 2.31 s"
-    std::string colour = {};   // what the colours mean: "speed"
-    std::string unit = {};     // "m/s"
+    std::string outcome = {};   // "collapse at 2.31 s"
+    std::string colour = {};    // what the colours mean: "speed"
+    std::string unit = {};      // "m/s"
+    std::string bar_unit = {};  // of the bars' forces, "kN/m"
     std::string caption = {};
 };
 

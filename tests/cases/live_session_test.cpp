@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -153,6 +155,7 @@ TEST_P(AnyRequest, IsAnsweredOrRefusedInWords) {
         ask(counts, request, [&] { session.answer(request); });
         ask(counts, request, [&] { session.drag(request); });
         ask(counts, request, [&] { session.map(request); });
+        ask(counts, request, [&] { session.fit(request); });
         ask(counts, request, [&] { session.report(request); });
         ask(counts, request, [&] {
             session.save(request);
@@ -170,10 +173,59 @@ TEST_P(AnyRequest, IsAnsweredOrRefusedInWords) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfCases, AnyRequest,
-                         ::testing::Values("plane_failure/fig_2_8.toml", "wedge/hoek_bray_complete.toml",
-                                           "kinematics/road_cut_poles.toml", "stepped_base/appendix_a.toml",
-                                           "stepped_path/columns_and_wedge.toml", "relaxation/two_blocks_3.toml",
-                                           "relaxation/newmark_block.toml"));
+                         ::testing::Values("plane_failure/fig_2_8.toml", "starting/fit.toml",
+                                           "wedge/hoek_bray_complete.toml", "kinematics/road_cut_poles.toml",
+                                           "stepped_base/appendix_a.toml", "stepped_path/columns_and_wedge.toml",
+                                           "relaxation/two_blocks_3.toml", "relaxation/newmark_block.toml"));
+
+Json inputs_of_map(const LiveSession& session, int columns, int rows) {
+    const Json map = session.open()["map"];
+    return {{"x", {{"name", map["x"]}, {"lower", 20}, {"upper", 50}}},
+            {"y", {{"name", map["y"]}, {"lower", 0}, {"upper", 40}}},
+            {"output", map["output"]},
+            {"columns", columns},
+            {"rows", rows}};
+}
+
+// The valley runs where the factor of safety is 1, but for the prior of the friction angle.
+TEST(LiveSession, MisfitOfACaseWithFitIsThatOfItsObservations) {
+    const LiveSession session = session_of("starting/fit.toml");
+    const Json request = inputs_of_map(session, 13, 9);
+    EXPECT_EQ(request["x"]["name"], "strength.friction_angle");
+    EXPECT_EQ(request["y"]["name"], "strength.cohesion");
+    const Json fit = session.fit(request);
+    const Json map = session.map(request);
+    for (std::size_t row = 0; row < 9; ++row) {
+        for (std::size_t column = 0; column < 13; ++column) {
+            const double factor = map["values"][row][column];
+            const double friction = fit["x"][column];
+            const double expected = std::pow((factor - 1) / 0.1, 2) + std::pow((friction - 37) / 3, 2);
+            EXPECT_NEAR(fit["values"][row][column], expected, 1e-9 * expected);  // rounding of degrees
+        }
+    }
+    ASSERT_EQ(fit["observations"].size(), 1U);
+    EXPECT_EQ(fit["observations"][0]["label"], "it failed");
+    EXPECT_EQ(fit["observations"][0]["predicted"], "1.54");
+}
+
+// What is dragged over north goes on behind it.
+TEST(LiveSession, PolesOfAStereonetAreDragged) {
+    const LiveSession session = session_of("starting/kinematics.toml");
+    const Json answer = session.answer(Json::object());
+    for (const Json& handle : answer["handles"]) {
+        for (const double east : {-0.3, 0.3}) {
+            const Json dragged = session.drag({{"handle", handle["name"]}, {"to", {east, -0.4}}});
+            const Json& moved = *std::ranges::find_if(dragged["handles"],
+                                                      [&](const Json& one) { return one["name"] == handle["name"]; });
+            EXPECT_EQ(dragged["values"].size(), handle["inputs"].size());
+            if (handle["inputs"].size() == 2) {
+                EXPECT_NEAR(moved["at"][0], east, 1e-5) << handle["name"];  // a few steps of Gauss and Newton
+                EXPECT_NEAR(moved["at"][1], -0.4, 1e-5) << handle["name"];
+            }
+        }
+    }
+    EXPECT_GT(answer["handles"].size(), 3U);
+}
 
 }  // namespace
 }  // namespace delabole

@@ -95,6 +95,9 @@ TEST(Reader, MissingAndUnknownKeys) {
         "slope.toml:6:1: slope.hieght: is not a key of slope (did you mean height?)");
     EXPECT_EQ(complaint_after("[tension_crack]", "[tensioncrack]"),
               "slope.toml:13:2: tensioncrack: is not a key of a case of this model (did you mean tension_crack?)");
+    EXPECT_EQ(complaint_after("[tension_crack]", "[columns]\n[tension_crack]"),
+              "slope.toml:13:2: columns: is not a key of a case of this model; it belongs to stepped_base "
+              "and stepped_path");
     EXPECT_EQ(complaint_after("friction_angle", "roughness_angle = \"5 deg\"\nfriction_angle"),
               "slope.toml:23:1: strength.roughness_angle: is not a key of strength of kind coulomb, but of kind "
               "stepped_surface or patton_bilinear");

@@ -3,6 +3,7 @@
 
 #include "dynamic_relaxation/checkpoint/checkpoint.hpp"
 #include "dynamic_relaxation/scene/bolts.hpp"
+#include "dynamic_relaxation/step/history.hpp"
 #include "dynamic_relaxation/step/scene_check.hpp"
 
 #include <gtest/gtest.h>
@@ -76,6 +77,28 @@ TEST(Bolts, AWeakBarYields) {
     RelaxationScene uphill = hanging(1e8, force / 2);
     uphill.gravity.tilt = uphill.gravity.final_tilt = -plane.tilt;
     EXPECT_EQ(relax(uphill, settings).bolt[0].force, 0) << "a bolt pulls, it does not push";
+}
+
+// Between the point of the block that has moved and the wall, with its force: at first whole, then yielded.
+TEST(Bolts, FramesShowWhereTheyAreAndWhatTheyBear) {
+    const OnPlane plane = steep();
+    const double force = plane.weight() * std::sin(plane.tilt) / 2;
+    Simulation simulation(hanging(1e8, force), unlimited(0.5));
+    MotionRecord record;
+    while (simulation.running()) {
+        record.record(simulation);
+        simulation.step();
+    }
+    record.add_last(simulation);
+    const BoltPull first = record.frame.front().bolt.at(0);
+    EXPECT_EQ(first.force, 0) << "the bolt is put in without tension";
+    EXPECT_EQ(first.yielded, 0);
+    const BoltPull last = record.frame.back().bolt.at(0);
+    EXPECT_EQ(last.force, force);
+    EXPECT_GT(last.yielded, 0);
+    EXPECT_TRUE(last.holds);
+    EXPECT_NEAR(last.at.x(), record.frame.back().motion[0].x, 1e-12);  // its end is at x = 0 in the drawing
+    EXPECT_EQ(last.other_at, PlanePoint<>(3.5, 0.25)) << "the wall is fixed";
 }
 
 TEST(Bolts, GoOnFromACheckpoint) {

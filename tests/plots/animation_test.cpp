@@ -40,14 +40,13 @@ Json data_of(const std::string& html) {
     return Json::parse(between(html, "<script type=\"application/json\">", "</script>"));
 }
 
-// The poses of the data, summed up: x, y and angle of each moving block, frame after frame.
-std::vector<int> poses_of(const Json& data) {
+// Numbers of the data, each summed up with that of the frame before.
+std::vector<int> numbers_of(const std::string& text, std::size_t stride) {
     const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const std::size_t stride = 3 * data["moving"].size();
     std::vector<int> result;
     unsigned value = 0;
     unsigned shift = 0;
-    for (const char letter : data["poses"].get<std::string>()) {
+    for (const char letter : text) {
         const auto digit = static_cast<unsigned>(alphabet.find(letter));
         value |= (digit & 31U) << shift;
         shift += 5;
@@ -60,8 +59,15 @@ std::vector<int> poses_of(const Json& data) {
             value = shift = 0;
         }
     }
-    EXPECT_EQ(result.size(), stride * data["times"].size());
     return result;
+}
+
+// x, y and angle of each moving block, frame after frame.
+std::vector<int> poses_of(const Json& data) {
+    const std::size_t stride = 3 * data["moving"].size();
+    std::vector<int> poses = numbers_of(data["poses"].get<std::string>(), stride);
+    EXPECT_EQ(poses.size(), stride * data["times"].size());
+    return poses;
 }
 
 // The transform of each block's group in the drawing.
@@ -154,6 +160,26 @@ TEST(Animation, CracksAppearWithTheirFrame) {
     // Not yet there in the last frame.
     EXPECT_EQ(count(between(html, "data-from=\"2\"", ">"), "display=\"none\""), 1U);
     EXPECT_EQ(count(between(html, "data-from=\"1\"", ">"), "display=\"none\""), 0U);
+}
+
+// The page shows the last frame's bars with their forces, the data have those of all.
+TEST(Animation, BarsHaveTheirForceInEachFrame) {
+    BlockAnimation animation{.blocks = {square(0, 0), square(4, 0, "", true)}, .bar_unit = "kN/m"};
+    animation.frames = {{0, 0, {{}, {}}, {{{0, 0.5}, {4.5, 0.5}, 10}, {{0, 0.8}, {4.5, 0.8}, 0}}},
+                        {1, 0, {{}, {}}, {{{-1, 0.5}, {4.5, 0.5}, 25, true}, {{0, 0.8}, {4.5, 0.8}, 0, false, false}}}};
+    const std::string html = animation_html(animation);
+    EXPECT_EQ(count(html, "class=\"bar yielded\""), 1U);
+    EXPECT_EQ(count(html, ">25 kN/m, yielded</text>"), 1U);
+    EXPECT_EQ(count(between(html, "class=\"bar\"", ">"), "display=\"none\""), 1U) << "the one that is gone";
+    const Json data = data_of(html);
+    const std::vector<int> states = numbers_of(data["bars"].get<std::string>(), 12);
+    ASSERT_EQ(states.size(), 24U);
+    EXPECT_NEAR(states[4] * data["force"].get<double>(), 10, 0.5 * 25 / 10'000);  // ten thousandths of the greatest
+    EXPECT_EQ(states[5], 0);
+    EXPECT_NEAR(states[16] * data["force"].get<double>(), 25, 1e-6);  // digits of the unit
+    EXPECT_EQ(states[17], 1);
+    EXPECT_EQ(states[23], 2);
+    EXPECT_LT(states[12], states[0]) << "its head has moved to the left";
 }
 
 TEST(Animation, IsTurnedUntilGravityPointsDown) {

@@ -1,8 +1,24 @@
 # A page in headless Chromium, driven through its pipe (the DevTools protocol); to be sourced after harness.sh.
 # open_browser WIDTH HEIGHT starts it, visit ADDRESS loads a page, evaluate SCRIPT leaves in $value what the script's
 # last expression (or promise) is, as JSON, screenshot FILE keeps what is seen, close_browser ends it.
+# serve CASE... starts delabole live and leaves $address, $port, $token and $server, the process, which ends with the test.
 
 browser_message=0
+
+trap '[[ -z ${server:-} ]] || kill "$server" 2>/dev/null || true; rm -rf "$scratch"' EXIT
+
+serve() {
+    rm -f "$scratch/served"  # of the server before, whose address a slow start would leave in it
+    "$program" live "$@" >"$scratch/served" 2>"$scratch/served_err" </dev/null &
+    server=$!
+    until grep -q '#' "$scratch/served" 2>/dev/null; do
+        kill -0 "$server" || { fail "live has ended: $(cat "$scratch/served_err")" && return; }
+        sleep 0.05
+    done
+    address=$(grep -oE 'http://[^ ]+' "$scratch/served")
+    port=$(sed -E 's/.*:([0-9]+)\/.*/\1/' <<<"$address")
+    token=${address#*#}
+}
 
 open_browser() {
     local browser

@@ -45,6 +45,14 @@ expect "and the case that was analysed holds it" refuse cmp -s \
 delabole run support.toml --set support_design.factor_of_safety=50 --out too_much
 expect_status 0
 expect_output 'None of 180 patterns gives FS 50; the strongest'
+high='[{ input = "support[1].lowest_height", from = "13 m", to = "20 m", points = 3 }]'
+for command in run sensitivity; do
+    delabole $command support.toml --set support_design.choose="$high" --out too_high
+    expect_status 0
+    expect_output 'None of 3 patterns of support has an answer (bolt head above crest 3)'
+    expect "$command: the report says so" contains too_high/report.html 'None of 3 patterns of support has an answer'
+    expect "$command: so does result.json" contains too_high/result.json '"bolt_head_above_crest": 3'
+done
 delabole sensitivity support.toml --out support_probability
 expect_status 0
 expect_output 'Of 180 patterns the cheapest for FS 2'
@@ -54,9 +62,25 @@ expect_status 3
 expect_error 'makes numbers of rows that are not whole'
 delabole run good.toml --set support_design.factor_of_safety=2
 expect_status 3
+delabole sensitivity "$source_folder/cases/stepped_base/bolted_columns.toml" --out bolted_columns
+expect_status 0
+expect_output 'Of 252 patterns the cheapest for FS 1.1'
+expect_output 'Probability of failure'
+delabole init block_row --out row.toml
+delabole run row.toml --set support='[{ rows = 2 }]'
+expect_status 3
+expect_error 'support: is not a key of a case of this model; it belongs to plane_failure and stepped_base'
 
 title "run: feet and kips in the report, metres in the files"
-{ cat good.toml; printf '\n[report]\nunits = "imperial"\n'; } >imperial.toml
+for name in good support; do
+    { cat $name.toml; printf '\n[report]\nunits = "imperial"\n'; } >imperial_$name.toml
+done
+mv imperial_good.toml imperial.toml
+delabole run imperial_support.toml --out imperial_support
+expect_output 'per foot of slope'
+expect "the figure too" contains imperial_support/figures/support.gp 'cost per foot of slope'
+delabole run "$source_folder/cases/relaxation/two_blocks_3.toml" --set 'report.units="imperial"' --out imperial_blocks
+expect "small movements are in inches" grep -qE '<td[^>]*>-?[0-9.e-]+ in</td>' imperial_blocks/report.html
 delabole run imperial.toml --out imperial
 expect_status 0
 expect "sentences" grep -qE 'kip/ft drive' "$scratch/out"

@@ -12,7 +12,7 @@ import pytest
 
 CASES = [
     "plane_failure/fig_2_8", "plane_failure/sau_mau_ping_critical_crack", "stepped_base/goodman_bray_1976_cable",
-    "single_block/*", "block_row/*", "flexural_toppling/*", "relaxation/free_slide", "relaxation/two_blocks_3",
+    "single_block/*", "block_row/*", "flexural_toppling/*", "relaxation/free_slide", "relaxation/two_blocks_3", "plane_failure/bolted_road_cut",
     "delabole_1967/delabole_joint_sets",
 ]
 

@@ -116,8 +116,9 @@ def test_conclusions_and_further_measurements_are_judged_too(cases, program, tmp
     assert found == asked(program, tmp_path, "fit", case, "--mechanism", "stepped_sliding")
 
 
-def test_a_study_finds_what_the_program_finds(cases, program, tmp_path):
-    case = delabole.read(cases / "plane_failure/sau_mau_ping_probability.toml")
+@pytest.mark.parametrize("name", ["plane_failure/sau_mau_ping_probability", "plane_failure/bolted_road_cut"])
+def test_a_study_finds_what_the_program_finds(cases, program, tmp_path, name):
+    case = delabole.read(cases / f"{name}.toml")
     found = case.sensitivity()
     assert found.to_dict() == asked(program, tmp_path, "sensitivity", case)
     shares = found.cumulative[:, 1]

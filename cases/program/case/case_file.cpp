@@ -3,6 +3,7 @@
 #include "cases/program/case/case_parts.hpp"
 #include "cases/program/reader/described_reader.hpp"
 #include "cases/program/reader/ordinary_file.hpp"
+#include "fitting/work/words.hpp"
 
 #include <array>
 #include <iostream>
@@ -57,6 +58,26 @@ std::optional<CaseModel> model_of_index(std::size_t wanted, std::index_sequence<
     std::optional<CaseModel> model;
     ((wanted == index ? static_cast<void>(model.emplace(std::in_place_index<index>)) : void()), ...);
     return model;
+}
+
+template <std::size_t... index>
+std::vector<CaseModel> one_of_each(std::index_sequence<index...>) {
+    return {CaseModel(std::in_place_index<index>)...};
+}
+
+// "; it belongs to plane_failure and stepped_base", where other models have the key.
+std::string models_that_have(const std::string& key) {
+    std::vector<std::string> names;
+    for (CaseModel& model : one_of_each(std::make_index_sequence<std::variant_size_v<CaseModel>>{})) {
+        Reading ignored{std::string()};
+        const Node nothing;
+        Section section(ignored, nothing, "");
+        read_model(section, model);
+        if (section.is_allowed(key)) {
+            names.emplace_back(model_name(model));
+        }
+    }
+    return names.empty() ? "" : "; it belongs to " + list_in_words(names);
 }
 
 }  // namespace
@@ -172,7 +193,7 @@ CaseFile case_of_tree(Node tree, std::string_view name, const std::vector<Settin
         root.allow("support_design");
     }
     read_report(root, result);
-    root.finish();
+    root.finish(models_that_have);
     check_sources(reading, result.sources);
     reading.finish();
     result.places = reading.places();

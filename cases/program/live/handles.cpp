@@ -1,6 +1,7 @@
 #include "cases/program/live/handles.hpp"
 
 #include "cases/program/results/analysis.hpp"
+#include "kinematics/stereonet.hpp"
 #include "plane_failure/water_diagram.hpp"
 
 #include <Eigen/Dense>
@@ -105,6 +106,25 @@ void add_handles(const SteppedBaseStudy<>& study, const std::vector<Quantity>& i
     }
 }
 
+// Poles on the net of the figure.
+void add_handles(const KinematicsStudy& study, const std::vector<Quantity>&, std::vector<Handle>& handles) {
+    constexpr NetProjection projection = NetProjection::equal_area;
+    const Kinematics& model = study.model;
+    add(handles, "face", {"slope.face_dip", "slope.face_dip_direction"},
+        projected_pole({model.slope.face_dip, model.slope.face_dip_direction}, projection));
+    add(handles, "friction circle", {"strength.friction_angle"},
+        projected_line({degrees(90) - model.strength.friction_angle, 0}, projection));
+    for (std::size_t index = 0; index < model.joint_set.size(); ++index) {
+        const JointSet& set = model.joint_set[index];
+        if (!std::holds_alternative<OrientationRange>(set.orientation)) {
+            const std::string key = "joint_set[" + std::to_string(index + 1) + "]." +
+                                    (std::holds_alternative<PoleWindow>(set.orientation) ? "window_" : "");
+            add(handles, set.name, {key + "dip", key + "dip_direction"},
+                projected_pole(mean_orientation(set), projection));
+        }
+    }
+}
+
 template <class Study>
 void add_handles(const Study&, const std::vector<Quantity>&, std::vector<Handle>&) {}
 
@@ -191,6 +211,9 @@ std::vector<Condition> dragged(const CaseModel& model, const std::string& name, 
             std::vector<Condition> next = values;
             for (std::size_t index = 0; index < values.size(); ++index) {
                 next[index].value += length * move[static_cast<Eigen::Index>(index)];
+                if (next[index].input.ends_with("dip_direction")) {  // on past north
+                    next[index].value = wrapped_azimuth(next[index].value);
+                }
             }
             const std::optional<Point> there = place(next);
             if (there && (to - *there).norm() < distance) {

@@ -101,13 +101,15 @@ std::string LiveMotion::picture() const {
     const RelaxationState& state = simulation_->state();
     const EnergyLedger ledger = simulation_->ledger();
     const std::vector<CornerForce> forces = corner_forces(simulation_->bodies(), state);
+    std::vector<BoltPull> bolts = bolt_pulls(simulation_->scene(), simulation_->bodies(), state);
+    std::erase_if(bolts, [](const BoltPull& bolt) { return !bolt.holds; });
     Floats floats;
     for (const double value :
          {state.time, static_cast<double>(state.steps), static_cast<double>(simulation_->outcome()), ledger.applied,
           ledger.kinetic, ledger.elastic, ledger.friction,
           ledger.dashpots + ledger.local_damping + ledger.kinetic_damping, ledger.residual(),
           std::max(state.unbalanced, state.unbalanced_then), static_cast<double>(state.motion.size()),
-          static_cast<double>(forces.size())}) {
+          static_cast<double>(forces.size()), static_cast<double>(bolts.size())}) {
         floats.add(value);
     }
     for (const Motion& motion : state.motion) {
@@ -120,6 +122,12 @@ std::string LiveMotion::picture() const {
         floats.add(force.at.y());
         floats.add(force.force.x());
         floats.add(force.force.y());
+    }
+    for (const BoltPull& bolt : bolts) {
+        for (const double value :
+             {bolt.at.x(), bolt.at.y(), bolt.other_at.x(), bolt.other_at.y(), bolt.force, bolt.yielded}) {
+            floats.add(value);
+        }
     }
     return floats.take();
 }

@@ -28,8 +28,9 @@ class LiveMotion {
 
     // Where everything is, as little-endian 32-bit floats: time in s, steps, number of the outcome among
     // enum_names(RelaxationOutcome), applied work, kinetic, elastic, friction, damping and residual energy in J/m,
-    // unbalanced ratio, numbers of blocks and of forces; then x, y and angle of each block since the start (m, rad),
-    // and of each contact force its place (m) and components (N/m).
+    // unbalanced ratio, numbers of blocks, of forces and of bolts; then x, y and angle of each block since the start
+    // (m, rad), of each contact force its place (m) and components (N/m), and of each bolt that pulls, at every joint
+    // where it does, its ends (m), its force (N/m), and by how much it has yielded (m).
     std::string picture() const;
 
   private:

@@ -3,15 +3,18 @@
 #include "cases/program/live/case_text.hpp"
 #include "cases/program/live/figure_json.hpp"
 #include "cases/program/live/handles.hpp"
+#include "cases/program/reader/names.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/model_reports.hpp"
+#include "fitting/mechanism/misfit.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <type_traits>
 
@@ -24,6 +27,7 @@ constexpr std::size_t most_map_points = 40'000;
 constexpr std::chrono::seconds longest_map{3};
 constexpr int longest_motion = 1000;  // ms, of one request
 constexpr std::size_t most_live_blocks = 20'000;
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 // The member, of the type that is asked for.
 template <class Type>
@@ -134,12 +138,50 @@ MapAxis axis_of_map(const Json& request, const char* name, const char* count, co
     return made;
 }
 
+// Row by row; null where there is no value, or no more time.
+Json over_grid(const MapAxis& x, const MapAxis& y, const std::function<double(double across, double up)>& value) {
+    if (x.values.size() * y.values.size() > most_map_points) {
+        throw LiveRefusal("a map has at most " + std::to_string(most_map_points) + " points");
+    }
+    const auto end = std::chrono::steady_clock::now() + longest_map;
+    const auto in_units = [](const MapAxis& axis) {
+        Json values = Json::array();
+        for (const double at : axis.values) {
+            values.push_back(at / axis.unit);
+        }
+        return values;
+    };
+    Json rows = Json::array();
+    for (const double up : y.values) {
+        Json row = Json::array();
+        for (const double across : x.values) {
+            row.push_back(std::chrono::steady_clock::now() < end ? finite(value(across, up)) : Json(nullptr));
+        }
+        rows.push_back(std::move(row));
+    }
+    return {{"x", in_units(x)}, {"y", in_units(y)}, {"values", std::move(rows)}};
+}
+
+std::optional<FitProblem> fit_of(const CaseFile& file) {
+    const ModelInterface model = interface_of(file.model);
+    if (!file.fit || model.costly) {
+        return std::nullopt;
+    }
+    for (const FitMechanism& mechanism : file.fit->mechanisms) {
+        if (names_in(named_inputs(mechanism.model)) == names_in(named_inputs(file.model))) {
+            return FitProblem{*file.fit, {Mechanism{mechanism, model}}};
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 LiveSession::LiveSession(CaseFile file, std::string text, WriteReport write_report)
     : file_(std::move(file)),
       text_(std::move(text)),
       inputs_(named_inputs(file_.model)),
+      fit_(fit_of(file_)),
       write_report_(std::move(write_report)) {}
 
 std::vector<Condition> LiveSession::conditions(const Json& request) const {
@@ -193,8 +235,14 @@ Json LiveSession::open() const {
               {"model", std::string(model_name(file_.model))},
               {"moves", moves},
               {"groups", std::move(groups)}};
-    if (!moves && find_quantity(interface_of(file_.model).outputs, "factor_of_safety") != nullptr &&
-        !friction.empty() && !water.empty()) {
+    json["fit"] = fit_.has_value();
+    if (moves || find_quantity(interface_of(file_.model).outputs, "factor_of_safety") == nullptr) {
+        return json;
+    }
+    if (fit_ && fit_->mechanisms.front().parameters.size() > 1) {
+        const std::vector<FreeParameter>& free = fit_->mechanisms.front().parameters;
+        json["map"] = {{"x", free[0].name}, {"y", free[1].name}, {"output", "factor_of_safety"}};
+    } else if (!friction.empty() && !water.empty()) {
         json["map"] = {{"x", friction}, {"y", water}, {"output", "factor_of_safety"}};
     }
     return json;
@@ -232,6 +280,11 @@ Json LiveSession::answer_to(const CaseModel& model, bool all_figures) const {
         }
     });
     try {
+        if (fit_ && fit_->profile) {  // the section with the ground that was observed and the one predicted
+            MechanismFit here{};
+            std::visit([&](const auto& study) { append_mechanism_figures(study, here, *fit_, figures, ignored); },
+                       model);
+        }
         append_case_figures(model, answer, figures, ignored);
     } catch (const EnoughFigures&) {
         return json;
@@ -269,30 +322,55 @@ Json LiveSession::map(const Json& request) const {
     const MapAxis y = axis_of_map(request, "y", "rows", model.inputs);
     const auto name = member<std::string>(request, "output");
     const auto output = place_of(model.outputs, name);
-    if (!output || model.costly || x.values.size() * y.values.size() > most_map_points) {
+    if (!output || model.costly) {
         throw LiveRefusal("there is no map of '" + name + "'");
     }
-    const auto end = std::chrono::steady_clock::now() + longest_map;
-    const auto in_units = [](const MapAxis& axis) {
-        Json values = Json::array();
-        for (const double value : axis.values) {
-            values.push_back(value / axis.unit);
-        }
-        return values;
-    };
-    Json rows = Json::array();
-    for (const double up : y.values) {
-        Json row = Json::array();
-        for (const double across : x.values) {
-            Prediction prediction;
-            if (std::chrono::steady_clock::now() < end) {
-                prediction = model.predict(std::array{Assignment{x.input, across}, Assignment{y.input, up}});
-            }
-            row.push_back(prediction.outputs.empty() ? Json(nullptr) : finite(prediction.outputs[*output]));
-        }
-        rows.push_back(std::move(row));
+    return over_grid(x, y, [&](double across, double up) {
+        const Prediction prediction = model.predict(std::array{Assignment{x.input, across}, Assignment{y.input, up}});
+        return prediction.outputs.empty() ? no_number : prediction.outputs[*output];
+    });
+}
+
+Json LiveSession::fit(const Json& request) const {
+    if (!fit_) {
+        throw LiveRefusal("the case has no back-analysis of its own model");
     }
-    return {{"x", in_units(x)}, {"y", in_units(y)}, {"values", std::move(rows)}};
+    FitProblem problem = *fit_;
+    Mechanism& mechanism = problem.mechanisms.front();
+    mechanism.model = interface_of(model(request));
+    const Misfit misfit(mechanism, problem);
+    std::vector<double> point;
+    for (const FreeParameter& parameter : mechanism.parameters) {
+        point.push_back(find_quantity(mechanism.model.inputs, parameter.name)->value);
+    }
+    const auto place = [&](const MapAxis& axis) {
+        return std::ranges::find(mechanism.parameters, mechanism.model.inputs[axis.input].name, &FreeParameter::name) -
+               mechanism.parameters.begin();
+    };
+    const MapAxis x = axis_of_map(request, "x", "columns", mechanism.model.inputs);
+    const MapAxis y = axis_of_map(request, "y", "rows", mechanism.model.inputs);
+    Json observations = Json::array();
+    for (const ObservationFit& row : misfit.compare(point)) {
+        observations.push_back({{"label", row.label},
+                                {"observed", value_in_words(row.observed, row.dimension)},
+                                {"relation", row.relation == Relation::equal ? "" : human_name(word_of(row.relation))},
+                                {"predicted", row.predicted ? value_in_words(*row.predicted, row.dimension) : ""},
+                                {"pull", finite(row.pull)}});
+    }
+    const auto across = static_cast<std::size_t>(place(x));
+    const auto up = static_cast<std::size_t>(place(y));
+    Json json = across < point.size() && up < point.size()
+                    ? over_grid(x, y,
+                                [&](double x_value, double y_value) {
+                                    std::vector<double> at = point;
+                                    at[across] = x_value;
+                                    at[up] = y_value;
+                                    const MisfitParts parts = misfit.parts(at);
+                                    return parts.failure.empty() ? parts.data + parts.prior : no_number;
+                                })
+                    : Json::object();
+    json["observations"] = std::move(observations);
+    return json;
 }
 
 Json LiveSession::save(const Json& request) const {

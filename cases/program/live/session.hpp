@@ -6,6 +6,7 @@
 #include "cases/program/live/motion.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "cases/program/terminal/options.hpp"
+#include "fitting/posterior/fit_problem.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -34,7 +35,7 @@ class LiveSession {
     LiveSession(CaseFile file, std::string text, WriteReport write_report);
 
     // The case: title, description, model, groups of inputs with unit, value, range, meaning and source; names of the
-    // two inputs of the map; whether blocks can be set in motion.
+    // two inputs of the map; whether blocks can be set in motion, and whether there is a fit.
     Json open() const;
 
     // {values, figures}: results, warnings, handles, and of the report's figures the first one, or with
@@ -47,6 +48,11 @@ class LiveSession {
     // {values, x: {name, lower, upper}, y: {...}, output, columns, rows}: the output over a grid of two inputs, row by
     // row, null where there is no answer.
     Json map(const Json& request) const;
+
+    // {values, x, y, columns, rows}, as for a map, of a case with [fit] whose model is not costly, for the first
+    // mechanism that has the case's inputs: what was observed beside what is predicted, and where the two inputs are
+    // free, the misfit, priors counted, over the grid.
+    Json fit(const Json& request) const;
 
     // {values}: the case's text with these values.
     Json save(const Json& request) const;
@@ -69,6 +75,7 @@ class LiveSession {
     const CaseFile file_;
     const std::string text_;
     const std::vector<Quantity> inputs_;
+    const std::optional<FitProblem> fit_;  // of one mechanism
     const WriteReport write_report_;
     std::mutex writing_;
     std::mutex moving_;

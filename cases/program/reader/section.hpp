@@ -88,6 +88,7 @@ class Section {
 
     // Makes a key known without reading it.
     void allow(std::string_view key);
+    bool is_allowed(std::string_view key) const;
     // The key's value, nullptr when absent.
     const Node* take(std::string_view key);
     // The same, with a complaint when absent: "is required: <what>".
@@ -118,7 +119,6 @@ class Section {
     }
 
   private:
-    bool is_allowed(std::string_view key) const;
     // True of what the file says of another kind than the one that --set chose.
     bool belongs_to_replaced_kind(const Node& node) const;
     void complain_unknown(const std::string& key, const Node& node, const std::string& hint) const;

@@ -94,7 +94,7 @@ Table observation_table(const MechanismFit& fit) {
                               row.predicted ? pull_in_words(row.pull) : "", row.source});
     }
     if (fit.profile_fit) {
-        table.rows.push_back({"post-failure profile (distance)", "0 m",
+        table.rows.push_back({"post-failure profile (distance)", value_in_words(0, Dimension::length),
                               value_in_words(fit.profile_fit->standard_deviation, Dimension::length),
                               value_in_words(std::round(fit.profile_fit->rms * 1e3) / 1e3, Dimension::length),
                               pull_in_words(fit.profile_fit->pull()), ""});

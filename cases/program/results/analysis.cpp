@@ -16,20 +16,6 @@ const AnswerTo<Study>& own_answer(const Study&, const CaseAnswer& answer) {
     return std::get<AnswerTo<Study>>(answer);
 }
 
-// "3 rows" would need a plural for each input: "rows 3, spacing 2 m".
-std::string choice_in_words(const SupportDesign& design, const TriedSupport& tried) {
-    const std::string only_pattern = "support[1].";
-    std::string words;
-    for (std::size_t index = 0; index < design.choices.size(); ++index) {
-        const SupportChoice& choice = design.choices[index];
-        const bool short_name = choice.input.starts_with(only_pattern);
-        words += (index == 0 ? "" : ", ") +
-                 human_name(short_name ? choice.input.substr(only_pattern.size()) : choice.input) + " " +
-                 value_in_words(tried.values[index], choice.dimension);
-    }
-    return words;
-}
-
 }  // namespace
 
 const NamedOutput* Analysis::find(std::string_view name) const {
@@ -50,7 +36,7 @@ void mark_none(Analysis& analysis, std::string_view prefix) {
 void warn_of_height(const std::string& key, double height, Analysis& analysis) {
     constexpr double highest = 5000;  // m; more than any mountain stands above its foot
     if (height > highest) {
-        analysis.warnings.push_back(key + " is " + number_in_words(height) + " m high: is that meant?");
+        analysis.warnings.push_back(key + " is " + value_in_words(height, Dimension::length) + " high: is that meant?");
     }
 }
 
@@ -120,16 +106,6 @@ std::string required_in_words(const std::string& parameter, double target, const
         break;
     }
     return {};
-}
-
-std::string support_in_words(const SupportDesign& design, const SupportDesignResult& found, const TriedSupport& shown) {
-    const std::string patterns = std::to_string(found.patterns) + " patterns";
-    const std::string factor = "FS " + number_in_words(design.factor_of_safety);
-    const std::string what = choice_in_words(design, shown);
-    return found.cheapest ? "Of " + patterns + " the cheapest for " + factor + " has " + what + " and costs " +
-                                number_in_words(shown.cost) + " per metre of slope."
-                          : "None of " + patterns + " gives " + factor + "; the strongest, shown here, has " + what +
-                                " and costs " + number_in_words(shown.cost) + " per metre of slope.";
 }
 
 CaseModel with_conditions(const CaseModel& model, const std::vector<Condition>& conditions) {

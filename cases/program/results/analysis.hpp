@@ -3,7 +3,6 @@
 #pragma once
 
 #include "cases/program/case/case_file.hpp"
-#include "fitting/studies/support_design.hpp"
 #include "numerics/required_value.hpp"
 #include "parameters/model_interface.hpp"
 #include "support/bolt_pattern.hpp"
@@ -53,8 +52,6 @@ void append_required_value(Analysis& analysis, const std::string& parameter, dou
 
 // The same in a sentence.
 std::string required_in_words(const std::string& parameter, double target, const Required& required);
-// The cheapest support that gives its factor of safety, or the strongest where none does; `shown` is that one.
-std::string support_in_words(const SupportDesign& design, const SupportDesignResult& found, const TriedSupport& shown);
 
 // Appends the force of each pattern of bolts as "support[1].force"; warns where rows hold nothing.
 void append_support(Analysis& analysis, const std::vector<std::vector<BoltRow>>& patterns);

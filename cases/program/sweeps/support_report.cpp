@@ -7,14 +7,62 @@ namespace delabole {
 
 namespace {
 
-const TriedSupport& answer_of(const SupportDesignResult& found) {
-    return found.tried[found.cheapest.value_or(found.strongest.value())];
+// "3 rows" would need a plural for each input: "rows 3, spacing 2 m".
+std::string choice_in_words(const SupportDesign& design, const TriedSupport& tried) {
+    const std::string only_pattern = "support[1].";
+    std::string words;
+    for (std::size_t index = 0; index < design.choices.size(); ++index) {
+        const SupportChoice& choice = design.choices[index];
+        const bool short_name = choice.input.starts_with(only_pattern);
+        words += (index == 0 ? "" : ", ") +
+                 human_name(short_name ? choice.input.substr(only_pattern.size()) : choice.input) + " " +
+                 value_in_words(tried.values[index], choice.dimension);
+    }
+    return words;
 }
 
-Figure cost_figure(const DesignedSupport& support) {
+// In the currency of the case, for the shown unit of length.
+double shown_cost(double per_metre) {
+    return per_metre * shown_unit(Dimension::length).si_per_unit;
+}
+
+std::string per_length_of_slope() {
+    return shown_unit(Dimension::length).symbol == "m" ? " per metre of slope" : " per foot of slope";
+}
+
+// Null where no pattern has an answer.
+const TriedSupport* answer_of(const SupportDesignResult& found) {
+    const std::optional<std::size_t> answer = found.cheapest ? found.cheapest : found.strongest;
+    return answer ? &found.tried[*answer] : nullptr;
+}
+
+// "bolt head above crest 12, plane never surfaces 3"
+std::string causes_in_words(const SupportDesignResult& found) {
+    std::vector<std::string> causes;
+    for (const auto& [cause, count] : found.failed_by_cause) {
+        causes.push_back(human_name(cause) + " " + std::to_string(count));
+    }
+    return list_in_words(causes);
+}
+
+std::string sentence_of(const SupportDesign& design, const SupportDesignResult& found) {
+    const std::string patterns = std::to_string(found.patterns) + " patterns";
+    const TriedSupport* shown = answer_of(found);
+    if (shown == nullptr) {
+        return "None of " + patterns + " of support has an answer (" + causes_in_words(found) +
+               "): what is shown has the support of the case.";
+    }
+    const std::string factor = "FS " + number_in_words(design.factor_of_safety);
+    const std::string what = choice_in_words(design, *shown) + " and costs " +
+                             number_in_words(shown_cost(shown->cost)) + per_length_of_slope() + ".";
+    return found.cheapest ? "Of " + patterns + " the cheapest for " + factor + " has " + what
+                          : "None of " + patterns + " gives " + factor + "; the strongest, shown here, has " + what;
+}
+
+Figure cost_figure(const DesignedSupport& support, const TriedSupport& answer) {
     Figure figure;
     figure.title = "Support by its cost";
-    figure.x = {.title = "cost per metre of slope"};
+    figure.x = {.title = "cost" + per_length_of_slope()};
     figure.y = {.title = "factor of safety"};
     Points tried;
     tried.legend = "patterns that were tried";
@@ -22,18 +70,18 @@ Figure cost_figure(const DesignedSupport& support) {
     tried.size = 0.6;
     for (const TriedSupport& pattern : support.found.tried) {
         if (pattern.factor_of_safety) {
-            tried.points.emplace_back(pattern.cost, *pattern.factor_of_safety);
+            tried.points.emplace_back(shown_cost(pattern.cost), *pattern.factor_of_safety);
         }
     }
-    const TriedSupport& answer = answer_of(support.found);
     Line required;
     required.legend = "required";
     required.dash = Dash::dashed;
-    required.points = {{support.found.tried.front().cost, support.design.factor_of_safety},
-                       {support.found.tried.back().cost, support.design.factor_of_safety}};
-    Points chosen{.points = {{answer.cost, *answer.factor_of_safety}},
-                  .legend = support.found.cheapest ? "cheapest that suffices" : "strongest",
-                  .colour = Colour::vermilion};
+    required.points = {{shown_cost(support.found.tried.front().cost), support.design.factor_of_safety},
+                       {shown_cost(support.found.tried.back().cost), support.design.factor_of_safety}};
+    Points chosen;
+    chosen.legend = support.found.cheapest ? "cheapest that suffices" : "strongest";
+    chosen.colour = Colour::vermilion;
+    chosen.points = {{shown_cost(answer.cost), *answer.factor_of_safety}};
     figure.series = {tried, required, chosen};
     return figure;
 }
@@ -67,16 +115,14 @@ std::optional<DesignedSupport> design_support_of(CaseFile& file, const std::func
     }
     const SupportDesign& design = *file.support_design;
     DesignedSupport support{design, design_support(interface_of(file.model), design, watch), {}};
-    if (!support.found.strongest) {
-        return std::nullopt;
+    support.sentence = sentence_of(design, support.found);
+    if (const TriedSupport* answer = answer_of(support.found)) {
+        std::vector<Condition> conditions;
+        for (std::size_t index = 0; index < design.choices.size(); ++index) {
+            conditions.push_back({design.choices[index].input, answer->values[index], design.choices[index].dimension});
+        }
+        file.model = with_conditions(file.model, conditions);
     }
-    const TriedSupport& answer = answer_of(support.found);
-    support.sentence = support_in_words(design, support.found, answer);
-    std::vector<Condition> conditions;
-    for (std::size_t index = 0; index < design.choices.size(); ++index) {
-        conditions.push_back({design.choices[index].input, answer.values[index], design.choices[index].dimension});
-    }
-    file.model = with_conditions(file.model, conditions);
     return support;
 }
 
@@ -87,32 +133,39 @@ void add_to_head(const DesignedSupport& support, HeadCard& head) {
 }
 
 Json document_support(const DesignedSupport& support, const ResultFolder& folder, Report& report) {
-    const TriedSupport& answer = answer_of(support.found);
+    const SupportDesignResult& found = support.found;
+    const TriedSupport* answer = answer_of(found);
     report.blocks.emplace_back(Heading{"Support"});
     report.blocks.emplace_back(Paragraph{support.sentence});
-    report.blocks.emplace_back(
-        folder.draw(cost_figure(support), "support",
-                    "Patterns in the order of their cost, up to the first that gives the factor of safety; support.csv "
-                    "has each."));
-    if (!support.found.failed_by_cause.empty()) {
-        Table table{"Patterns without an answer", {{"why"}, {"patterns", true}}, {}};
-        for (const auto& [cause, count] : support.found.failed_by_cause) {
-            table.rows.push_back({human_name(cause), std::to_string(count)});
-        }
-        report.blocks.emplace_back(std::move(table));
+    if (answer != nullptr) {
+        report.blocks.emplace_back(
+            folder.draw(cost_figure(support, *answer), "support",
+                        "Patterns in the order of their cost, up to the first that gives the factor of safety; "
+                        "support.csv has each."));
     }
     folder.write("support.csv", support_csv(support));
     Json json;
-    json["status"] = support.found.cheapest ? "found" : "never_reached";
-    json["patterns"] = support.found.patterns;
-    json["tried"] = support.found.tried.size();
-    for (std::size_t index = 0; index < answer.values.size(); ++index) {
+    json["status"] = found.cheapest ? "found" : answer != nullptr ? "never_reached" : "no_answer";
+    json["patterns"] = found.patterns;
+    json["tried"] = found.tried.size();
+    if (!found.failed_by_cause.empty()) {
+        Table table{"Patterns without an answer", {{"why"}, {"patterns", true}}, {}};
+        for (const auto& [cause, count] : found.failed_by_cause) {
+            table.rows.push_back({human_name(cause), std::to_string(count)});
+            json["failed_patterns"][cause] = count;
+        }
+        report.blocks.emplace_back(std::move(table));
+    }
+    if (answer == nullptr) {
+        return json;
+    }
+    for (std::size_t index = 0; index < answer->values.size(); ++index) {
         const SupportChoice& choice = support.design.choices[index];
         json[column_name(choice.input, choice.dimension)] =
-            json_number(in_display_unit(answer.values[index], choice.dimension));
+            json_number(in_display_unit(answer->values[index], choice.dimension));
     }
-    json["cost_per_metre_of_slope"] = json_number(answer.cost);
-    json["factor_of_safety"] = json_number(*answer.factor_of_safety);
+    json["cost_per_metre_of_slope"] = json_number(answer->cost);
+    json["factor_of_safety"] = json_number(*answer->factor_of_safety);
     return json;
 }
 

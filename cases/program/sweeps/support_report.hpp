@@ -13,11 +13,11 @@ namespace delabole {
 struct DesignedSupport {
     SupportDesign design;
     SupportDesignResult found;
-    std::string sentence;  // what the cheapest support is
+    std::string sentence;  // what the cheapest support is, or why there is none
 };
 
-// With the support of the answer, or the strongest where none reaches the factor of safety, in the case's model.
-// Nothing where the case asks for none or nothing it allows has an answer.
+// With the support of the answer, or the strongest where none reaches the factor of safety, in the case's model; where
+// no pattern has an answer that keeps its own. Nothing where the case asks for none.
 std::optional<DesignedSupport> design_support_of(CaseFile& file, const std::function<bool(double)>& watch);
 
 // Puts the sentence behind the first, the verdict.

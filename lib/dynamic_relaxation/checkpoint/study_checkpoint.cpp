@@ -27,8 +27,9 @@ bool fits(const HistoryLine& line, const RelaxationStudy& study, std::size_t blo
            line.rotation.size() == blocks;
 }
 
-bool fits(const MotionFrame& frame, std::size_t blocks) {
-    return frame.motion.size() == blocks && frame.outcome.size() == blocks &&
+bool fits(const MotionFrame& frame, const RelaxationScene& scene) {
+    const std::size_t blocks = scene.block.size();
+    return frame.motion.size() == blocks && frame.outcome.size() == blocks && frame.bolt.size() == scene.bolt.size() &&
            std::ranges::all_of(frame.force,
                                [&](const CornerForce& force) { return force.block < blocks && force.other < blocks; });
 }
@@ -37,7 +38,7 @@ bool fits(const StudyProgress& progress, const RelaxationStudy& study) {
     const RelaxationScene scene = relaxation_scene(study);
     const std::size_t blocks = scene.block.size();
     const auto frames_fit = [&](const MotionRecord& record) {
-        return std::ranges::all_of(record.frame, [&](const MotionFrame& frame) { return fits(frame, blocks); });
+        return std::ranges::all_of(record.frame, [&](const MotionFrame& frame) { return fits(frame, scene); });
     };
     const auto state_fits = [&](const std::optional<RelaxationState>& state) { return !state || fits(*state, scene); };
     const std::size_t paths = study.critical ? critical_plan(study).path.size() : 0;

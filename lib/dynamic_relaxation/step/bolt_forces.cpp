@@ -85,18 +85,32 @@ double stable_step_of_bolts(const RelaxationScene& scene, const Bodies& bodies) 
     return greatest > 0 ? 2 / std::sqrt(greatest) : std::numeric_limits<double>::infinity();
 }
 
-std::vector<BoltOutcome> bolt_outcomes(const RelaxationScene& scene, const Bodies& bodies,
-                                       const RelaxationState& state) {
-    std::vector<BoltOutcome> outcomes;
+std::vector<BoltPull> bolt_pulls(const RelaxationScene& scene, const Bodies& bodies, const RelaxationState& state) {
+    std::vector<BoltPull> pulls;
+    const auto place = [&](std::size_t block, const PlanePoint<>& arm) {
+        const Motion& motion = state.motion[block];
+        return PlanePoint<>(bodies.centroid[block] + PlanePoint<>(motion.x, motion.y) + arm);
+    };
     for (std::size_t index = 0; index < scene.bolt.size(); ++index) {
         const BoltSegment& segment = scene.bolt[index];
-        outcomes.resize(std::max(outcomes.size(), segment.bolt + 1));
+        BoltPull& pull = pulls.emplace_back();
         if (holds(segment, state.removed)) {
-            const double extension = stretched(segment, bodies, state.motion).extension;
-            BoltOutcome& outcome = outcomes[segment.bolt];
-            outcome.force = std::max(outcome.force, force_of(segment, state.bolt[index], extension));
-            outcome.yielded = std::max(outcome.yielded, state.bolt[index].yielded);
+            const Stretched now = stretched(segment, bodies, state.motion);
+            const BoltMemory& memory = state.bolt[index];
+            pull = {place(segment.block, now.arm), place(segment.other, now.other_arm),
+                    force_of(segment, memory, now.extension), memory.yielded, true};
         }
+    }
+    return pulls;
+}
+
+std::vector<BoltOutcome> bolt_outcomes(const RelaxationScene& scene, const std::vector<BoltPull>& pulls) {
+    std::vector<BoltOutcome> outcomes;
+    for (std::size_t index = 0; index < pulls.size(); ++index) {
+        outcomes.resize(std::max(outcomes.size(), scene.bolt[index].bolt + 1));
+        BoltOutcome& outcome = outcomes[scene.bolt[index].bolt];
+        outcome.force = std::max(outcome.force, pulls[index].force);
+        outcome.yielded = std::max(outcome.yielded, pulls[index].yielded);
     }
     return outcomes;
 }

@@ -1,7 +1,6 @@
 #include "dynamic_relaxation/step/history.hpp"
 
 #include "dynamic_relaxation/contact/contact_law.hpp"
-#include "dynamic_relaxation/step/bolt_forces.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -33,7 +32,11 @@ namespace {
 
 MotionFrame frame_of(const Simulation& simulation, FrameParts parts) {
     const RelaxationState& state = simulation.state();
-    return {state.time, simulation.tilt(), state.motion, simulation.block_outcomes(),
+    return {state.time,
+            simulation.tilt(),
+            state.motion,
+            simulation.block_outcomes(),
+            bolt_pulls(simulation.scene(), simulation.bodies(), state),
             parts == FrameParts::all ? corner_forces(simulation.bodies(), state) : std::vector<CornerForce>{}};
 }
 
@@ -106,7 +109,8 @@ HistoryLine history_line(const HistoryRequest& request, const Simulation& simula
         line.base_slip.push_back(outcome.base_slip);
         line.rotation.push_back(outcome.rotation);
     }
-    for (const BoltOutcome& outcome : bolt_outcomes(simulation.scene(), simulation.bodies(), state)) {
+    const RelaxationScene& scene = simulation.scene();
+    for (const BoltOutcome& outcome : bolt_outcomes(scene, bolt_pulls(scene, simulation.bodies(), state))) {
         line.bolt.push_back(outcome.force);
     }
     return line;

@@ -1,6 +1,7 @@
 // Print edits: how blocks, contacts and energies go on over time (thesis 5.2.4, Tables 5.1 to 5.5).
 #pragma once
 
+#include "dynamic_relaxation/step/bolt_forces.hpp"
 #include "dynamic_relaxation/step/simulation.hpp"
 #include "parameters/fields.hpp"
 
@@ -93,6 +94,7 @@ struct MotionFrame {
     double tilt = 0;
     std::vector<Motion> motion = {};
     std::vector<BlockOutcome> outcome = {};
+    std::vector<BoltPull> bolt = {};
     std::vector<CornerForce> force = {};  // empty where only the motion is kept
 };
 

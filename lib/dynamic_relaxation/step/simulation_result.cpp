@@ -81,7 +81,7 @@ RelaxationResult Simulation::result() const {
     result.overlap = state_.overlap;
     result.cost = {state_.steps, state_.watch.pair_checks, state_.contacts_evaluated, state_.step};
     result.block = block_outcomes();
-    result.bolt = bolt_outcomes(scene_, bodies_, state_);
+    result.bolt = bolt_outcomes(scene_, bolt_pulls(scene_, bodies_, state_));
     return result;
 }
 

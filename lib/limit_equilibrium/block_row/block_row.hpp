@@ -7,7 +7,10 @@
 // row in equilibrium. It is what the limit in contact is where there is one; a row that is not pressed together may
 // fail at less, though not before a block that stands alone would.
 //
-// Limits: rectangular blocks, dry, no cohesion, statics only; the answer is the tilt at which a motion can begin.
+// Limits: rectangular blocks, dry, no cohesion, statics only; the answer is the tilt at which a motion can begin. No
+// bolts: every term of the modes' equations is a weight and so linear in the sine and cosine of the tilt, which gives
+// its tangent in closed form; a bolt's force does not turn with the tilt. stepped_base has bolts, and a factor of
+// safety.
 #pragma once
 
 #include "limit_equilibrium/block_row/block_row_mode.hpp"

@@ -28,6 +28,9 @@ function bringToLife(box) {
   for (let index = 3 * moving; index < poses.length; ++index) poses[index] += poses[index - 3 * moving];
   const scene = box.querySelector('.scene'), groups = scene.children;
   const cracks = [...box.querySelectorAll('.crack')].map(line => ({line, from: Number(line.dataset.from)}));
+  const bars = box.querySelectorAll('.bar'), forces = box.querySelectorAll('.force');
+  const states = numbersOf(data.bars, 6 * bars.length * frames);
+  for (let index = 6 * bars.length; index < states.length; ++index) states[index] += states[index - 6 * bars.length];
   const moment = box.querySelector('.moment'), controls = box.querySelector('.controls');
   const [back, play, step] = controls.querySelectorAll('button');
   const scrub = controls.querySelector('input'), speed = controls.querySelector('select');
@@ -52,6 +55,17 @@ function bringToLife(box) {
     }
     for (const {line, from} of cracks)
       if (from <= frame !== from <= shown) line.setAttribute('display', from <= frame ? 'inline' : 'none');
+    bars.forEach((bar, index) => {
+      const at = 6 * (bars.length * frame + index), text = forces[index];
+      const [x1, y1, x2, y2, force, how] = states.subarray(at, at + 6);
+      bar.setAttribute('d', 'M' + x1 / 10 + ' ' + y1 / 10 + 'L' + x2 / 10 + ' ' + y2 / 10);
+      text.setAttribute('transform', 'translate(' + x1 / 10 + ' ' + y1 / 10 + ') rotate(' + data.tilts[frame] + ')');
+      text.textContent = four(force * data.force) + ' ' + data.unit + (how === 1 ? ', yielded' : '');
+      for (const part of [bar, text]) {
+        part.classList.toggle('yielded', how === 1);
+        part.setAttribute('display', how === 2 ? 'none' : 'inline');
+      }
+    });
     scene.setAttribute('transform', 'rotate(' + [-data.tilts[frame], ...data.pivot].join(' ') + ')');
     shown = frame;
     moment.textContent = 'time ' + four(data.times[frame]) + ' s, tilt ' + four(data.tilts[frame]) + '\u00b0, frame ' +

@@ -135,8 +135,9 @@ function drawFigure(figure, shown) {
   return picture;
 }
 
-// A factor of safety over two inputs: light where it stands, dark where it fails, with the line of 1.
-function drawMap(map, titles, here, shown) {
+// A factor of safety over two inputs: light where it stands, dark where it fails, with the line of 1 and the valley of
+// the misfit, if there is one.
+function drawMap(map, titles, here, shown, misfit) {
   const figure = {title: 'factor of safety', x: titles[0], y: titles[1], equal_scales: false, frame: true, width: 640, height: 480,
     series: [], labels: [], arrows: []};
   figure.x.range = [map.x[0], map.x.at(-1)];
@@ -154,12 +155,20 @@ function drawMap(map, titles, here, shown) {
     const d = cells.map(cell => { const [x, y] = picture.toPicture(cell); return `M${x.toFixed(1)},${y.toFixed(1)}h${(x1 - x0 + .4).toFixed(2)}v${(y1 - y0 - .4).toFixed(2)}h${(x0 - x1 - .4).toFixed(2)}Z`; }).join('');
     svg('path', {d, fill: shade === 'none' ? 'var(--grey)' : shade < 5 ? `hsl(22 90% ${45 + 8 * shade}%)` : `hsl(205 60% ${100 - 4 * shade}%)`}, inside);
   }
-  const line = contourOf(map, 1).map(([from, to]) => {
-    const [a, b] = picture.toPicture(from), [c, d] = picture.toPicture(to);
-    return `M${a.toFixed(1)},${b.toFixed(1)}L${c.toFixed(1)},${d.toFixed(1)}`;
-  }).join('');
-  const locus = svg('path', {d: line, fill: 'none', stroke: 'var(--ink)', 'stroke-width': 2}, picture);
-  svg('title', {}, locus).textContent = 'factor of safety 1';
+  const contour = (values, level, title, stroke, dash) => {
+    const line = contourOf(values, level).map(([from, to]) => {
+      const [a, b] = picture.toPicture(from), [c, d] = picture.toPicture(to);
+      return `M${a.toFixed(1)},${b.toFixed(1)}L${c.toFixed(1)},${d.toFixed(1)}`;
+    }).join('');
+    svg('title', {}, svg('path', {d: line, fill: 'none', stroke, 'stroke-width': 2, 'stroke-dasharray': dash}, picture)).textContent = title;
+  };
+  contour(map, 1, 'factor of safety 1', 'var(--ink)', 'none');
+  if (misfit) {
+    // Chi-square with two degrees of freedom.
+    const least = Math.min(...misfit.values.flat().filter(value => value !== null));
+    contour(misfit, least + 2.30, 'valley of the misfit: 68 %', 'var(--green)', 'none');
+    contour(misfit, least + 5.99, 'valley of the misfit: 95 %', 'var(--green)', '7 5');
+  }
   const [x, y] = picture.toPicture(here);
   svg('circle', {class: 'here', cx: x, cy: y, r: 7}, picture);
   return picture;

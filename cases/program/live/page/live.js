@@ -140,7 +140,9 @@ const refreshMap = latest(async () => {
   if (x.name === y.name) return;
   const map = await ask('/map', {values: state.values, x, y, output: state.open.map.output, columns: 48, rows: 36});
   const axes = titles.map(input => ({title: `${input.group}: ${input.label}`, unit: input.unit, grid: false}));
-  const picture = drawMap(map, axes, [valueOf(x.name), valueOf(y.name)], find('chart').clientWidth);
+  const fit = state.open.fit && await ask('/fit', {values: state.values, x, y, columns: 32, rows: 24});
+  const picture = drawMap(map, axes, [valueOf(x.name), valueOf(y.name)], find('chart').clientWidth, fit && fit.values && fit);
+  if (fit) showObservations(fit.observations);
   picture.setAttribute('aria-label', 'Factor of safety over two inputs; a click sets both');
   picture.addEventListener('click', event => {
     const [a, b] = dataAt(picture, event);
@@ -149,6 +151,16 @@ const refreshMap = latest(async () => {
   });
   find('chart').replaceChildren(picture);
 });
+
+function showObservations(observations) {
+  find('observations').hidden = false;
+  find('observations').tBodies[0].replaceChildren(...observations.map(one => {
+    const row = document.createElement('tr');
+    for (const text of [one.label, `${one.relation} ${one.observed}`, one.predicted || 'not predicted', one.predicted ? one.pull.toFixed(1) : ''])
+      row.insertCell().textContent = text;
+    return row;
+  }));
+}
 
 function dataAt(picture, event, toPicture = picture.getScreenCTM().inverse()) {
   const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(toPicture);
@@ -239,7 +251,7 @@ function show(answer) {
   }
   find('warnings').replaceChildren(...(answer.warnings || []).map(text => Object.assign(document.createElement('li'), {textContent: text})));
   find('figures').replaceChildren();
-  find('more').hidden = Boolean(answer.failure);
+  find('more').hidden = !answer.figures?.length;
   const other = beside && new Map(beside.answer.results.map(one => [one.name, one]));
   find('results').tBodies[0].replaceChildren(...(answer.results || []).filter(one => !one.detail).map(one => {
     const row = document.createElement('tr');

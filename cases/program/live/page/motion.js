@@ -33,10 +33,10 @@ async function changeMotion() {
 
 function take(buffer) {
   const numbers = new Float32Array(buffer);
-  const [time, steps, outcome] = numbers, blocks = numbers[10], forces = numbers[11];
+  const [time, steps, outcome] = numbers, [blocks, forces] = numbers.slice(10, 12);
   const balance = [...numbers.slice(3, 9)], unbalanced = numbers[9];
-  motion.picture = {time, steps, outcome, poses: numbers.subarray(12, 12 + 3 * blocks),
-    forces: numbers.subarray(12 + 3 * blocks, 12 + 3 * blocks + 4 * forces)};
+  motion.picture = {time, steps, outcome, poses: numbers.subarray(13, 13 + 3 * blocks),
+    forces: numbers.subarray(13 + 3 * blocks, 13 + 3 * blocks + 4 * forces), bolts: numbers.subarray(13 + 3 * blocks + 4 * forces)};
   find('clock').textContent = `${time.toFixed(3)} s, ${steps} steps${motion.rate ? `, ${motion.rate.toFixed(0)} pictures a second` : ''}`;
   find('verdict').textContent = `${motion.outcomes[outcome]}; greatest unbalanced force ${unbalanced.toPrecision(3)} of a weight`;
   const most = Math.max(...balance.map(Math.abs));  // below a millionth of it a single float holds rounding
@@ -70,7 +70,7 @@ function viewOf(canvas) {
 }
 
 function drawBlocks() {
-  const canvas = find('blocks'), pen = canvas.getContext('2d'), {poses, forces} = motion.picture;
+  const canvas = find('blocks'), pen = canvas.getContext('2d'), {poses, forces, bolts} = motion.picture;
   const style = getComputedStyle(document.documentElement), paint = name => style.getPropertyValue('--' + name);
   const toPicture = viewOf(canvas);
   pen.clearRect(0, 0, canvas.width, canvas.height);
@@ -92,6 +92,7 @@ function drawBlocks() {
     pen.fill();
     pen.stroke();
   }
+  drawBolts(pen, bolts, paint, toPicture);
   if (!find('forces').checked) return;
   let greatest = 0;
   for (let at = 0; at < forces.length; at += 4) greatest = Math.max(greatest, Math.hypot(forces[at + 2], forces[at + 3]));
@@ -109,6 +110,26 @@ function drawBlocks() {
   }
 }
 
+// With their tension; dashed and in red where they have yielded.
+function drawBolts(pen, bolts, paint, toPicture) {
+  pen.font = `${16 * canvasScale()}px system-ui, sans-serif`;  // as shown
+  for (let at = 0; at < bolts.length; at += 6) {
+    const [x1, y1, x2, y2, force, yielded] = bolts.subarray(at, at + 6), from = toPicture([x1, y1]), to = toPicture([x2, y2]);
+    pen.strokeStyle = pen.fillStyle = paint(yielded > 0 ? 'vermilion' : 'blue');
+    pen.setLineDash(yielded > 0 ? [9, 6] : []);
+    pen.lineWidth = 3;
+    pen.beginPath();
+    pen.moveTo(...from);
+    pen.lineTo(...to);
+    pen.stroke();
+    pen.textAlign = to[0] < from[0] ? 'right' : 'left';
+    pen.fillText(`${(force / 1000).toPrecision(3)} kN/m${yielded > 0 ? ', yielded' : ''}`, from[0], from[1] - 8);
+  }
+  pen.setLineDash([]);
+}
+
+const canvasScale = () => find('blocks').width / (find('blocks').clientWidth || 1);
+
 function pause() {
   motion.playing = false;
   find('play').textContent = 'Play';
@@ -118,12 +139,18 @@ async function play() {
   motion.playing = true;
   find('play').textContent = 'Pause';
   let pictures = 0, since = performance.now();
-  while (motion.playing) {
+  const goOn = () => ask('/motion/step', {milliseconds: 20});
+  const turn = motion.turn = (motion.turn || 0) + 1;  // one that is started before this one has ended takes over
+  let next = goOn();
+  while (next) {
     try {
-      take(await ask('/motion/step', {milliseconds: 20}));
+      const buffer = await next;
+      next = motion.playing && motion.turn === turn && goOn();  // is computed while this one is drawn
+      take(buffer);
     } catch (error) {
       tell(error.message);
       pause();
+      next = null;
     }
     await new Promise(requestAnimationFrame);
     ++pictures;

@@ -108,10 +108,9 @@ Figure force_figure(const RelaxationRun& made, const Bodies& bodies) {
         drawing.forces.push_back({upright(force.at), (on_fixed ? -1 : 1) * upright(force.force),
                                   on_fixed || by_fixed ? ForceKind::base_reaction : ForceKind::interblock});
     }
-    for (const BoltSegment& segment : made.scene.bolt) {
-        const PlanePoint<> along = (segment.other_at - segment.at).normalized();
-        drawing.forces.push_back({upright(carried(bodies, made.end->motion, segment.block, segment.at)),
-                                  made.result.bolt[segment.bolt].force * upright(along), ForceKind::applied});
+    for (const BoltPull& bolt : bolt_pulls(made.scene, bodies, *made.end)) {
+        const PlanePoint<> along = (bolt.other_at - bolt.at).normalized();
+        drawing.forces.push_back({upright(bolt.at), bolt.force * upright(along), ForceKind::applied});
     }
     return block_figure(drawing);
 }
@@ -178,8 +177,11 @@ std::string length_in_words(double length) {
     if (std::abs(length) < rounding) {
         return "0";
     }
-    if (shown_unit(Dimension::length).symbol != display_unit(Dimension::length).symbol) {
-        return value_in_words(length, Dimension::length);
+    const DisplayUnit shown = shown_unit(Dimension::length);
+    if (shown.symbol != display_unit(Dimension::length).symbol) {
+        constexpr double inch = 0.0254;
+        return std::abs(length) >= shown.si_per_unit ? value_in_words(length, Dimension::length)
+                                                     : number_in_words(length / inch) + " in";
     }
     return std::abs(length) >= metre ? number_in_words(length) + " m" : number_in_words(length / millimetre) + " mm";
 }

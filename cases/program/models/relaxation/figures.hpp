@@ -31,7 +31,7 @@ inline std::string label_of(std::size_t block, bool fixed) {
     return fixed ? "F" : std::to_string(block + 1);
 }
 
-// A length in metres or, below one, millimetres; 0 where it is rounding.
+// A length in metres or, below one, millimetres (feet or inches); 0 where it is rounding.
 std::string length_in_words(double length);
 
 // Blocks at the start and at the end, velocities, contact forces, the table of blocks; nothing where there was no run.
@@ -56,6 +56,9 @@ Figure left_standing_figure(const RelaxationRun& made, const PostFailure& failur
 // history.csv, movements.csv and their figures; nothing where the run kept no history.
 void append_history(const HistoryRequest& request, const RelaxationRun& made, const ResultFolder& folder,
                     Report& report);
+
+// Tension of the bolts over time, from the history or else the frames; nothing where there are no bolts.
+void append_bolt_forces(const RelaxationRun& made, const ResultFolder& folder, Report& report);
 
 // The blocks in motion, in the report and as frames/ for ParaView; nothing where the run kept no frames.
 void append_frames(const RelaxationRun& made, const ResultFolder& folder, Report& report);

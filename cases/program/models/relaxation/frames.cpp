@@ -19,8 +19,10 @@ BlockAnimation animation_of(const RelaxationRun& made, const Bodies& bodies) {
         human_name(word_of(made.result.outcome)) + " at " + value_in_words(made.result.time, Dimension::time);
     animation.colour = "speed";
     animation.unit = shown_unit(Dimension::speed).symbol;
-    animation.caption =
-        "The blocks in motion, gravity downwards. The same frames, with contact forces, are in frames/ for ParaView.";
+    animation.bar_unit = shown_unit(Dimension::force_per_length).symbol;
+    animation.caption = "The blocks in motion, gravity downwards" +
+                        std::string(made.scene.bolt.empty() ? "" : ", bolts with their tension") +
+                        ". The same frames, with contact forces, are in frames/ for ParaView.";
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         const bool fixed = bodies.fixed[block] != 0;
         AnimatedBlock shown{{}, label_of(block, fixed), fixed};
@@ -35,7 +37,12 @@ BlockAnimation animation_of(const RelaxationRun& made, const Bodies& bodies) {
             {bond.from, bond.to, static_cast<std::size_t>(first - made.frames.begin())});
     }
     for (const MotionFrame& frame : made.frames) {
-        AnimationFrame shown{frame.time, frame.tilt, {}};
+        AnimationFrame shown{frame.time, frame.tilt, {}, {}};
+        for (const BoltPull& bolt : frame.bolt) {
+            shown.bars.push_back({bolt.at, bolt.other_at,
+                                  bolt.force / shown_unit(Dimension::force_per_length).si_per_unit, bolt.yielded > 0,
+                                  bolt.holds});
+        }
         for (std::size_t block = 0; block < bodies.size(); ++block) {
             const Motion& motion = frame.motion[block];
             shown.poses.push_back({Point(motion.x, motion.y), motion.angle,

@@ -205,6 +205,44 @@ std::vector<Column> rotations(const RelaxationScene& scene) {
 
 }  // namespace
 
+void append_bolt_forces(const RelaxationRun& made, const ResultFolder& folder, Report& report) {
+    RelaxationHistory lines = made.history;
+    Points yields;
+    yields.legend = "begins to yield";
+    yields.colour = Colour::vermilion;
+    std::vector<char> yielded;
+    for (const MotionFrame& frame : made.frames) {
+        HistoryLine line;
+        line.time = frame.time;
+        const std::vector<BoltOutcome> bolts = bolt_outcomes(made.scene, frame.bolt);
+        yielded.resize(bolts.size());
+        for (std::size_t bolt = 0; bolt < bolts.size(); ++bolt) {
+            line.bolt.push_back(bolts[bolt].force);
+            if (bolts[bolt].yielded > 0 && yielded[bolt] == 0) {
+                yielded[bolt] = 1;
+                yields.points.emplace_back(frame.time, in_display_unit(bolts[bolt].force, Dimension::force_per_length));
+            }
+        }
+        if (made.history.empty()) {
+            lines.push_back(std::move(line));
+        }
+    }
+    if (lines.empty()) {
+        return;
+    }
+    auto bolts = bolt_columns(lines.front());
+    bolts.resize(std::min(bolts.size(), most_curves));
+    Figure figure = curves(lines, bolts, "Forces in bolts",
+                           {.title = "tension", .unit = human_unit(display_unit(Dimension::force_per_length).symbol)});
+    if (figure.series.empty()) {
+        return;
+    }
+    figure.series.emplace_back(std::move(yields));
+    report.blocks.emplace_back(folder.draw(
+        figure, "bolts",
+        "Tension of each bolt per metre of slope, where it is greatest along the bolt; points: it begins to yield."));
+}
+
 void append_history(const HistoryRequest& request, const RelaxationRun& made, const ResultFolder& folder,
                     Report& report) {
     if (made.history.empty()) {
@@ -229,11 +267,6 @@ void append_history(const HistoryRequest& request, const RelaxationRun& made, co
          "displacements",
          "How far the centroids of the blocks of [[history.block]] have moved along the axes of the scene, in which "
          "gravity is tilted.");
-    auto bolts = bolt_columns(made.history.front());
-    bolts.resize(std::min(bolts.size(), most_curves));
-    draw(curves(made.history, bolts, "Forces in bolts",
-                {.title = "tension", .unit = human_unit(display_unit(Dimension::force_per_length).symbol)}),
-         "bolts", "Tension of each bolt per metre of slope, where it is greatest along the bolt.");
     draw(curves(made.history, monitored(request, Dimension::force_per_length, "contact_"), "Contact forces",
                 {.title = "force on the first block",
                  .unit = human_unit(display_unit(Dimension::force_per_length).symbol)}),

@@ -355,6 +355,7 @@ void append_case_figures(const RelaxationStudy& study, const RelaxationStudyAnsw
                          Report& report) {
     const RelaxationRun& made = answer.run;
     append_frames(made, folder, report);
+    append_bolt_forces(made, folder, report);
     if (answer.critical) {
         append_critical_figures(*answer.plan, *answer.critical, folder, report);
     }

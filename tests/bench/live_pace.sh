@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# The pace of the page of `delabole live` in headless Chromium: milliseconds from a drag to the picture that answers it, the
+# middle and the slowest of fifty, of a case of each model that has handles; pictures a second of blocks in motion.
+export DELABOLE_SOURCE=${DELABOLE_SOURCE:-$(realpath "$(dirname "${BASH_SOURCE[0]}")/../..")}
+export DELABOLE_BUILD=${DELABOLE_BUILD:-$DELABOLE_SOURCE/build/release}
+source "$DELABOLE_SOURCE/tests/program/harness.sh"
+source "$DELABOLE_SOURCE/tests/program/browser.sh"
+
+open_case() {
+    serve "$source_folder/cases/$1"
+    open_browser 1400 900
+    visit "$address"
+    wait_for "document.body && document.body.dataset.ready === 'yes'"
+}
+
+close_case() {
+    close_browser
+    kill -INT "$server"
+    wait "$server" || true
+}
+
+for case in plane_failure/fig_2_8.toml starting/stepped_base.toml starting/kinematics.toml \
+    starting/fit.toml; do
+    open_case "$case"
+    evaluate "(async () => {
+        const knob = document.querySelector('.handle'), box = knob.getBoundingClientRect(), times = [];
+        const at = (type, to) => new PointerEvent(type, {clientX: box.x + to, clientY: box.y + to, bubbles: true});
+        knob.dispatchEvent(at('pointerdown', 0));
+        for (let turn = 1; turn <= 50; ++turn) {
+            const since = performance.now(), old = state.answer;
+            window.dispatchEvent(at('pointermove', turn % 20));
+            while (state.answer === old) await new Promise(requestAnimationFrame);
+            times.push(performance.now() - since);
+        }
+        window.dispatchEvent(at('pointerup', 0));
+        times.sort((a, b) => a - b);
+        return times[25].toFixed(0) + ' ms, at most ' + times[49].toFixed(0) + ' ms';
+    })()"
+    echo "$case: $value"
+    close_case
+done
+
+open_case "${1:-thesis/chapter_2/delabole_1500_blocks.toml}"
+evaluate "(async () => {
+    find('play').click();
+    let pictures = 0, since = performance.now();
+    const first = motion.picture.steps;
+    for (let old = motion.picture; performance.now() - since < 10000; await new Promise(requestAnimationFrame))
+        if (motion.picture !== old) { ++pictures; old = motion.picture; }
+    find('play').click();
+    return motion.blocks.length + ' blocks: ' + (pictures / 10).toFixed(1) + ' pictures a second of ' +
+        ((motion.picture.steps - first) / pictures).toFixed(0) + ' steps each';
+})()"
+echo "$value"
+close_case
+finish
