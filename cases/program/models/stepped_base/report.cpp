@@ -141,12 +141,15 @@ void warn(Analysis& analysis, const SteppedBaseAnswer& answer) {
 }
 
 std::string movement_in_words(const SteppedBaseResult& result) {
-    const auto columns = [](double count) { return number_in_words(count) + (count == 1 ? " column" : " columns"); };
-    std::string text = "In limiting equilibrium " + columns(result.toppling_count) + " topple and " +
-                       columns(result.sliding_count) + " slide";
-    if (result.toppling_count == 0 || result.sliding_count == 0) {
-        text = "In limiting equilibrium " + (result.toppling_count > 0 ? columns(result.toppling_count) + " topple"
-                                                                       : columns(result.sliding_count) + " slide");
+    const auto columns = [](double count, const std::string& verb) {
+        return number_in_words(count) + (count == 1 ? " column " + verb + "s" : " columns " + verb);
+    };
+    std::string text = "In limiting equilibrium ";
+    if (result.toppling_count > 0) {
+        text += columns(result.toppling_count, "topple");
+    }
+    if (result.sliding_count > 0 || result.toppling_count == 0) {
+        text += (result.toppling_count > 0 ? " and " : "") + columns(result.sliding_count, "slide");
     }
     return text + ", " + value_in_words(result.moving_area, Dimension::area) + " in all" +
            (result.slide_head_thrust > 0
