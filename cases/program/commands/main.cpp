@@ -264,7 +264,7 @@ struct Program {
             "recover", "Whether a back-analysis finds known parameters again: coverage of its intervals, bias, ranks",
             "Case file with a [fit] section");
         complete(recover, common | output | threads | seed | store,
-                 "recover cases/delabole_1967/delabole_1967.toml --repetitions 20", delabole::recover_command, one_case,
+                 "recover cases/delabole_1967/delabole_1967.toml --repetitions 4", delabole::recover_command, one_case,
                  true);
         recover->add_option("--repetitions", options.repetitions, "Data sets to make and to fit; 100 by default")
             ->check(CLI::Range(2, 1'000'000))
