@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -238,6 +239,59 @@ TEST(CornerOnCorner, KnowsHowDeepTheOtherEdgeIs) {
         }
     }
     EXPECT_EQ(compared, 6U);
+}
+
+// The toe of problem RJ-15, where three edges meet and a block squeezed between two of them relies on both.
+RelaxationScene squeezed_at_the_toe() {
+    const PlanePoint<> into(-7.984e-5, -3.174e-5);
+    Polygon<> block{{4.349753, 1.039062}, {3.064174, 2.57115}, {0, 0}, {3.939231, 0.694593}};
+    for (PlanePoint<>& vertex : block) {
+        vertex += into;
+    }
+    RelaxationScene scene;
+    scene.block = {fixed_block({{-4.349753, -1.039062}, {-3.064178, -2.57115}, {0, 0}, {-3.111448, 0}}),
+                   {std::move(block), density}};
+    scene.material = {joint(1e6 * density * gravity, degrees(30))};
+    return scene;
+}
+
+RelaxationScene mirrored(RelaxationScene scene) {
+    for (RelaxationBlock& block : scene.block) {
+        for (PlanePoint<>& vertex : block.outline) {
+            vertex.x() = -vertex.x();
+        }
+        std::ranges::reverse(block.outline);
+    }
+    return scene;
+}
+
+// Normals of the edges that yield in a trial, in order; with x times the sense.
+std::vector<std::pair<double, double>> edges_that_yield(const RelaxationScene& scene, double sense) {
+    const Bodies bodies = make_bodies(scene);
+    const std::vector<Motion> motion(2);
+    ContactList list = find_contacts(scene, bodies, motion, {0, 0}, {0.1, 0.2, true}, {});
+    try_other_edges({bodies, motion}, {std::numeric_limits<double>::infinity(), 1}, list);
+    std::vector<std::pair<double, double>> normals;
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        if (list.memory[index].yields) {
+            const PlanePoint<> normal = bodies.normal(list.contact[index].edge);
+            normals.emplace_back(sense * normal.x(), normal.y());
+        }
+    }
+    std::ranges::sort(normals);
+    return normals;
+}
+
+TEST(CornerOnCorner, IsTriedTheSameMirrored) {
+    const RelaxationScene scene = squeezed_at_the_toe();
+    const std::vector<std::pair<double, double>> drawn = edges_that_yield(scene, 1);
+    const std::vector<std::pair<double, double>> mirror = edges_that_yield(mirrored(scene), -1);
+    ASSERT_FALSE(drawn.empty());
+    ASSERT_EQ(drawn.size(), mirror.size());
+    for (std::size_t index = 0; index < drawn.size(); ++index) {
+        EXPECT_NEAR(drawn[index].first, mirror[index].first, 1e-9);  // other edges lie degrees apart
+        EXPECT_NEAR(drawn[index].second, mirror[index].second, 1e-9);
+    }
 }
 
 // Two layers of two bricks, with joints that cross in one point; and a third joint through it.

@@ -154,7 +154,13 @@ std::vector<std::uint32_t> try_other_edges(const CornerMotion& blocks, const std
             ++end;
         }
         const double lighter = std::min(weight[pair.first], weight[pair.second]);
+        // Where both edges bear, the one that the blocks rely on more gives way, in whatever order they are drawn.
+        std::vector<std::pair<double, std::size_t>> relied;
         for (std::size_t index = begin; index < end; ++index) {
+            relied.emplace_back(-corners.relied_on(index), index);
+        }
+        std::ranges::sort(relied);
+        for (const auto& [force, index] : relied) {
             const ContactMemory memory = list.memory[index];
             if (!memory.tried && !memory.insists && corners.relied_on(index) > relied_on * lighter) {
                 corners.exchange(index, {begin, end});

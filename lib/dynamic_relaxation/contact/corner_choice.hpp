@@ -21,10 +21,11 @@
 //   - a body is in equilibrium if the work of its forces is not positive for any motion that is possible. Here that
 //     asks for equilibrium with n1 alone and with n2 alone: what only one of them holds can give way to the other side.
 //     So a balance that relies on corners on corners is believed once balance has been found with the other edges, too:
-//     all of them are exchanged at once, in a trial. In a trial the edge stays the other one until it is more than
-//     64 times as deep: then the blocks are beside each other rather than corner on corner. (A tip of 1 deg that slides
-//     down a plane comes 57 times as deep below level ground as the ground's corner comes below its face.) Balance in
-//     the trial puts back what was before it.
+//     all of them are exchanged at once, in a trial. Of three edges in a corner two may bear, squeezing a tip: the one
+//     that holds more gives way, in whatever order blocks and corners are numbered. In a trial the edge stays the other
+//     one until it is more than 64 times as deep: then the blocks are beside each other rather than corner on corner.
+//     (A tip of 1 deg that slides down a plane comes 57 times as deep below level ground as the ground's corner comes
+//     below its face.) Balance in the trial puts back what was before it.
 //
 // Edges whose normals differ by less than 20 deg count as one face, lying on that of the other block: their weights add
 // up to one at the corner, and both bear. What is free to give way to either side of such a corner is held there by
