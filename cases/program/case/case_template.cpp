@@ -13,10 +13,13 @@ namespace {
 
 struct ExampleValue {
     std::string key;
-    std::string value;
+    double value;
+    std::string unit;  // empty for a ratio
     static constexpr auto fields() {
-        return std::tuple{section("key", &ExampleValue::key, "the key"),
-                          section("value", &ExampleValue::value, "a value, of whose dimension the key is meant")};
+        using E = ExampleValue;
+        return std::tuple{section("key", &E::key, "the key"),
+                          number("value", &E::value, Dimension::ratio, any_number(), "a value"),
+                          with_default(section("unit", &E::unit, "its unit, of whose dimension the key is meant"))};
     }
 };
 
@@ -27,7 +30,10 @@ double example_number(const FieldInfo& info) {
     static const std::vector<ExampleValue> examples = parse_table<ExampleValue>(template_values, "values.csv");
     for (const ExampleValue& example : examples) {
         if (example.key == info.key) {
-            const ParsedQuantity parsed = parse_quantity(example.value, info.dimension);
+            const ParsedQuantity parsed =
+                example.unit.empty()
+                    ? bare_number(example.value, info.dimension)
+                    : parse_quantity(shortest_number(example.value) + " " + example.unit, info.dimension);
             if (parsed.status == QuantityStatus::ok) {
                 return parsed.value;
             }

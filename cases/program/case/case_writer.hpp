@@ -23,7 +23,7 @@ std::string case_hash(const CaseFile& case_file);
 
 // A case of the model, valid as it stands, with each key's meaning and range, and with what is optional and the other
 // choices as comments. Throws std::invalid_argument for a name that is not in model_names().
-std::string commented_template(std::string_view model);
+std::string commented_template(std::string_view name);
 
 enum class FurtherColumns { left, right };
 

@@ -176,7 +176,7 @@ void for_each_flat_entry(const Node& table, const std::function<void(const std::
 }
 
 std::string read_name(Section& section, std::string_view key, NameOf what, std::string_view meaning) {
-    const std::string name = require_text(section, key, meaning);
+    std::string name = require_text(section, key, meaning);
     bool known = false;
     if (what == NameOf::mechanism) {
         const ModelNames* found = find_mechanism(section.names(), name);

@@ -38,7 +38,7 @@ std::string determination_in_words(const ProfileLikelihood* profile) {
 }
 
 std::string data_misfit_in_words(const MechanismFit& fit) {
-    const std::string misfit = number_in_words(fit.data_misfit);
+    std::string misfit = number_in_words(fit.data_misfit);
     if (!fit.surrogate || fit.best.empty()) {
         return misfit;
     }
