@@ -123,7 +123,7 @@ function drawBolts(pen, bolts, paint, toPicture) {
     pen.lineTo(...to);
     pen.stroke();
     pen.textAlign = to[0] < from[0] ? 'right' : 'left';
-    pen.fillText(`${(force / 1000).toPrecision(3)} kN/m${yielded > 0 ? ', yielded' : ''}`, from[0], from[1] - 8);
+    pen.fillText(`${(force / 1000).toPrecision(3)} kN/m${yielded > 0 ? ', yielded' : ''}`, from[0], from[1] + canvasScale() * (to[1] < from[1] ? 18 : -6));
   }
   pen.setLineDash([]);
 }
