@@ -322,9 +322,10 @@ class Drawing {
         const std::string kind = how == 1 ? " yielded" : "";
         std::string text = "<path class=\"bar" + kind + "\" d=\"M" + pixels(x1) + " " + pixels(y1) + "L" + pixels(x2) +
                            " " + pixels(y2) + "\"" + hidden + "/>";
-        // Above the bar's head and towards the rock, which is in the picture.
-        text += "<text class=\"force" + kind + "\" text-anchor=\"" + (x2 < x1 ? "end" : "start") +
-                "\" dy=\"-8\" transform=\"translate(" + pixels(x1) + " " + pixels(y1) + ") rotate(" +
+        // Towards the rock, which is in the picture; under a bar that rises there, over one that falls.
+        const bool rises = turned(Point(x2 - x1, y1 - y2), finite_or_zero(tilt)).y() > 0;
+        text += "<text class=\"force" + kind + "\" text-anchor=\"" + (x2 < x1 ? "end" : "start") + "\" dy=\"" +
+                (rises ? "22" : "-8") + "\" transform=\"translate(" + pixels(x1) + " " + pixels(y1) + ") rotate(" +
                 fixed_point(finite_or_zero(tilt) / degree, 4) + ")\"" + hidden + ">" +
                 human_number(force * strongest_ / force_steps, 4) + " " + escape_html(animation_.bar_unit) +
                 (how == 1 ? ", yielded" : "") + "</text>\n";

@@ -7,7 +7,7 @@ source "$DELABOLE_SOURCE/tests/program/harness.sh"
 source "$DELABOLE_SOURCE/tests/program/browser.sh"
 
 open_case() {
-    serve "$source_folder/cases/$1"
+    serve "$1"
     open_browser 1400 900
     visit "$address"
     wait_for "document.body && document.body.dataset.ready === 'yes'"
@@ -21,7 +21,7 @@ close_case() {
 
 for case in plane_failure/fig_2_8.toml starting/stepped_base.toml starting/kinematics.toml \
     starting/fit.toml; do
-    open_case "$case"
+    open_case "$source_folder/cases/$case"
     evaluate "(async () => {
         const knob = document.querySelector('.handle'), box = knob.getBoundingClientRect(), times = [];
         const at = (type, to) => new PointerEvent(type, {clientX: box.x + to, clientY: box.y + to, bubbles: true});
@@ -40,7 +40,23 @@ for case in plane_failure/fig_2_8.toml starting/stepped_base.toml starting/kinem
     close_case
 done
 
-open_case "${1:-thesis/chapter_2/delabole_1500_blocks.toml}"
+# A thousand bricks on a plane, all of which slide.
+brick() {
+    printf '[[scene.block]]\ndensity = "2700 kg/m3"\n%s\nvertex = [' "${5:-}"
+    printf '{ x = "%s m", y = "%s m" }, ' "$1" "$2" "$3" "$2" "$3" "$4" "$1" "$4"
+    printf ']\n'
+}
+{
+    printf 'schema = 1\nmodel = "relaxation"\ntitle = "Bricks"\n[scene]\nkind = "blocks"\ntilt = "35 deg"\n'
+    printf 'joint = [{ friction_angle = "30 deg" }]\n'
+    brick -200 -1 60 0 'hold = "fixed"'
+    for row in {0..24}; do
+        for column in {0..39}; do
+            brick "$column" "$row" $((column + 1)) $((row + 1))
+        done
+    done
+} >bricks.toml
+open_case bricks.toml
 evaluate "(async () => {
     find('play').click();
     let pictures = 0, since = performance.now();

@@ -193,6 +193,7 @@ TEST(LiveSession, MisfitOfACaseWithFitIsThatOfItsObservations) {
     const Json request = inputs_of_map(session, 13, 9);
     EXPECT_EQ(request["x"]["name"], "strength.friction_angle");
     EXPECT_EQ(request["y"]["name"], "strength.cohesion");
+    EXPECT_EQ(session.open()["fit"]["strength.cohesion"], Json::array({0.0, 80.0})) << "kPa";
     const Json fit = session.fit(request);
     const Json map = session.map(request);
     for (std::size_t row = 0; row < 9; ++row) {

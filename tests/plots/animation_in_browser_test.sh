@@ -49,9 +49,12 @@ const picture = () => [...box.querySelectorAll('.scene, .scene > g')].map(
 const key = name => box.dispatchEvent(new KeyboardEvent('keydown', {key: name, bubbles: true, cancelable: true}));
 expect('controls are hidden', box.querySelector('.controls').hidden, false);
 expect('at first', frame(), 60);
+const force = box.querySelector('.force'), bar = box.querySelector('.bar');
+expect('the bar at the end', force.textContent + ' ' + bar.classList, '60 kN/m, yielded bar yielded');
 const last = picture();
 key('Home');
 expect('after Home', frame(), 1);
+expect('the bar at first', force.textContent + ' ' + bar.classList, '0 kN/m bar');
 expect('text of frame 1', moment.textContent, 'time 0 s, tilt 21.8\u00b0, frame 1 of 60');
 const first = picture();
 if (first === last) wrong.push('the picture does not change');

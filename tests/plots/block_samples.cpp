@@ -234,6 +234,7 @@ BlockAnimation animation() {
                           .outcome = "collapse",
                           .colour = "speed",
                           .unit = "m/s",
+                          .bar_unit = "kN/m",
                           .caption = "Columns that topple over their corners."};
     for (int index = 0; index < frames; ++index) {
         const double time = 0.05 * index;
@@ -245,6 +246,7 @@ BlockAnimation animation() {
             frame.poses.push_back({turned(from_corner, angle) - from_corner, angle, 1.4 * angle * from_corner.norm()});
         }
         frame.poses.emplace_back();
+        frame.bars = {{{-0.1 * time, 2}, {4, 1}, std::min(40 * time, 60.0), 40 * time > 60}};
         result.frames.push_back(std::move(frame));
     }
     return result;

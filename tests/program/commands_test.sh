@@ -321,6 +321,10 @@ for study in fit sensitivity; do
 done
 delabole init jointed_slope
 expect "a page at most" test "$(wc -l <"$scratch/out")" -le 30
+cp "$scratch/out" jointed_slope.toml
+delabole run jointed_slope.toml --no-report
+expect_status 0  # what people start from has an answer
+expect_output 'FS 0.83'
 
 title "inputs and outputs are listed for a model and for a case, and as JSON"
 delabole inputs plane_failure

@@ -162,8 +162,22 @@ expect "the console is empty" test ! -s "$scratch/console"
 close_browser
 end_server
 
+title "a back-analysis on the page: the valley of its misfit, and what was observed"
+serve "$source_folder/cases/starting/fit.toml"
+open_browser 1400 900
+visit "$address"
+wait_for "document.querySelector('#chart svg .here')"
+expect_value "the valley" "[...document.querySelectorAll('#chart title')].filter(one => one.textContent.startsWith('valley') && one.parentElement.getAttribute('d')).length" 2
+expect_value "observed and predicted" "find('observations').tBodies[0].rows[0].cells[2].textContent" '"1.54"'
+[[ -z ${DELABOLE_SCREENSHOTS:-} ]] || screenshot "$DELABOLE_SCREENSHOTS/live_fit.png"
+expect "the console is empty" test ! -s "$scratch/console"
+close_browser
+end_server
+
 title "blocks in motion"
 cp "$source_folder/cases/relaxation/two_blocks_3.toml" blocks.toml
+printf '%s\n' '[[bolt]]' 'head_x = "0 m"' 'head_y = "1 m"' 'plunge = "0 deg"' 'length = "1.5 m"' 'spacing = "1 m"' \
+    'axial_stiffness = "1 MN"' 'capacity = "10 kN"' >>blocks.toml
 serve blocks.toml
 post /motion/start '{}'
 expect_code 200 "blocks are set in motion"
@@ -180,6 +194,7 @@ evaluate "(async () => {
     return motion.picture.time > 0 && motion.picture.poses.some(number => number !== 0);
 })()"
 expect "time goes on and blocks move" test "$value" == true
+expect_value "the bolt comes with its force" "motion.picture.bolts.length === 6 && motion.picture.bolts[4] >= 0" true
 expect_value "the energy balance stands beside them" "find('energy').rows.length" 6
 evaluate "(async () => {
     const before = motion.picture.steps, name = [...state.inputs.keys()].find(one => one.endsWith('friction_angle'));

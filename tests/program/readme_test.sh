@@ -4,7 +4,7 @@
 # bash -eu, one after the other, in a copy of the sources with a home folder of its own and the built program on PATH;
 # a block of language text that follows at once is what it prints. Pictures that its commands draw are those of the
 # sources, and its links lead somewhere. The block with cases/run and tests/run is left to .ci/run, which runs both;
-# mpirun is left out where the program was built without MPI.
+# mpirun is left out where the program was built without MPI, and Python where its module was not built.
 set -euo pipefail
 readme=$1
 work=$(mktemp -d)
@@ -66,6 +66,9 @@ for block in "$work"/block_*.sh; do
         continue
     fi
     if grep -q '^mpirun ' "$block" && [[ $DELABOLE_WITH_MPI != ON && $DELABOLE_WITH_MPI != TRUE ]]; then
+        continue
+    fi
+    if grep -q 'python3' "$block" && [[ ! -d $DELABOLE_BUILD/python/delabole ]]; then
         continue
     fi
     echo "--- $readme:"

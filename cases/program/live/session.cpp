@@ -235,7 +235,12 @@ Json LiveSession::open() const {
               {"model", std::string(model_name(file_.model))},
               {"moves", moves},
               {"groups", std::move(groups)}};
-    json["fit"] = fit_.has_value();
+    if (fit_) {
+        for (const FreeParameter& free : fit_->mechanisms.front().parameters) {
+            json["fit"][free.name] = {in_display_unit(free.lower, free.dimension),
+                                      in_display_unit(free.upper, free.dimension)};
+        }
+    }
     if (moves || find_quantity(interface_of(file_.model).outputs, "factor_of_safety") == nullptr) {
         return json;
     }

@@ -35,7 +35,7 @@ class LiveSession {
     LiveSession(CaseFile file, std::string text, WriteReport write_report);
 
     // The case: title, description, model, groups of inputs with unit, value, range, meaning and source; names of the
-    // two inputs of the map; whether blocks can be set in motion, and whether there is a fit.
+    // two inputs of the map; whether blocks can be set in motion, and the bounds of what a fit leaves free.
     Json open() const;
 
     // {values, figures}: results, warnings, handles, and of the report's figures the first one, or with

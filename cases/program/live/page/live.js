@@ -136,7 +136,10 @@ const refresh = latest(async () => {
 const refreshMap = latest(async () => {
   if (!state.open.map) return;
   const titles = ['across', 'up'].map(id => state.inputs.get(find(id).value));
-  const [x, y] = titles.map(input => { const [lower, upper] = sliderRange(input); return {name: input.name, lower, upper}; });
+  const [x, y] = titles.map(input => {
+    const [lower, upper] = state.open.fit?.[input.name] || sliderRange(input);
+    return {name: input.name, lower, upper};
+  });
   if (x.name === y.name) return;
   const map = await ask('/map', {values: state.values, x, y, output: state.open.map.output, columns: 48, rows: 36});
   const axes = titles.map(input => ({title: `${input.group}: ${input.label}`, unit: input.unit, grid: false}));
