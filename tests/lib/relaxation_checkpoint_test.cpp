@@ -25,7 +25,7 @@ constexpr double degree = std::numbers::pi / 180;
 
 struct Case {
     const char* name;
-    RelaxationScene scene;
+    RelaxationScene scene = {};
     RelaxationSettings settings = {};
 };
 
