@@ -228,7 +228,7 @@ TEST(CornerOnCorner, KnowsHowDeepTheOtherEdgeIs) {
             if (law.alone < 2 || contact.block != 0) {
                 continue;
             }
-            const std::uint32_t end = law.rival > 0 ? contact.edge : bodies.range[1].after(contact.edge);
+            const std::size_t end = law.rival > 0 ? contact.edge : bodies.range[1].after(contact.edge);
             const PlanePoint<> place = bodies.centroid[1] + bodies.corner[end] - bodies.centroid[0] - to;
             const std::size_t face = law.rival > 0 ? bodies.range[0].before(contact.corner) : contact.corner;
             const PlanePoint<> start = motion[0].turned(bodies.corner[face]);
