@@ -28,10 +28,10 @@
 // not where e < 0, and for a column that its loads turn rather than slide and that is squatter than its own drag, O > 0
 // and A + m B < 0: what stands above such a one hands down the needs of all surfaces, from the 65th on those of evenly
 // spaced ranks. Such a column also stands the better the more the weak ones above it push, so that a slope may stand at
-// one strength and fail at a greater one. F is found from the weak side: strengths above the first at which all surfaces stand are not
-// tried. A wedge that is lifted off its riser drags by less than m (slide_head.hpp).
-// The factor of safety of that surface alone is at most F; taken for F, the search is repeated until no surface fails.
-// It ends because surfaces are finite in number and each F is less than the one before.
+// one strength and fail at a greater one. F is found from the weak side: strengths above the first at which all
+// surfaces stand are not tried. A wedge that is lifted off its riser drags by less than m (slide_head.hpp). The factor
+// of safety of that surface alone is at most F; taken for F, the search is repeated until no surface fails. It ends
+// because surfaces are finite in number and each F is less than the one before.
 //
 // A surface counts as a failure where every column between toe and crack moves: a column that needs no push cuts off
 // what stands above it. The mass has to be one whole block wide at least behind the crest, and in front of each riser

@@ -18,7 +18,8 @@
 
 namespace delabole {
 
-// The base of columns that are made into blocks for the program. The listing's data has one fixed block below each column.
+// The base of columns that are made into blocks for the program. The listing's data has one fixed block below each
+// column.
 enum class HockingBase {
     block_below_each,  // corners of base blocks and of columns meet: contacts at the base are double
     one_block,         // of the whole row's length; needs a plane base
