@@ -127,7 +127,7 @@ title "as a person uses it"
 open_browser 1400 900
 visit "$address"
 wait_for "document.body && document.body.dataset.ready === 'yes'"
-expect_value "the verdict" "document.getElementById('verdict').textContent.startsWith('factor of safety: 1.2')" true
+expect_value "the verdict" "document.getElementById('verdict').textContent.startsWith('FS 1.2')" true
 expect_value "handles of crest, plane, crack and water" "document.querySelectorAll('.handle').length" 4
 evaluate "(async () => {
     const box = document.querySelector('[data-name=\"water level\"]').getBoundingClientRect(), before = find('verdict').textContent;

@@ -266,6 +266,7 @@ Json LiveSession::answer_to(const CaseModel& model, bool all_figures) const {
         json["failure"] = impossible(changed, analysis.failure).message;
         return json;
     }
+    json["verdict"] = head_card(model, answer).sentences.front();
     json["results"] = Json::array();
     for (const NamedOutput& output : analysis.outputs) {
         const auto* number = std::get_if<double>(&output.value);

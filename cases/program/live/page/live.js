@@ -170,14 +170,6 @@ function dataAt(picture, event, toPicture = picture.getScreenCTM().inverse()) {
   return picture.toData(place.x, place.y);
 }
 
-function verdictOf(answer) {
-  if (answer.failure) return answer.failure;
-  const results = new Map(answer.results.map(one => [one.name, one]));
-  const words = ['factor_of_safety', 'critical_tilt', 'outcome', 'mode', 'governing_mode', 'planar_sliding', 'tilt'].filter(name => results.has(name));
-  return (words.length ? words.slice(0, 2) : answer.results.slice(0, 1).map(one => one.name))
-    .map(name => `${name.replaceAll('_', ' ')}: ${results.get(name).text.replaceAll('_', ' ')}`).join(', ');
-}
-
 function addHandles(picture, answer) {
   for (const handle of answer.handles) {
     const at = picture.toPicture(handle.at);
@@ -243,12 +235,12 @@ function sectionOf(answer, title, withHandles) {
 
 function show(answer) {
   state.answer = answer;
-  find('verdict').textContent = verdictOf(answer);
+  find('verdict').textContent = answer.failure || answer.verdict;
   find('verdict').className = answer.failure ? 'failure' : '';
   const beside = state.variants.get(find('beside').value);
   if (!answer.failure) {
     const sections = [sectionOf(answer, beside ? 'now' : '', true)];
-    if (beside) sections.push(sectionOf(beside.answer, `${find('beside').value}: ${verdictOf(beside.answer)}`, false));
+    if (beside) sections.push(sectionOf(beside.answer, `${find('beside').value}: ${beside.answer.failure || beside.answer.verdict}`, false));
     find('sections').replaceChildren(...sections);
     if (state.focus) find('sections').querySelector(`[data-name="${CSS.escape(state.focus)}"]`)?.focus();
   }
