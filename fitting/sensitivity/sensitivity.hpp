@@ -30,7 +30,7 @@ struct SensitivityResult {
 };
 
 // An output as a function of the uncertain parameters. The names have to exist.
-Objective quantity_of(const ModelInterface& model, const SensitivityStudy& study, const std::string& output);
+Objective quantity_of(const ModelInterface& model, const SensitivityStudy& study, const std::string& name);
 
 // Throws std::invalid_argument for a problem that check_study() refuses. The same numbers for any number of threads.
 SensitivityResult sensitivity(const SensitivityProblem& problem, FitProgressCallback progress = {},

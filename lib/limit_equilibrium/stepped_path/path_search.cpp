@@ -201,7 +201,8 @@ class ColumnSearch {
             while (place < own.end && needs_[place].need > here_[other].need) {
                 take();
             }
-            here_.push_back(Need(here_[other]));
+            const Need copy = here_[other];
+            here_.push_back(copy);
         }
         while (place < own.end) {
             take();
