@@ -151,6 +151,14 @@ TEST(Reader, WhatConcernsSeveralKeys) {
     EXPECT_EQ(complaint(required),
               "slope.toml:30:13: required[1].parameter = \"strength.cohesoin\": is not an input of this case (did you "
               "mean strength.cohesion?)");
+    const std::string together = changed(required, "strength.cohesoin\"", "strength.cohesion\"\nalso = [\"X\"]");
+    EXPECT_NE(complaint(changed(together, "X", "strength.cohesion"))
+                  .find("required[1].also = [ ... ]: \"strength.cohesion\" is named twice"),
+              std::string::npos)
+        << complaint(changed(together, "X", "strength.cohesion"));
+    EXPECT_NE(complaint(changed(together, "X", "slope.height"))
+                  .find("\"slope.height\" has another dimension than strength.cohesion"),
+              std::string::npos);
     const std::string critical =
         std::string(example_text) +
         "[critical]\nfind = \"both\"\nunder = \"dry_slope\"\nlower_dip = \"50 deg\"\nupper_dip = \"40 deg\"\n";

@@ -39,10 +39,31 @@ void check_support(Checker& checker, const std::string& key, const BoltPattern<>
     }
 }
 
-void check_input_name(Checker& checker, const std::string& key, const std::string& name, const CaseModel& model) {
-    const std::vector<std::string> inputs = names_in(named_inputs(model));
-    if (std::ranges::find(inputs, name) == inputs.end()) {
-        checker.complain(key, "is not an input of this case" + suggestion(name, inputs));
+void check_required(Checker& checker, const std::vector<RequiredValue<>>& requests, const CaseModel& model) {
+    const std::vector<Quantity> inputs = named_inputs(model);
+    const auto named = [&](const std::string& key, const std::string& name) {
+        const Quantity* input = find_quantity(inputs, name);
+        if (input == nullptr) {
+            checker.complain(key, "is not an input of this case" + suggestion(name, names_in(inputs)));
+        }
+        return input;
+    };
+    for (std::size_t index = 0; index < requests.size(); ++index) {
+        const std::string section = indexed("required", index);
+        const RequiredValue<>& request = requests[index];
+        const Quantity* first = named(section + ".parameter", request.parameter);
+        std::vector<std::string> before{request.parameter};
+        for (const std::string& other : request.also) {
+            const Quantity* input = named(section + ".also", other);
+            if (std::ranges::find(before, other) != before.end()) {
+                checker.complain(section + ".also",
+                                 "\"" + other + "\" is named twice: inputs that take one value are named once each");
+            } else if (first != nullptr && input != nullptr && first->dimension != input->dimension) {
+                checker.complain(section + ".also",
+                                 "\"" + other + "\" has another dimension than " + request.parameter);
+            }
+            before.push_back(other);
+        }
     }
 }
 

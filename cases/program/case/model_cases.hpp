@@ -48,18 +48,8 @@ void check_strength(Checker& checker, const std::string& section, const Strength
 // Complains about rows that are not whole or lie above the crest.
 void check_support(Checker& checker, const std::string& key, const BoltPattern<>& pattern, double slope_height);
 
-// Complains unless the value of the key names an input of the case.
-void check_input_name(Checker& checker, const std::string& key, const std::string& name, const CaseModel& model);
-
-template <class Request>
-void check_required(Checker& checker, const std::vector<Request>& requests, const CaseModel& model) {
-    for (std::size_t index = 0; index < requests.size(); ++index) {
-        check_input_name(checker, indexed("required", index) + ".parameter", requests[index].parameter, model);
-        for (const std::string& other : requests[index].also) {
-            check_input_name(checker, indexed("required", index) + ".also", other, model);
-        }
-    }
-}
+// Complains unless each [[required]] names inputs of the case, each once, of one dimension.
+void check_required(Checker& checker, const std::vector<RequiredValue<>>& requests, const CaseModel& model);
 
 // Puts what files in the case's folder hold in the place of their names. `prefix` is what the keys of the model begin
 // with. Only slopes, records of shaking and measured poles are read from files.
