@@ -142,6 +142,22 @@ evaluate "(async () => {
     return find('verdict').textContent !== before && state.values['water.water_depth'] < 3;
 })()"
 expect "the water level follows a drag, and the verdict with it" test "$value" == true
+expect_value "let go at once, the picture is that of the slope where it was let go" "(async () => {
+    let wrong = 0;
+    for (let turn = 0; turn < 10; ++turn) {
+        const box = document.querySelector('[data-name=\"water level\"]').getBoundingClientRect();
+        const at = (type, dy) => new PointerEvent(type, {clientX: box.x + box.width / 2, clientY: box.y + box.height / 2 + dy, bubbles: true});
+        const before = JSON.stringify(state.values);
+        document.querySelector('[data-name=\"water level\"]').dispatchEvent(at('pointerdown', 0));
+        window.dispatchEvent(at('pointermove', turn % 2 ? -20 : 20));
+        window.dispatchEvent(at('pointerup', 0));
+        await new Promise(done => setTimeout(done, 100));
+        wrong += JSON.stringify(state.values) === before || state.answer.verdict !== (await ask('/answer', {values: state.values})).verdict;
+        find('undo').click();
+        await refresh();
+    }
+    return wrong;
+})()" 0
 expect_value "undo" "(find('undo').click(), 'water.water_depth' in state.values)" false
 expect_value "redo" "(find('redo').click(), state.values['water.water_depth'] < 3)" true
 expect_value "an arrow key moves a handle" "(async () => {

@@ -17,13 +17,11 @@ async function ask(path, request) {
   return answer;
 }
 
-// One request of a kind at a time; of those that come meanwhile only the last is sent.
+// One request of a kind at a time; of those that come meanwhile only the last is sent. The promise is kept when all are
+// answered.
 function latest(work) {
-  let busy = false, waiting = null;
-  return async (...now) => {
-    waiting = now;
-    if (busy) return;
-    busy = true;
+  let running = null, waiting = null;
+  const answerAll = async () => {
     while (waiting) {
       const next = waiting;
       waiting = null;
@@ -34,7 +32,11 @@ function latest(work) {
         tell(error.message);
       }
     }
-    busy = false;
+    running = null;
+  };
+  return (...now) => {
+    waiting = now;
+    return running ??= answerAll();
   };
 }
 
@@ -182,10 +184,12 @@ function addHandles(picture, answer) {
       remember();
       // The picture is drawn anew with each answer; until the point is let go all of them have the scales of this one.
       const toPicture = picture.getScreenCTM().inverse();
-      const move = moved => drag(handle.name, dataAt(picture, moved, toPicture));
-      const end = () => {
+      let dragging = null;
+      const move = moved => { dragging = drag(handle.name, dataAt(picture, moved, toPicture)); };
+      const end = async () => {
         window.removeEventListener('pointermove', move);
         window.removeEventListener('pointerup', end);
+        await dragging;  // else the slope before the last move would be asked for, and might be answered last
         state.ranges = null;
         refresh();
       };
