@@ -169,6 +169,18 @@ expect_value "an arrow key moves a handle" "(async () => {
 expect_value "a variant beside it" "(find('keep').click(), document.querySelectorAll('#sections figure').length)" 2
 wait_for "document.querySelector('#chart svg .here')"
 expect_value "the line of a factor of 1" "document.querySelector('#chart svg title').textContent" '"factor of safety 1"'
+typed="async (name, text) => {
+    const box = state.inputs.get(name).number;
+    box.value = text;
+    box.dispatchEvent(new Event('change'));
+    await refresh();
+    return box.value;
+}"
+expect_value "an emptied field has its value again" "($typed)('strength.cohesion', '')" '"25"'
+expect_value "what is refused has no verdict" "($typed)('slope.face_dip', '190').then(() => find('verdict').textContent)" \
+    '"slope.face_dip = 190 deg: must be more than 0 and at most 90 deg"'
+expect_value "and no results; the section is said to be older" "document.querySelector('#sections figcaption').textContent + find('results').tBodies[0].rows.length" '"The slope before this change.0"'
+expect_value "undone, it has" "(find('undo').click(), refresh().then(() => find('verdict').textContent.startsWith('FS ')))" true
 expect_value "every control has a name" "[...document.querySelectorAll('button, select, input, [role=slider]')].filter(one => !(one.textContent.trim() || one.getAttribute('aria-label') || one.labels?.length)).length" 0
 [[ -z ${DELABOLE_SCREENSHOTS:-} ]] || screenshot "$DELABOLE_SCREENSHOTS/live_desk.png"
 tell_browser Emulation.setDeviceMetricsOverride '{"width":390,"height":844,"deviceScaleFactor":1,"mobile":true}'

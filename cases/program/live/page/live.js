@@ -78,7 +78,11 @@ function buildInputs(groups) {
       slider.addEventListener('pointerdown', remember);
       slider.addEventListener('keydown', event => { if (!event.repeat && event.key.startsWith('Arrow')) remember(); });
       slider.addEventListener('input', () => change({[input.name]: digits(slider.value)}));
-      box2.addEventListener('change', () => { remember(); change({[input.name]: Number(box2.value)}); });
+      box2.addEventListener('change', () => {
+        if (box2.value === '') { showInputs(); return; }  // emptied, or not a number: not 0
+        remember();
+        change({[input.name]: Number(box2.value)});
+      });
       row.append(label, slider, box2, unit);
       box.append(row);
       state.inputs.set(input.name, {...input, row, slider, number: box2, group: group.label});
@@ -131,7 +135,12 @@ function step(from, to) {
 
 const refresh = latest(async () => {
   if (state.open.moves) { await changeMotion(); return; }
-  show(await ask('/answer', {values: state.values}));
+  try {
+    show(await ask('/answer', {values: state.values}));
+  } catch (error) {
+    show({failure: error.message});  // no verdict stands beside inputs that it does not belong to
+    return;
+  }
   refreshMap();
 });
 
@@ -247,6 +256,8 @@ function show(answer) {
     if (beside) sections.push(sectionOf(beside.answer, `${find('beside').value}: ${beside.answer.failure || beside.answer.verdict}`, false));
     find('sections').replaceChildren(...sections);
     if (state.focus) find('sections').querySelector(`[data-name="${CSS.escape(state.focus)}"]`)?.focus();
+  } else if (find('sections').firstChild) {
+    find('sections').querySelector('figcaption').textContent = 'The slope before this change.';
   }
   find('warnings').replaceChildren(...(answer.warnings || []).map(text => Object.assign(document.createElement('li'), {textContent: text})));
   find('figures').replaceChildren();
