@@ -166,7 +166,21 @@ expect_value "an arrow key moves a handle" "(async () => {
     while (state.values['slope.height'] === old) await new Promise(requestAnimationFrame);
     return state.values['slope.height'] > 12;
 })()" true
-expect_value "a variant beside it" "(find('keep').click(), document.querySelectorAll('#sections figure').length)" 2
+expect_value "a variant beside it" "(find('name').value = 'steeper', find('keep').click(), document.querySelectorAll('#sections figure').length)" 2
+expect_value "by its name" "document.querySelectorAll('#sections figcaption')[1].textContent.startsWith('steeper: FS ')" true
+expect_value "two variants, the second without a name" "(async () => {
+    find('restore').click();
+    await refresh();
+    find('keep').click();
+    find('beside').value = 'steeper';
+    find('beside').dispatchEvent(new Event('change'));
+    find('return').click();
+    await refresh();
+    find('beside').value = 'variant 2';
+    find('beside').dispatchEvent(new Event('change'));
+    const [now, other] = [...find('results').tBodies[0].rows].find(row => row.cells[0].textContent === 'factor of safety').querySelectorAll('.number');
+    return state.values['slope.height'] > 12 && now.textContent !== other.textContent;
+})()" true
 wait_for "document.querySelector('#chart svg .here')"
 expect_value "the line of a factor of 1" "document.querySelector('#chart svg title').textContent" '"factor of safety 1"'
 typed="async (name, text) => {

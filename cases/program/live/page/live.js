@@ -251,6 +251,7 @@ function show(answer) {
   find('verdict').textContent = answer.failure || answer.verdict;
   find('verdict').className = answer.failure ? 'failure' : '';
   const beside = state.variants.get(find('beside').value);
+  find('return').disabled = !beside;
   if (!answer.failure) {
     const sections = [sectionOf(answer, beside ? 'now' : '', true)];
     if (beside) sections.push(sectionOf(beside.answer, `${find('beside').value}: ${beside.answer.failure || beside.answer.verdict}`, false));
@@ -294,11 +295,14 @@ function addTools() {
   find('redo').addEventListener('click', () => step(state.future, state.past));
   find('restore').addEventListener('click', () => { remember(); goTo({}); });
   find('beside').addEventListener('change', () => state.answer && show(state.answer));
+  find('return').addEventListener('click', () => { remember(); goTo(state.variants.get(find('beside').value).values); });
   find('keep').addEventListener('click', () => {
     if (!state.answer || state.answer.failure) return;
-    const name = `variant ${state.variants.size + 1}`;
+    const name = find('name').value.trim() || `variant ${state.variants.size + 1}`;
+    if (!state.variants.has(name)) find('beside').add(new Option(name, name));
     state.variants.set(name, {values: {...state.values}, answer: state.answer});
-    find('beside').add(new Option(name, name, false, true));
+    find('beside').value = name;
+    find('name').value = '';
     show(state.answer);
   });
   find('save').addEventListener('click', attempt(async () => {
@@ -324,7 +328,7 @@ function addTools() {
     refreshMap();
   }).observe(find('sections'));
   document.addEventListener('keydown', event => {
-    if (!event.ctrlKey || event.target.type === 'number') return;  // there the browser undoes typing
+    if (!event.ctrlKey || /^(number|text)$/.test(event.target.type)) return;  // there the browser undoes typing
     if (event.key === 'z' && !event.shiftKey) { event.preventDefault(); step(state.past, state.future); }
     if (event.key === 'y' || (event.key === 'z' && event.shiftKey) || event.key === 'Z') { event.preventDefault(); step(state.future, state.past); }
   });

@@ -4,7 +4,7 @@ const energies = ['work of gravity and loads', 'kinetic', 'elastic', 'friction',
 async function beginMotion() {
   find('motion').hidden = false;
   find('answers').hidden = true;
-  find('keep').disabled = find('beside').disabled = true;
+  find('keep').disabled = find('name').disabled = find('beside').disabled = true;
   find('start').addEventListener('click', attempt(startMotion));
   find('play').addEventListener('click', () => { motion.playing ? pause() : play(); });
   find('step').addEventListener('click', attempt(async () => { pause(); take(await ask('/motion/step', {steps: 1})); }));
