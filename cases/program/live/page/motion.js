@@ -17,8 +17,6 @@ async function startMotion() {
   tell('The static start is being found.');
   const made = await ask('/motion/start', {values: state.values});
   Object.assign(motion, {blocks: made.blocks, centres: made.centres, tilt: made.tilt, outcomes: made.outcomes.map(word => word.replaceAll('_', ' '))});
-  const handles = await ask('/answer', {values: state.values});
-  motion.handles = handles.handles;
   take(await ask('/motion/step', {steps: 0}));
   tell('');
 }
