@@ -128,7 +128,7 @@ open_browser 1400 900
 visit "$address"
 wait_for "document.body && document.body.dataset.ready === 'yes'"
 expect_value "the verdict" "document.getElementById('verdict').textContent.startsWith('FS 1.2')" true
-expect_value "handles of crest, plane, crack and water" "document.querySelectorAll('.handle').length" 4
+expect_value "handles of toe, crest, plane, crack and water" "document.querySelectorAll('.handle').length" 5
 evaluate "(async () => {
     const box = document.querySelector('[data-name=\"water level\"]').getBoundingClientRect(), before = find('verdict').textContent;
     const at = (type, dy) => new PointerEvent(type, {clientX: box.x + box.width / 2, clientY: box.y + box.height / 2 + dy, bubbles: true});
@@ -166,6 +166,12 @@ expect_value "an arrow key moves a handle" "(async () => {
     while (state.values['slope.height'] === old) await new Promise(requestAnimationFrame);
     return state.values['slope.height'] > 12;
 })()" true
+expect_value "a key of a slider is undone like a drag" "(async () => {
+    const slider = state.inputs.get('strength.cohesion').slider, before = state.past.length;
+    for (const key of ['Home', 'PageUp', 'ArrowLeft', 'Tab']) slider.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true}));
+    return state.past.splice(before).length;
+})()" 3
+expect_value "a handle says its value" "document.querySelector('[data-name=toe]').getAttribute('aria-valuenow')" '"100"'
 expect_value "a variant beside it" "(find('name').value = 'steeper', find('keep').click(), document.querySelectorAll('#sections figure').length)" 2
 expect_value "by its name" "document.querySelectorAll('#sections figcaption')[1].textContent.startsWith('steeper: FS ')" true
 expect_value "two variants, the second without a name" "(async () => {

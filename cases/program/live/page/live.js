@@ -76,7 +76,7 @@ function buildInputs(groups) {
       Object.assign(slider, {min: lower, max: upper});
       slider.setAttribute('aria-label', `${group.label}: ${input.label}${input.unit ? ' in ' + input.unit : ''}`);
       slider.addEventListener('pointerdown', remember);
-      slider.addEventListener('keydown', event => { if (!event.repeat && event.key.startsWith('Arrow')) remember(); });
+      slider.addEventListener('keydown', event => { if (!event.repeat && /^(Arrow|Page|Home|End)/.test(event.key)) remember(); });
       slider.addEventListener('input', () => change({[input.name]: digits(slider.value)}));
       box2.addEventListener('change', () => {
         if (box2.value === '') { showInputs(); return; }  // emptied, or not a number: not 0
@@ -185,7 +185,7 @@ function addHandles(picture, answer) {
   for (const handle of answer.handles) {
     const at = picture.toPicture(handle.at);
     const knob = svg('circle', {class: 'handle', cx: at[0], cy: at[1], r: 9, tabindex: 0, role: 'slider',
-      'aria-label': handle.name, 'aria-valuetext': handle.inputs.map(name => `${name} ${digits(valueOf(name))} ${state.inputs.get(name).unit}`).join(', ')}, picture);
+      'aria-label': handle.name, 'aria-valuenow': digits(valueOf(handle.inputs[0])), 'aria-valuetext': handle.inputs.map(name => `${name} ${digits(valueOf(name))} ${state.inputs.get(name).unit}`).join(', ')}, picture);
     svg('title', {}, knob).textContent = `${handle.name}: ${handle.inputs.join(', ')}`;
     knob.dataset.name = handle.name;
     knob.addEventListener('pointerdown', event => {
