@@ -166,6 +166,12 @@ expect_value "an arrow key moves a handle" "(async () => {
     while (state.values['slope.height'] === old) await new Promise(requestAnimationFrame);
     return state.values['slope.height'] > 12;
 })()" true
+expect_value "a click on a handle leaves nothing to undo" "(() => {
+    const before = state.past.length;
+    document.querySelector('[data-name=crest]').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true}));
+    window.dispatchEvent(new PointerEvent('pointerup', {bubbles: true}));
+    return state.past.length - before;
+})()" 0
 expect_value "a key of a slider is undone like a drag" "(async () => {
     const slider = state.inputs.get('strength.cohesion').slider, before = state.past.length;
     for (const key of ['Home', 'PageUp', 'ArrowLeft', 'Tab']) slider.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true}));

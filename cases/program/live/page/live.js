@@ -190,11 +190,13 @@ function addHandles(picture, answer) {
     knob.dataset.name = handle.name;
     knob.addEventListener('pointerdown', event => {
       event.preventDefault();
-      remember();
       // The picture is drawn anew with each answer; until the point is let go all of them have the scales of this one.
       const toPicture = picture.getScreenCTM().inverse();
       let dragging = null;
-      const move = moved => { dragging = drag(handle.name, dataAt(picture, moved, toPicture)); };
+      const move = moved => {
+        if (!dragging) remember();
+        dragging = drag(handle.name, dataAt(picture, moved, toPicture));
+      };
       const end = async () => {
         window.removeEventListener('pointermove', move);
         window.removeEventListener('pointerup', end);
