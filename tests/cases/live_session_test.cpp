@@ -209,6 +209,32 @@ TEST(LiveSession, MisfitOfACaseWithFitIsThatOfItsObservations) {
     EXPECT_EQ(fit["observations"][0]["predicted"], "1.54");
 }
 
+TEST(LiveSession, EveryPointOfASectionIsDragged) {
+    std::string text = text_of("starting/full/plane_failure.toml");
+    for (const auto& [key, further] : std::array<std::array<std::string, 2>, 2>{
+             {{"upper_surface_dip", "toe_elevation = \"100 m\"\nbench = { width = \"2 m\", dip = \"3 deg\" }\n"},
+              {"dip = \"35 deg\"", "daylight_height = \"1 m\"\n"}}}) {
+        text.insert(text.find(key), further);
+    }
+    const LiveSession session(parse_case(text, "slope.toml"), text, [](const std::vector<std::string>&) { return ""; });
+    std::vector<std::string> names;
+    const Json before = session.answer(Json::object());
+    for (const Json& handle : before["handles"]) {
+        names.push_back(handle["name"]);
+        const double x = handle["at"][0].get<double>() + 0.1;
+        const double y = handle["at"][1].get<double>() + 0.1;
+        const Json answer = session.drag({{"handle", handle["name"]}, {"to", {x, y}}});
+        const Json& moved =
+            *std::ranges::find(answer["handles"], handle["name"], [](const Json& one) { return one["name"]; });
+        // A point on a line that it cannot leave goes as near as the line comes: of a slanting, level or upright line,
+        // at most 0.1 m away, of 0.14 m before.
+        EXPECT_LT(std::hypot(moved["at"][0].get<double>() - x, moved["at"][1].get<double>() - y), 0.1 + 1e-6)
+            << handle["name"];
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"toe", "crest", "end of the bench", "failure plane",
+                                               "where the plane daylights", "tension crack", "water level"}));
+}
+
 // What is dragged over north goes on behind it.
 TEST(LiveSession, PolesOfAStereonetAreDragged) {
     const LiveSession session = session_of("starting/kinematics.toml");

@@ -128,7 +128,7 @@ open_browser 1400 900
 visit "$address"
 wait_for "document.body && document.body.dataset.ready === 'yes'"
 expect_value "the verdict" "document.getElementById('verdict').textContent.startsWith('FS 1.2')" true
-expect_value "handles of crest, plane, crack and water" "document.querySelectorAll('.handle').length" 4
+expect_value "handles of toe, crest, plane, crack and water" "document.querySelectorAll('.handle').length" 5
 evaluate "(async () => {
     const box = document.querySelector('[data-name=\"water level\"]').getBoundingClientRect(), before = find('verdict').textContent;
     const at = (type, dy) => new PointerEvent(type, {clientX: box.x + box.width / 2, clientY: box.y + box.height / 2 + dy, bubbles: true});
@@ -142,6 +142,22 @@ evaluate "(async () => {
     return find('verdict').textContent !== before && state.values['water.water_depth'] < 3;
 })()"
 expect "the water level follows a drag, and the verdict with it" test "$value" == true
+expect_value "let go at once, the picture is that of the slope where it was let go" "(async () => {
+    let wrong = 0;
+    for (let turn = 0; turn < 10; ++turn) {
+        const box = document.querySelector('[data-name=\"water level\"]').getBoundingClientRect();
+        const at = (type, dy) => new PointerEvent(type, {clientX: box.x + box.width / 2, clientY: box.y + box.height / 2 + dy, bubbles: true});
+        const before = JSON.stringify(state.values);
+        document.querySelector('[data-name=\"water level\"]').dispatchEvent(at('pointerdown', 0));
+        window.dispatchEvent(at('pointermove', turn % 2 ? -20 : 20));
+        window.dispatchEvent(at('pointerup', 0));
+        await new Promise(done => setTimeout(done, 100));
+        wrong += JSON.stringify(state.values) === before || state.answer.verdict !== (await ask('/answer', {values: state.values})).verdict;
+        find('undo').click();
+        await refresh();
+    }
+    return wrong;
+})()" 0
 expect_value "undo" "(find('undo').click(), 'water.water_depth' in state.values)" false
 expect_value "redo" "(find('redo').click(), state.values['water.water_depth'] < 3)" true
 expect_value "an arrow key moves a handle" "(async () => {
@@ -150,9 +166,47 @@ expect_value "an arrow key moves a handle" "(async () => {
     while (state.values['slope.height'] === old) await new Promise(requestAnimationFrame);
     return state.values['slope.height'] > 12;
 })()" true
-expect_value "a variant beside it" "(find('keep').click(), document.querySelectorAll('#sections figure').length)" 2
+expect_value "a click on a handle leaves nothing to undo" "(() => {
+    const before = state.past.length;
+    document.querySelector('[data-name=crest]').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true}));
+    window.dispatchEvent(new PointerEvent('pointerup', {bubbles: true}));
+    return state.past.length - before;
+})()" 0
+expect_value "a key of a slider is undone like a drag" "(async () => {
+    const slider = state.inputs.get('strength.cohesion').slider, before = state.past.length;
+    for (const key of ['Home', 'PageUp', 'ArrowLeft', 'Tab']) slider.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true}));
+    return state.past.splice(before).length;
+})()" 3
+expect_value "a handle says its value" "document.querySelector('[data-name=toe]').getAttribute('aria-valuenow')" '"100"'
+expect_value "a variant beside it" "(find('name').value = 'steeper', find('keep').click(), document.querySelectorAll('#sections figure').length)" 2
+expect_value "by its name" "document.querySelectorAll('#sections figcaption')[1].textContent.startsWith('steeper: FS ')" true
+expect_value "two variants, the second without a name" "(async () => {
+    find('restore').click();
+    await refresh();
+    find('keep').click();
+    find('beside').value = 'steeper';
+    find('beside').dispatchEvent(new Event('change'));
+    find('return').click();
+    await refresh();
+    find('beside').value = 'variant 2';
+    find('beside').dispatchEvent(new Event('change'));
+    const [now, other] = [...find('results').tBodies[0].rows].find(row => row.cells[0].textContent === 'factor of safety').querySelectorAll('.number');
+    return state.values['slope.height'] > 12 && now.textContent !== other.textContent;
+})()" true
 wait_for "document.querySelector('#chart svg .here')"
 expect_value "the line of a factor of 1" "document.querySelector('#chart svg title').textContent" '"factor of safety 1"'
+typed="async (name, text) => {
+    const box = state.inputs.get(name).number;
+    box.value = text;
+    box.dispatchEvent(new Event('change'));
+    await refresh();
+    return box.value;
+}"
+expect_value "an emptied field has its value again" "($typed)('strength.cohesion', '')" '"25"'
+expect_value "what is refused has no verdict" "($typed)('slope.face_dip', '190').then(() => find('verdict').textContent)" \
+    '"slope.face_dip = 190 deg: must be more than 0 and at most 90 deg"'
+expect_value "and no results; the section is said to be older" "document.querySelector('#sections figcaption').textContent + find('results').tBodies[0].rows.length" '"The slope before this change.0"'
+expect_value "undone, it has" "(find('undo').click(), refresh().then(() => find('verdict').textContent.startsWith('FS ')))" true
 expect_value "every control has a name" "[...document.querySelectorAll('button, select, input, [role=slider]')].filter(one => !(one.textContent.trim() || one.getAttribute('aria-label') || one.labels?.length)).length" 0
 [[ -z ${DELABOLE_SCREENSHOTS:-} ]] || screenshot "$DELABOLE_SCREENSHOTS/live_desk.png"
 tell_browser Emulation.setDeviceMetricsOverride '{"width":390,"height":844,"deviceScaleFactor":1,"mobile":true}'

@@ -58,6 +58,9 @@ double toe_of(const SlopeSection<>& slope) {
 void add_slope(const SlopeSection<>& slope, std::vector<Handle>& handles) {
     const Point up(0, toe_of(slope));
     const Point crest(slope.height / std::tan(slope.face_dip), slope.height);
+    if (slope.toe_elevation) {  // across, everything is measured from the toe
+        add(handles, "toe", {"slope.toe_elevation"}, up);
+    }
     add(handles, "crest", {"slope.height", "slope.face_dip"}, crest + up);
     if (slope.bench) {
         add(handles, "end of the bench", {"slope.bench.width", "slope.bench.dip"},
@@ -75,6 +78,8 @@ void add_handles(const PlaneFailureStudy<>& study, const std::vector<Quantity>& 
     }
     add(handles, "failure plane", {"failure_plane.dip"},
         (water.base.surface.front() + water.base.surface.back()) / 2 + up);
+    add(handles, "where the plane daylights", first_of(inputs, {"failure_plane.daylight_height"}),
+        water.base.surface.front() + up);
     if (!water.crack.surface.empty()) {
         add(handles, "tension crack",
             joined(first_of(inputs, {"tension_crack.distance_behind_crest", "tension_crack.depth",

@@ -17,13 +17,11 @@ async function ask(path, request) {
   return answer;
 }
 
-// One request of a kind at a time; of those that come meanwhile only the last is sent.
+// One request of a kind at a time; of those that come meanwhile only the last is sent. The promise is kept when all are
+// answered.
 function latest(work) {
-  let busy = false, waiting = null;
-  return async (...now) => {
-    waiting = now;
-    if (busy) return;
-    busy = true;
+  let running = null, waiting = null;
+  const answerAll = async () => {
     while (waiting) {
       const next = waiting;
       waiting = null;
@@ -34,7 +32,11 @@ function latest(work) {
         tell(error.message);
       }
     }
-    busy = false;
+    running = null;
+  };
+  return (...now) => {
+    waiting = now;
+    return running ??= answerAll();
   };
 }
 
@@ -74,9 +76,13 @@ function buildInputs(groups) {
       Object.assign(slider, {min: lower, max: upper});
       slider.setAttribute('aria-label', `${group.label}: ${input.label}${input.unit ? ' in ' + input.unit : ''}`);
       slider.addEventListener('pointerdown', remember);
-      slider.addEventListener('keydown', event => { if (!event.repeat && event.key.startsWith('Arrow')) remember(); });
+      slider.addEventListener('keydown', event => { if (!event.repeat && /^(Arrow|Page|Home|End)/.test(event.key)) remember(); });
       slider.addEventListener('input', () => change({[input.name]: digits(slider.value)}));
-      box2.addEventListener('change', () => { remember(); change({[input.name]: Number(box2.value)}); });
+      box2.addEventListener('change', () => {
+        if (box2.value === '') { showInputs(); return; }  // emptied, or not a number: not 0
+        remember();
+        change({[input.name]: Number(box2.value)});
+      });
       row.append(label, slider, box2, unit);
       box.append(row);
       state.inputs.set(input.name, {...input, row, slider, number: box2, group: group.label});
@@ -129,7 +135,12 @@ function step(from, to) {
 
 const refresh = latest(async () => {
   if (state.open.moves) { await changeMotion(); return; }
-  show(await ask('/answer', {values: state.values}));
+  try {
+    show(await ask('/answer', {values: state.values}));
+  } catch (error) {
+    show({failure: error.message});  // no verdict stands beside inputs that it does not belong to
+    return;
+  }
   refreshMap();
 });
 
@@ -174,18 +185,22 @@ function addHandles(picture, answer) {
   for (const handle of answer.handles) {
     const at = picture.toPicture(handle.at);
     const knob = svg('circle', {class: 'handle', cx: at[0], cy: at[1], r: 9, tabindex: 0, role: 'slider',
-      'aria-label': handle.name, 'aria-valuetext': handle.inputs.map(name => `${name} ${digits(valueOf(name))} ${state.inputs.get(name).unit}`).join(', ')}, picture);
+      'aria-label': handle.name, 'aria-valuenow': digits(valueOf(handle.inputs[0])), 'aria-valuetext': handle.inputs.map(name => `${name} ${digits(valueOf(name))} ${state.inputs.get(name).unit}`).join(', ')}, picture);
     svg('title', {}, knob).textContent = `${handle.name}: ${handle.inputs.join(', ')}`;
     knob.dataset.name = handle.name;
     knob.addEventListener('pointerdown', event => {
       event.preventDefault();
-      remember();
       // The picture is drawn anew with each answer; until the point is let go all of them have the scales of this one.
       const toPicture = picture.getScreenCTM().inverse();
-      const move = moved => drag(handle.name, dataAt(picture, moved, toPicture));
-      const end = () => {
+      let dragging = null;
+      const move = moved => {
+        if (!dragging) remember();
+        dragging = drag(handle.name, dataAt(picture, moved, toPicture));
+      };
+      const end = async () => {
         window.removeEventListener('pointermove', move);
         window.removeEventListener('pointerup', end);
+        await dragging;  // else the slope before the last move would be asked for, and might be answered last
         state.ranges = null;
         refresh();
       };
@@ -238,11 +253,14 @@ function show(answer) {
   find('verdict').textContent = answer.failure || answer.verdict;
   find('verdict').className = answer.failure ? 'failure' : '';
   const beside = state.variants.get(find('beside').value);
+  find('return').disabled = !beside;
   if (!answer.failure) {
     const sections = [sectionOf(answer, beside ? 'now' : '', true)];
     if (beside) sections.push(sectionOf(beside.answer, `${find('beside').value}: ${beside.answer.failure || beside.answer.verdict}`, false));
     find('sections').replaceChildren(...sections);
     if (state.focus) find('sections').querySelector(`[data-name="${CSS.escape(state.focus)}"]`)?.focus();
+  } else if (find('sections').firstChild) {
+    find('sections').querySelector('figcaption').textContent = 'The slope before this change.';
   }
   find('warnings').replaceChildren(...(answer.warnings || []).map(text => Object.assign(document.createElement('li'), {textContent: text})));
   find('figures').replaceChildren();
@@ -279,11 +297,14 @@ function addTools() {
   find('redo').addEventListener('click', () => step(state.future, state.past));
   find('restore').addEventListener('click', () => { remember(); goTo({}); });
   find('beside').addEventListener('change', () => state.answer && show(state.answer));
+  find('return').addEventListener('click', () => { remember(); goTo(state.variants.get(find('beside').value).values); });
   find('keep').addEventListener('click', () => {
     if (!state.answer || state.answer.failure) return;
-    const name = `variant ${state.variants.size + 1}`;
+    const name = find('name').value.trim() || `variant ${state.variants.size + 1}`;
+    if (!state.variants.has(name)) find('beside').add(new Option(name, name));
     state.variants.set(name, {values: {...state.values}, answer: state.answer});
-    find('beside').add(new Option(name, name, false, true));
+    find('beside').value = name;
+    find('name').value = '';
     show(state.answer);
   });
   find('save').addEventListener('click', attempt(async () => {
@@ -309,7 +330,7 @@ function addTools() {
     refreshMap();
   }).observe(find('sections'));
   document.addEventListener('keydown', event => {
-    if (!event.ctrlKey || event.target.type === 'number') return;  // there the browser undoes typing
+    if (!event.ctrlKey || /^(number|text)$/.test(event.target.type)) return;  // there the browser undoes typing
     if (event.key === 'z' && !event.shiftKey) { event.preventDefault(); step(state.past, state.future); }
     if (event.key === 'y' || (event.key === 'z' && event.shiftKey) || event.key === 'Z') { event.preventDefault(); step(state.future, state.past); }
   });

@@ -4,7 +4,7 @@ const energies = ['work of gravity and loads', 'kinetic', 'elastic', 'friction',
 async function beginMotion() {
   find('motion').hidden = false;
   find('answers').hidden = true;
-  find('keep').disabled = find('beside').disabled = true;
+  find('keep').disabled = find('name').disabled = find('beside').disabled = true;
   find('start').addEventListener('click', attempt(startMotion));
   find('play').addEventListener('click', () => { motion.playing ? pause() : play(); });
   find('step').addEventListener('click', attempt(async () => { pause(); take(await ask('/motion/step', {steps: 1})); }));
@@ -17,8 +17,6 @@ async function startMotion() {
   tell('The static start is being found.');
   const made = await ask('/motion/start', {values: state.values});
   Object.assign(motion, {blocks: made.blocks, centres: made.centres, tilt: made.tilt, outcomes: made.outcomes.map(word => word.replaceAll('_', ' '))});
-  const handles = await ask('/answer', {values: state.values});
-  motion.handles = handles.handles;
   take(await ask('/motion/step', {steps: 0}));
   tell('');
 }
