@@ -68,6 +68,7 @@ namespace detail {
 
 inline constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
 
+// By Dimension, in the order of its enumerators.
 inline constexpr auto display_units = std::to_array<DisplayUnit>({
     {"", "", 1.0},
     {"deg", "_deg", radians_per_degree},
