@@ -117,11 +117,11 @@ class ColumnSearch {
         }
         const auto equal = [](const Need& one, const Need& next) { return one.need == next.need; };
         list.erase(std::unique(begin, list.end(), equal), list.end());
-        const std::size_t last = list.size() - first - 1;
-        if (last >= most_needs && last < list.size()) {
+        const std::size_t count = list.size() - first;
+        if (count > most_needs) {
             constexpr std::size_t steps = most_needs - 1;
             for (std::size_t place = 1; place <= steps; ++place) {
-                list[first + place] = list[first + (2 * place * last + steps) / (2 * steps)];
+                list[first + place] = list[first + (2 * place * (count - 1) + steps) / (2 * steps)];
             }
             list.resize(first + most_needs);
         }

@@ -42,9 +42,6 @@
 // Planning Open Pit Mines, 87-102. Dinkelbach, W. (1967) On nonlinear fractional programming. Management Science 13,
 // 492-498. Search of stepped paths by the weakest: Call, R.D. & Nicholas, D.E. (1978) Prediction of step path failure
 // geometry for slope stability analysis. 19th US Symp. Rock Mech.
-//
-// Sliding on steps: the surface of least factor of safety as the least ratio of two lengths of a path. See
-// path_search.hpp.
 #pragma once
 
 #include "limit_equilibrium/columns/column_recursion.hpp"
@@ -87,6 +84,7 @@ struct MovingColumn {
 std::vector<MovingColumn> moving_columns(const SteppedPath& problem, const PathLattice& lattice,
                                          const LatticePath& path, double factor);
 
+// Of surfaces that slide on steps, the one of least factor of safety.
 CriticalPath least_stable_sliding(const SteppedPath& problem, const PathLattice& lattice);
 
 // The same for one surface alone.
