@@ -61,7 +61,8 @@ void take_files(Reading& reading, KinematicsStudy& study, const std::filesystem:
 void take_files(Reading& reading, RelaxationStudy& study, const std::filesystem::path& folder,
                 const std::string& prefix);
 
-// What concerns several inputs at once and can be judged without running the model; nothing for some models.
+// Complains about what several inputs say together, as far as that can be judged without running the model. Some models
+// have nothing of the kind.
 template <class Model>
 void check_case(Checker& /*checker*/, const Model& /*model*/) {}
 void check_case(Checker& checker, const PlaneFailureStudy<>& study);

@@ -13,8 +13,8 @@ std::vector<std::string> starting_case_names();
 // A valid case of a page. Throws std::invalid_argument for other names.
 std::string starting_case(std::string_view name);
 
-// What the commented template of a model is made of: a valid case, which from [sources] or [[expect]] on holds what the
-// template has as comments.
+// The commented template of a model is made of this valid case. From [sources] or [[expect]] on, its text stands in the
+// template as comments.
 std::string template_case(std::string_view model);
 
 // Table of values for keys that such a case does not have.

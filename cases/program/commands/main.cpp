@@ -210,7 +210,7 @@ struct Program {
         return program;
     }
 
-    // Where `shared` is false, several ranks cannot share the work of the command.
+    // `shared` says whether several ranks can share the work of the command.
     template <class What>
     void complete(CLI::App* command, unsigned parts, const std::string& line,
                   ExitCode (*run)(const What&, const Options&), const std::type_identity_t<What>& what,

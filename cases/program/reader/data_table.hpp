@@ -69,8 +69,8 @@ std::vector<Row> parse_table(std::string_view text, std::string_view name, const
     return rows;
 }
 
-// What parse(text, name) makes of the file that a key names; nothing, with the complaints,
-// where that cannot be.
+// Reads the file that a key names and returns parse(text, name). Where the file cannot be read or parsed, it complains
+// and returns nothing.
 template <class Parse>
 auto read_table_file(Reading& reading, const std::string& key, const std::filesystem::path& path, std::string_view what,
                      std::size_t largest, const Parse& parse) -> decltype(parse(what, what)) {

@@ -43,7 +43,7 @@ struct RelaxationStudyAnswer {
     std::optional<SlopeScene> slope{};  // where the scene is one that joints cut
     RelaxationRun run{};                // at the case's own values; its result says whether
                                         // there is an answer
-    // Where a critical value is asked for and the run was not interrupted.
+    // These two are set where a critical value is asked for and the run was not interrupted.
     std::optional<CriticalPlan> plan{};
     std::optional<CriticalAnswer> critical{};
     std::optional<double> bound_of_statics{};  // greatest factor of safety, where it can be bounded

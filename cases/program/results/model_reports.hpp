@@ -144,7 +144,8 @@ struct Impossibility {
     std::function<std::string(const std::string& key)> limit = {};
 };
 
-// What impossible_cases.csv says of a check of a model; "a number is outside its allowed range" where it says nothing.
+// Finds the words for a failed check of a model in impossible_cases.csv. Where it has none, they are "a number is
+// outside its allowed range".
 Impossibility stated_impossibility(std::string_view model, std::string_view failure);
 
 template <class Study>

@@ -21,7 +21,7 @@ std::string choice_in_words(const SupportDesign& design, const TriedSupport& tri
     return words;
 }
 
-// In the currency of the case, for the shown unit of length.
+// The cost is in the currency of the case, for the shown unit of length.
 double shown_cost(double per_metre) {
     return per_metre * shown_unit(Dimension::length).si_per_unit;
 }

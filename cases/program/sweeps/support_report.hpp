@@ -16,8 +16,8 @@ struct DesignedSupport {
     std::string sentence;  // what the cheapest support is, or why there is none
 };
 
-// With the support of the answer, or the strongest where none reaches the factor of safety, in the case's model; where
-// no pattern has an answer that keeps its own. Nothing where the case asks for none.
+// Puts the cheapest support into the case's model, or the strongest where none reaches the factor of safety. Where no
+// pattern has an answer, the model keeps its own. Returns nothing where the case asks for no support.
 std::optional<DesignedSupport> design_support_of(CaseFile& file, const std::function<bool(double)>& watch);
 
 // Puts the sentence behind the first, the verdict.
