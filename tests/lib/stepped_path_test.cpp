@@ -155,6 +155,75 @@ TEST(SteppedPath, NoSlidingSurfaceIsWeakerThanTheOneFound) {
     EXPECT_GT(found, 150);
 }
 
+// Against every surface of the same joints without the massive rock that stays above its boundary.
+TEST(SteppedPath, OverMassiveRockTheWeakestSurfaceOfThoseAboveIsFound) {
+    std::mt19937 random(22);
+    const auto between = [&](double lower, double upper) {
+        return std::uniform_real_distribution<>(lower, upper)(random);
+    };
+    int found = 0;
+    int changed = 0;
+    for (int count = 0; count < 300; ++count) {
+        const auto mechanism = static_cast<SteppedPathMechanism>(count % 3);
+        SteppedPath problem = random_path(random, mechanism);
+        const PathLattice whole(problem);
+        const double without = whole.check == SteppedPathCheck::valid
+                                   ? least_stable_path(problem, whole).factor_of_safety
+                                   : std::numeric_limits<double>::infinity();
+        problem.massive_rock = MassiveRock{degrees(between(26, 49)), between(-15, 10)};
+        const PathLattice lattice(problem);
+        if (lattice.check != SteppedPathCheck::valid) {
+            continue;
+        }
+        const double dip = problem.massive_rock->boundary_dip;
+        const double height = problem.massive_rock->boundary_height;
+        const double at_face = height / std::tan(problem.slope.face_dip);
+        const auto above = [&](const Point& point) {
+            return point.y() - height - (point.x() - at_face) * std::tan(dip) > -1e-6;
+        };
+        const bool slides = mechanism == SteppedPathMechanism::sliding;
+        std::vector<LatticePath> paths = slides ? all_sliding_paths(whole) : all_column_paths(whole);
+        std::erase_if(paths, [&](const LatticePath& path) {
+            for (std::size_t index = 0; index < path.level.size(); ++index) {
+                const std::size_t place = path.first + index;
+                const Point deepest = slides ? *whole.riser_node[place][path.level[index]]
+                                             : whole.cells[place - 1][path.level[index]].base_to;
+                if (!above(deepest)) {
+                    return true;
+                }
+            }
+            return path.wedge && !above(whole.wedges[path.first + path.level.size() - 2][*path.wedge].corner);
+        });
+        const CriticalPath critical = least_stable_path(problem, lattice);
+        const double least = least_of_all(problem, whole, paths);
+        if (std::isfinite(least) && least > 0) {
+            ++found;
+            changed += least > without * (1 + 1e-9) ? 1 : 0;
+            EXPECT_NEAR(critical.factor_of_safety, least, 1e-9 * least) << count;  // factors are known to some 1e-14
+        } else {
+            EXPECT_EQ(critical.factor_of_safety, least) << count;
+        }
+        for (const Point& point : analyse(problem).surface) {
+            EXPECT_TRUE(above(point)) << count;
+        }
+    }
+    EXPECT_GT(found, 60);
+    EXPECT_GT(changed, 20);
+}
+
+TEST(SteppedPath, MassiveRockBelowEverySurfaceChangesNothing) {
+    for (const auto mechanism :
+         {SteppedPathMechanism::sliding, SteppedPathMechanism::toppling, SteppedPathMechanism::slide_head_toppling}) {
+        SteppedPath path = west_face(mechanism);
+        path.columns->spacing = 5;
+        const SteppedPathResult without = analyse(path);
+        path.massive_rock = MassiveRock{degrees(45), -200};
+        const SteppedPathResult with = analyse(path);
+        EXPECT_EQ(with.factor_of_safety, without.factor_of_safety);
+        EXPECT_EQ(with.surface, without.surface);
+    }
+}
+
 // By sums over many short pieces of an edge, which the closed form needs none of.
 TEST(SteppedPath, WaterOnEdgesIsTheIntegralOfItsPressure) {
     std::mt19937 random(21);
@@ -417,6 +486,16 @@ TEST(SteppedPath, ImpossibleCasesSayWhy) {
                   path.water = WaterTable<>{9.81e3, WaterElevation<>{100}};
               }),
               SteppedPathCheck::elevation_without_datum);
+    for (const double dip : {-6.0, 72.5}) {
+        EXPECT_EQ(check([&](SteppedPath& path) {
+                      path.massive_rock = MassiveRock{degrees(dip), 0};
+                  }),
+                  SteppedPathCheck::boundary_not_between);
+    }
+    EXPECT_EQ(check([](SteppedPath& path) {
+                  path.massive_rock = MassiveRock{degrees(45), 60};
+              }),
+              SteppedPathCheck::no_path);
     EXPECT_EQ(check([](SteppedPath& path) { path.search.least_width = 100; }), SteppedPathCheck::no_path);
     // Wedges alone come out so far behind the crest, and they end below every column.
     EXPECT_EQ(check([](SteppedPath& path) {

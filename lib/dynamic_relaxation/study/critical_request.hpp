@@ -165,8 +165,8 @@ struct CriticalPlan {
     double lower;
     double upper;
     double tolerance;
-    std::vector<LoadingPath> path;      // that of the answer first
-    std::vector<std::size_t> material;  // whose strength is divided; empty unless it is
+    std::vector<LoadingPath> path;   // that of the answer first
+    std::vector<std::string> joint;  // names of those whose strength is divided; empty: all
 
     // Whether the blocks stand at low values and fail at high ones.
     bool stands_low() const { return parameter != CriticalParameter::friction; }

@@ -15,19 +15,6 @@ constexpr double standard_angle_tolerance = degrees(0.005);
 constexpr double standard_ratio_tolerance = 0.005;
 constexpr double own_ratio = 1;  // of strength or weight, as the case has it
 
-std::vector<std::size_t> materials_of(const RelaxationStudy& study, const std::vector<std::string>& joints) {
-    const RelaxationScene scene = relaxation_scene(study);
-    const std::vector<std::string> names = joint_names(study.model.scene);
-    const std::vector<std::size_t> joint_of = joints_of_materials(study.model.scene, scene);
-    std::vector<std::size_t> materials;
-    for (std::size_t material = 0; material < joint_of.size(); ++material) {
-        if (joints.empty() || std::ranges::find(joints, names[joint_of[material]]) != joints.end()) {
-            materials.push_back(material);
-        }
-    }
-    return materials;
-}
-
 LoadingPath path_of(RelaxationStart start) {
     switch (start) {
     case RelaxationStart::preloaded:
@@ -73,6 +60,7 @@ class PathSearch {
           whole_(whole),
           progress_(progress),
           scene_(relaxation_scene(study)),
+          reduced_(materials_of_joints(study.model.scene, scene_, plan.joint)),
           settings_(settings_for(study, work, scene_)) {
         // A search needs neither what happens after onset nor the time until then.
         settings_.stop_at_onset = true;
@@ -147,7 +135,7 @@ class PathSearch {
             }
             break;
         case CriticalParameter::strength_reduction:
-            return with_reduced_strength(std::move(scene), plan_.material, value);
+            return with_reduced_strength(std::move(scene), reduced_, value);
         case CriticalParameter::weight:
             scene.gravity.acceleration *= value;
             break;
@@ -266,6 +254,7 @@ class PathSearch {
     StudyProgress& whole_;
     SearchProgress& progress_;
     RelaxationScene scene_;
+    std::vector<std::size_t> reduced_;  // materials whose strength a search for the factor of safety divides
     RelaxationSettings settings_;
     std::function<bool(double)> watch_ = {};
     std::size_t runs_ = 0;
@@ -316,7 +305,7 @@ CriticalPlan critical_plan(const RelaxationStudy& study) {
                 plan.upper = asked.upper;
             }
             if constexpr (std::is_same_v<Asked, ReductionSearch>) {
-                plan.material = materials_of(study, asked.joints);
+                plan.joint = asked.joints;
             }
             plan.tolerance = asked.tolerance.value_or(plan.tolerance);
             plan.path = paths_of(study, asked.path.value_or(usual_path(study, plan.parameter)),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <type_traits>
 
 namespace delabole {
@@ -62,11 +63,10 @@ std::vector<std::string> joint_names(const BlockScene& scene) {
         scene);
 }
 
-std::vector<std::size_t> joints_of_materials(const BlockScene& made_of, const RelaxationScene& scene) {
+std::vector<std::size_t> materials_of_joints(const BlockScene& made_of, const RelaxationScene& scene,
+                                             const std::vector<std::string>& names) {
     std::vector<std::size_t> joints(scene.material.size());
-    for (std::size_t material = 0; material < joints.size(); ++material) {
-        joints[material] = material;
-    }
+    std::iota(joints.begin(), joints.end(), std::size_t{0});
     std::visit(
         [&](const auto& blocks) {
             if constexpr (is_standing<std::remove_cvref_t<decltype(blocks)>>) {
@@ -86,7 +86,14 @@ std::vector<std::size_t> joints_of_materials(const BlockScene& made_of, const Re
             }
         },
         made_of);
-    return joints;
+    const std::vector<std::string> known = joint_names(made_of);
+    std::vector<std::size_t> materials;
+    for (std::size_t material = 0; material < joints.size(); ++material) {
+        if (names.empty() || std::ranges::find(names, known[joints[material]]) != names.end()) {
+            materials.push_back(material);
+        }
+    }
+    return materials;
 }
 
 }  // namespace delabole

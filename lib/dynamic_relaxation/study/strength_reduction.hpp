@@ -27,8 +27,9 @@ RelaxationScene with_reduced_strength(RelaxationScene scene, std::span<const std
 // columns; "1", "2", ... of blocks.
 std::vector<std::string> joint_names(const BlockScene& scene);
 
-// The number of the joint in `made_of` that each of the scene's materials comes from. Scatter makes more materials than
-// there are joints.
-std::vector<std::size_t> joints_of_materials(const BlockScene& made_of, const RelaxationScene& scene);
+// The scene's materials that come from the named joints of `made_of`, from all where none is named. Scatter makes more
+// materials than there are joints.
+std::vector<std::size_t> materials_of_joints(const BlockScene& made_of, const RelaxationScene& scene,
+                                             const std::vector<std::string>& names);
 
 }  // namespace delabole

@@ -76,6 +76,16 @@ PathLattice::PathLattice(const SteppedPath& path) {
     face_ = line_through(Point(0, 0), left_of(direction(slope.face_dip)));
     upper_ = line_through(crest, left_of(direction(slope.upper_surface_dip)));
     tolerance_ = 1e-9 * slope.height;
+    if (path.massive_rock) {
+        // From a crossing above this plane everything that a surface follows upwards lies above it, too.
+        const double dip = path.massive_rock->boundary_dip;
+        if (refuse(!(dip > path.steps.dip) || (with_risers && !(dip < path.risers->dip)),
+                   SteppedPathCheck::boundary_not_between)) {
+            return;
+        }
+        const double height = path.massive_rock->boundary_height;
+        massive_ = line_through(Point(height * cot_face_, height), left_of(direction(dip)));
+    }
     unit_weight_ = path.rock.unit_weight;
     step_along_ = direction(path.steps.dip);
     step_spacing_ = path.steps.spacing;
@@ -168,7 +178,9 @@ double PathLattice::area_above(const Point& from, const Point& to) const {
 }
 
 bool PathLattice::inside(const Point& point) const {
-    return face_.normal.dot(point) < face_.offset - tolerance_ && upper_.normal.dot(point) < upper_.offset - tolerance_;
+    return face_.normal.dot(point) < face_.offset - tolerance_ &&
+           upper_.normal.dot(point) < upper_.offset - tolerance_ &&
+           !(massive_ && massive_->normal.dot(point) < massive_->offset - tolerance_);
 }
 
 // The point at which a ray from inside comes out; rock goes on for ever below.

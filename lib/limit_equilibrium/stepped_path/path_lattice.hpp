@@ -114,6 +114,7 @@ class PathLattice {
 
     SectionLine face_;
     SectionLine upper_;
+    std::optional<SectionLine> massive_;  // the rock whose joints are open lies to its left
     double slope_upper_ = 0;
     double cot_face_ = 0;
     double unit_weight_ = 0;

@@ -112,6 +112,22 @@ struct RockBridges {
     }
 };
 
+// Below a plane the rock is massive, its joints closed: no surface passes there. The plane itself is taken to be as
+// strong as that rock: sliding along it is plane failure's to answer.
+struct MassiveRock {
+    double boundary_dip;
+    double boundary_height;
+    static constexpr auto fields() {
+        using M = MassiveRock;
+        return std::tuple{
+            number("boundary_dip", &M::boundary_dip, Dimension::angle, within(degrees(-60), degrees(89)),
+                   "of the plane, positive out of the slope; between the dips of the steps and of the risers"),
+            number("boundary_height", &M::boundary_height, Dimension::length, position_range(),
+                   "height above the toe at which the plane meets the face or, below the toe, the face's "
+                   "continuation downwards")};
+    }
+};
+
 // A water surface drawn down to the toe: straight from there to its level at a given distance, level behind.
 struct WaterDrawnDown {
     double unit_weight;
@@ -137,6 +153,7 @@ struct SteppedPath {
     std::optional<PathColumns> columns;
     Rock<> rock;
     std::optional<RockBridges> rock_bridges;
+    std::optional<MassiveRock> massive_rock;
     SteppedPathWater water;
 
     static constexpr std::string_view kind = "stepped_path";
@@ -150,6 +167,8 @@ struct SteppedPath {
             section("columns", &P::columns, "the steep set into the slope, which cuts columns; absent: none"),
             section("rock", &P::rock, "the rock mass"),
             section("rock_bridges", &P::rock_bridges, "rock between the ends of joints; absent: joints persist"),
+            section("massive_rock", &P::massive_rock,
+                    "rock without open joints, which no surface reaches; absent: joints run all the way down"),
             section("water", &P::water, "water in the joints, at rest below a surface")};
     }
 };
@@ -162,6 +181,7 @@ enum class SteppedPathCheck {
     ground_too_steep,         // the ground behind the crest is as steep as the face, the steps or the risers
     steps_steeper_than_face,  // they do not daylight
     joints_too_close,         // to each other in direction: steps, risers and columns have to cross
+    boundary_not_between,     // the boundary of massive rock is flatter than the steps or steeper than the risers
     elevation_without_datum,
     no_path,         // no surface along the joints comes out within the allowed retreat
     too_many_nodes,  // more than 100 000 crossings of joints

@@ -8,6 +8,7 @@
 #include "cases/program/results/model_reports.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "dynamic_relaxation/study/strength_bound.hpp"
+#include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/atomic_file.hpp"
 #include "plots/drawing/text.hpp"
@@ -214,9 +215,10 @@ constexpr std::string_view corners_hold =
     "see them move, or set settings.corners_bear = \"on\" to count on corners";
 
 // Only where all joints lose strength alike is the bound one of what was searched.
-std::optional<double> bound_of_statics(const CriticalPlan& plan, const RelaxationScene& scene) {
-    if (plan.parameter != CriticalParameter::strength_reduction || plan.material.size() < scene.material.size() ||
-        !is_small_enough(scene)) {
+std::optional<double> bound_of_statics(const BlockScene& made_of, const CriticalPlan& plan,
+                                       const RelaxationScene& scene) {
+    if (plan.parameter != CriticalParameter::strength_reduction || !is_small_enough(scene) ||
+        materials_of_joints(made_of, scene, plan.joint).size() < scene.material.size()) {
         return std::nullopt;
     }
     const std::optional<double> bound = greatest_strength_reduction(scene, &interrupt_flag());
@@ -296,7 +298,7 @@ RelaxationStudyAnswer analyse_case(const RelaxationStudy& study, const AnalysisW
         };
         answer.plan = critical_plan(study);
         answer.critical = find_critical(study, how, progress);
-        answer.bound_of_statics = bound_of_statics(*answer.plan, answer.run.scene);
+        answer.bound_of_statics = bound_of_statics(study.model.scene, *answer.plan, answer.run.scene);
     }
     const bool has_answer = outcome != RelaxationOutcome::interrupted && run_in_words(answer.run).empty() &&
                             (!answer.critical || answer.critical->worst_status() == CriticalStatus::found);

@@ -5,6 +5,7 @@
 #include "limit_equilibrium/stepped_path/stepped_path.hpp"
 #include "plots/figures/block_figures.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace delabole {
@@ -36,7 +37,25 @@ Figure section_figure(const SteppedPath& path, const SteppedPathResult& result) 
         }
     }
     drawing.toe_elevation = path.slope.toe_elevation.value_or(0.0);
-    return block_figure(drawing);
+    Figure figure = block_figure(drawing);
+    if (path.massive_rock) {
+        // Where the boundary lies in the rock that is drawn.
+        const double slope = std::tan(path.massive_rock->boundary_dip);
+        const double height = path.massive_rock->boundary_height;
+        const Point at_face(height / std::tan(path.slope.face_dip), height);
+        const auto at = [&](double y) {
+            return Point(at_face.x() + (y - at_face.y()) / slope, y + drawing.toe_elevation);
+        };
+        const double low = std::max(0.0, height);
+        const double high = std::min(path.slope.height, at_face.y() + (end - at_face.x()) * slope);
+        if (slope > 0 && low < high) {
+            figure.series.emplace_back(Line{.points = {at(low), at(high)},
+                                            .legend = "boundary of massive rock",
+                                            .colour = Colour::grey,
+                                            .dash = Dash::dashed});
+        }
+    }
+    return figure;
 }
 
 }  // namespace
