@@ -88,6 +88,8 @@ struct Arrows {
 
 using Series = std::variant<Line, Points, Region, Boxes, HeatMap, Arrows>;
 
+constexpr double text_height = 19;  // px, so that it stays legible on a phone of half the width of a figure
+
 struct Label {
     enum class Align { left, centre, right };
     Point at;
@@ -114,8 +116,6 @@ struct Axis {
     bool grid = true;
 };
 
-enum class LegendPlace { below, none, top_left, top_right, bottom_left, bottom_right };
-
 struct Figure {
     std::string title = {};
     Axis x = {};
@@ -123,11 +123,10 @@ struct Figure {
     std::vector<Series> series = {};  // drawn in this order
     std::vector<Label> labels = {};
     std::vector<Arrow> arrows = {};
-    LegendPlace legend = LegendPlace::below;
     bool equal_scales = false;  // one metre is as long upwards as it is sideways
     bool frame = true;          // false: neither border nor axes, for what brings its own
-    int width = 640;            // px; text is 19 px high, so that it stays legible on a phone of half the width
-    int height = 450;           // px, without the legend below, which is added
+    int width = 640;            // px
+    int height = 450;           // px, without the legend, which is added below
 };
 
 // The gnuplot script: settings, data and plot command, drawn to <name>.svg and <name>.png in the working folder.

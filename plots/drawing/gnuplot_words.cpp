@@ -58,10 +58,6 @@ std::string quote_tick(std::string_view text) {
     return quote(doubled);
 }
 
-std::string legend_of(std::string_view legend) {
-    return legend.empty() ? "notitle" : "title " + quote(legend);
-}
-
 // 1, 2 or 5 times a power of ten, so that at most `most` steps lie within the size.
 double tick_step(double size, int most) {
     const double power = std::pow(10.0, std::floor(std::log10(size / most)));

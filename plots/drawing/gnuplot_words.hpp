@@ -19,9 +19,6 @@ std::string quote(std::string_view text);
 // The same for the text of a tick, which gnuplot takes for a format.
 std::string quote_tick(std::string_view text);
 
-// "title '...'", or "notitle" for an empty legend.
-std::string legend_of(std::string_view legend);
-
 // 1, 2 or 5 times a power of ten, so that at most `most` steps lie within `size`. size > 0, most > 0.
 double tick_step(double size, int most);
 

@@ -13,8 +13,10 @@ namespace delabole {
 
 namespace {
 
-constexpr double text_height = 19;  // px
 constexpr double mean_letter_width = 0.56 * text_height;
+constexpr double legend_sample = 44;                // px, with the space before its text
+constexpr double legend_gap = 22;                   // px, between entries
+constexpr double legend_line = 1.35 * text_height;  // px
 
 bool finite(const Point& point) {
     return std::isfinite(point.x()) && std::isfinite(point.y());
@@ -46,6 +48,7 @@ class ScriptWriter {
         for (const Series& series : figure_.series) {
             std::visit([this](const auto& content) { add(content); }, series);
         }
+        lay_out_legend();
         script_ << "# " << single_line(figure_.title) << "\n# Draw again, in this folder: gnuplot " << name_
                 << ".gp\nset encoding utf8\nset minussign\n";
         write_settings();
@@ -65,57 +68,106 @@ class ScriptWriter {
         return text;
     }
 
-    std::string add_data(const Rows& rows) {
-        std::string block = "$series_" + std::to_string(++blocks_);
-        data_ << block << " << EOD\n" << data_lines(rows) << "EOD\n";
-        return block;
+    template <class... Parts>
+    static std::string words(const Parts&... parts) {
+        std::ostringstream text;
+        text.imbue(std::locale::classic());
+        text.precision(12);
+        (text << ... << parts);
+        return text.str();
     }
 
-    std::ostringstream& next_plot() {
-        plot_ << (plot_.tellp() > 0 ? ", \\\n     " : "");
-        return plot_;
+    void plot(const Rows& rows, const std::string& how) {
+        data_ << "$series_" << ++blocks_ << " << EOD\n" << data_lines(rows) << "EOD\n";
+        plot_ << (plot_.tellp() > 0 ? ", \\\n     " : "") << "$series_" << blocks_ << ' ' << how;
     }
 
-    void note_legend(std::string_view legend) {
-        if (!legend.empty()) {
-            longest_legend_ = std::max(longest_legend_, letter_count(legend));
-            ++legends_;
+    // What a series looks like, beside its name below the plot.
+    struct LegendEntry {
+        enum class Sample { line, arrow, marker, area } sample;
+        std::string text;
+        std::string style;
+        double left = 0;  // px, and the row from above
+        int row = 0;
+    };
+
+    void note_legend(LegendEntry::Sample sample, const std::string& text, std::string style) {
+        if (!text.empty()) {
+            legend_.push_back({sample, text, std::move(style)});
         }
     }
 
-    // Two entries to a row where there is room: gnuplot's own choice of columns differs between terminals.
-    int legend_rows() const {
-        constexpr int few = 3;
-        // px, as gnuplot's SVG reckons it, which is the wider of the two terminals.
-        const double column = 0.66 * text_height * static_cast<double>(longest_legend_) + 110;
-        return legends_ > few && 2 * column <= figure_.width ? (legends_ + 1) / 2 : legends_;
+    // Entries follow each other as words do, each as wide as its text: gnuplot's own key has columns, which are all as
+    // wide as the longest text and differ between terminals.
+    void lay_out_legend() {
+        std::size_t longest = 0;
+        for (const LegendEntry& entry : legend_) {
+            longest = std::max(longest, letter_count(entry.text));
+        }
+        constexpr double letter = 0.6;  // of the height, in the wider of the two terminals
+        const double room = figure_.width - 2 * legend_gap;
+        // A long text in smaller letters rather than over the edge.
+        legend_height_ = std::clamp((room - legend_sample - legend_gap) / (letter * static_cast<double>(longest)), 11.0,
+                                    text_height);
+        double left = 0;
+        double widest = 0;
+        for (LegendEntry& entry : legend_) {
+            const double width =
+                legend_sample + letter * legend_height_ * static_cast<double>(letter_count(entry.text));
+            if (left > 0 && left + width > room) {
+                left = 0;
+                ++legend_rows_;
+            }
+            entry.left = left;
+            entry.row = legend_rows_;
+            widest = std::max(widest, left + width);
+            left += width + legend_gap;
+        }
+        legend_rows_ += legend_.empty() ? 0 : 1;
+        for (LegendEntry& entry : legend_) {
+            entry.left += std::max(legend_gap, 0.5 * (figure_.width - widest));
+        }
     }
 
-    int legend_height() const {
-        if (figure_.legend != LegendPlace::below || legends_ == 0) {
-            return 0;
-        }
-        return static_cast<int>(std::ceil(legend_rows() * 1.4 * text_height)) + 8;
+    int legend_space() const {
+        return legend_.empty() ? 0 : static_cast<int>(std::ceil(legend_rows_ * legend_line)) + 8;
     }
 
-    // The canvas grows with a legend below, so that the plot keeps its size.
-    int canvas_height() const { return figure_.height + legend_height(); }
+    // The canvas grows with the legend, so that the plot keeps its size.
+    int canvas_height() const { return figure_.height + legend_space(); }
 
-    // gnuplot's own "below" centres the legend under the axes, where it may reach over the edge of the canvas.
-    void write_legend_below() {
-        if (legends_ == 0) {
-            script_ << "unset key\n";
-            return;
+    // Set again for each terminal, whose markers differ in size.
+    std::string legend_commands() const {
+        std::ostringstream commands;
+        commands.imbue(std::locale::classic());
+        int tag = 1000;  // apart from labels and arrows of the figure
+        for (const LegendEntry& entry : legend_) {
+            const auto at = [&](double right, double up) {
+                std::ostringstream place;
+                place.imbue(std::locale::classic());
+                const double y = legend_space() - (entry.row + 0.5) * legend_line + up;
+                place << "screen " << (entry.left + right) / figure_.width << ",screen " << y / canvas_height();
+                return place.str();
+            };
+            constexpr double end = legend_sample - 10;  // px
+            ++tag;
+            switch (entry.sample) {
+            case LegendEntry::Sample::line:
+            case LegendEntry::Sample::arrow:
+                commands << "set arrow " << tag << " from " << at(0, 0) << " to " << at(end, 0) << ' ' << entry.style;
+                break;
+            case LegendEntry::Sample::marker:
+                commands << "set label " << 1000 + tag << " '' at " << at(0.5 * end, 0) << " point " << entry.style;
+                break;
+            case LegendEntry::Sample::area:
+                commands << "set object " << tag << " rectangle from " << at(0, -7) << " to " << at(end, 7) << ' '
+                         << entry.style;
+                break;
+            }
+            commands << "\nset label " << tag << ' ' << quote(entry.text) << " at " << at(legend_sample, 0)
+                     << " left font '," << legend_height_ << "'\n";
         }
-        const double axis_height = figure_.frame ? 86 : 12;  // px, numbers and title of the x axis
-        script_ << "set key at screen 0.5," << 4.0 / canvas_height() << " center bottom vertical maxrows "
-                << legend_rows() << " Left reverse samplen 2 width 1";
-        // A long legend in smaller letters rather than over the edge.
-        const double share = figure_.width / (0.62 * text_height * static_cast<double>(longest_legend_) + 90);
-        if (share < 1) {
-            script_ << " font '," << std::max(11.0, std::floor(share * text_height)) << "'";
-        }
-        script_ << "\nset bmargin at screen " << (legend_height() + axis_height) / canvas_height() << "\n";
+        return commands.str();
     }
 
     void include(const Rows& rows) {
@@ -131,10 +183,10 @@ class ScriptWriter {
             return;
         }
         include(rows);
-        note_legend(line.legend);
-        const std::string block = add_data(rows);
-        next_plot() << block << " using 1:2 with lines linewidth " << line.width << " dashtype " << dash_type(line.dash)
-                    << " linecolor rgb " << rgb(line.colour) << ' ' << legend_of(line.legend);
+        const std::string style =
+            words("linewidth ", line.width, " dashtype ", dash_type(line.dash), " linecolor rgb ", rgb(line.colour));
+        note_legend(LegendEntry::Sample::line, line.legend, "nohead " + style);
+        plot(rows, "using 1:2 with lines " + style);
     }
 
     void add(const Points& points) {
@@ -143,11 +195,10 @@ class ScriptWriter {
             return;
         }
         include(rows);
-        note_legend(points.legend);
-        const std::string block = add_data(rows);
-        next_plot() << block << " using 1:2 with points pointtype " << point_type(points.marker) << " pointsize marker*"
-                    << points.size << " linewidth 2 linecolor rgb " << rgb(points.colour) << ' '
-                    << legend_of(points.legend);
+        const std::string style = words("pointtype ", point_type(points.marker), " pointsize marker*", points.size,
+                                        " linewidth 2 linecolor rgb ", rgb(points.colour));
+        note_legend(LegendEntry::Sample::marker, points.legend, style);
+        plot(rows, "using 1:2 with points " + style);
     }
 
     void add(const Region& region) {
@@ -156,10 +207,10 @@ class ScriptWriter {
             return;
         }
         include(rows);
-        note_legend(region.legend);
-        const std::string block = add_data(rows);
-        next_plot() << block << " using 1:2 with filledcurves closed fillcolor rgb " << rgb(region.colour)
-                    << " fillstyle transparent solid " << region.opacity << " noborder " << legend_of(region.legend);
+        const std::string style =
+            words("fillcolor rgb ", rgb(region.colour), " fillstyle transparent solid ", region.opacity, " noborder");
+        note_legend(LegendEntry::Sample::area, region.legend, style);
+        plot(rows, "using 1:2 with filledcurves closed " + style);
     }
 
     void add(const Boxes& boxes) {
@@ -174,10 +225,9 @@ class ScriptWriter {
             return;
         }
         include(rows);
-        note_legend(boxes.legend);
-        const std::string block = add_data(rows);
-        next_plot() << block << " using (0.5*($1+$3)):(0.5*($2+$4)):1:3:2:4 with boxxyerror fillcolor rgb "
-                    << rgb(boxes.colour) << " fillstyle solid noborder " << legend_of(boxes.legend);
+        const std::string style = words("fillcolor rgb ", rgb(boxes.colour), " fillstyle solid noborder");
+        note_legend(LegendEntry::Sample::area, boxes.legend, style);
+        plot(rows, "using (0.5*($1+$3)):(0.5*($2+$4)):1:3:2:4 with boxxyerror " + style);
     }
 
     void add(const Arrows& arrows) {
@@ -192,10 +242,10 @@ class ScriptWriter {
             return;
         }
         include(rows);
-        note_legend(arrows.legend);
-        const std::string block = add_data(rows);
-        next_plot() << block << " using 1:2:($3-$1):($4-$2) with vectors head filled size screen 0.013,20 linewidth "
-                    << arrows.width << " linecolor rgb " << rgb(arrows.colour) << ' ' << legend_of(arrows.legend);
+        const std::string style =
+            words("head filled size screen 0.013,20 linewidth ", arrows.width, " linecolor rgb ", rgb(arrows.colour));
+        note_legend(LegendEntry::Sample::arrow, arrows.legend, style);
+        plot(rows, "using 1:2:($3-$1):($4-$2) with vectors " + style);
     }
 
     void add(const HeatMap& map) {
@@ -225,18 +275,13 @@ class ScriptWriter {
                    "6 '#225ea8')\nset cbrange [0:"
                 << map.ceiling << "]\nset cbtics " << tick_step(map.ceiling, 6) << "\nset cblabel "
                 << quote(map.scale_title) << "\n";
-        const std::string block = add_data(rows);
         if (gaps) {
             // The image is transparent where it has no value.
-            script_ << "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb "
-                    << rgb(Colour::light_grey) << " fillstyle solid noborder\n";
-            if (!map.no_answer_legend.empty()) {
-                note_legend(map.no_answer_legend);
-                next_plot() << "keyentry with boxes fillcolor rgb " << rgb(Colour::light_grey)
-                            << " fillstyle solid noborder " << legend_of(map.no_answer_legend);
-            }
+            const std::string style = words("fillcolor rgb ", rgb(Colour::light_grey), " fillstyle solid noborder");
+            script_ << "set object 1 rectangle from graph 0,0 to graph 1,1 behind " << style << "\n";
+            note_legend(LegendEntry::Sample::area, map.no_answer_legend, style);
         }
-        next_plot() << block << " using 1:2:($3>" << map.ceiling << "?" << map.ceiling << ":$3) with image notitle";
+        plot(rows, words("using 1:2:($3>", map.ceiling, "?", map.ceiling, ":$3) with image"));
     }
 
     void write_settings() {
@@ -248,27 +293,11 @@ class ScriptWriter {
         if (figure_.equal_scales) {
             script_ << "set size ratio -1\n";
         }
-        switch (figure_.legend) {
-        case LegendPlace::none:
-            script_ << "unset key\n";
-            return;
-        case LegendPlace::below:
-            write_legend_below();
-            return;
-        case LegendPlace::top_left:
-            script_ << "set key inside top left opaque";
-            break;
-        case LegendPlace::top_right:
-            script_ << "set key inside top right opaque";
-            break;
-        case LegendPlace::bottom_left:
-            script_ << "set key inside bottom left opaque";
-            break;
-        case LegendPlace::bottom_right:
-            script_ << "set key inside bottom right opaque";
-            break;
+        script_ << "unset key\n";
+        if (!legend_.empty()) {
+            const double axis_height = figure_.frame ? 86 : 12;  // px, numbers and title of the x axis
+            script_ << "set bmargin at screen " << (legend_space() + axis_height) / canvas_height() << "\n";
         }
-        script_ << " Left reverse samplen 2 width 1\n";
     }
 
     // Lines of about equal length, as many as the width asks for.
@@ -356,28 +385,20 @@ class ScriptWriter {
         }
     }
 
-    std::string key_spacing(double spacing) const {
-        std::ostringstream text;
-        text.imbue(std::locale::classic());
-        text << "set key spacing " << spacing << "\n";
-        return figure_.legend == LegendPlace::none || legends_ == 0 ? "" : text.str();
-    }
-
     void write_drawing() {
         const auto terminal = [this](std::string_view kind, int scale) {
             script_ << "set terminal " << kind << " size " << scale * figure_.width << ',' << scale * canvas_height();
         };
-        // The terminals differ in the size of their markers and in the height of a line of text.
         terminal("svg", 1);
         script_ << " dynamic noenhanced font 'sans-serif," << text_height << "' background rgb 'white'\n"
                 << "set output '" << name_ << ".svg'\nmarker = 0.6\n"
-                << key_spacing(0.92) << "plot " << (plot_.tellp() == 0 ? "NaN notitle" : plot_.str()) << "\n";
+                << legend_commands() << "plot " << (plot_.tellp() == 0 ? "NaN" : plot_.str()) << "\n";
         // Twice the size, for print. Its letters are measured in points of 4/3 px.
         terminal("pngcairo", 2);
         script_ << " noenhanced font 'sans," << text_height
                 << "' fontscale 1.5 linewidth 2 pointscale 2 background rgb 'white'\n"
                 << "set output '" << name_ << ".png'\nmarker = 1\n"
-                << key_spacing(1.1) << "replot\nset output\n";
+                << legend_commands() << "replot\nset output\n";
     }
 
     const Figure& figure_;
@@ -387,8 +408,9 @@ class ScriptWriter {
     std::ostringstream plot_;
     Extent x_extent_;
     Extent y_extent_;
-    std::size_t longest_legend_ = 0;
-    int legends_ = 0;
+    std::vector<LegendEntry> legend_;
+    double legend_height_ = text_height;  // px, of its letters
+    int legend_rows_ = 0;
     int blocks_ = 0;
 };
 

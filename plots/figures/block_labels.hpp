@@ -9,7 +9,6 @@
 
 namespace delabole {
 
-constexpr double text_height = 19;     // px, of a figure's text
 constexpr double letter_width = 0.66;  // of the height of the text
 
 // Positions in the units of the blocks' outlines.

@@ -5,6 +5,7 @@
 
 #include "parameters/fields.hpp"
 #include "plots/drawing/figure.hpp"
+#include "plots/drawing/free_place.hpp"
 
 #include <optional>
 #include <string>
@@ -54,6 +55,12 @@ struct Measure {
 
 void add_measure(const Measure& measure, Figure& figure);
 
+// A text at the first of its places where it hides nothing.
+struct SectionNote {
+    std::vector<LabelPlace> places = {};
+    std::string text = {};
+};
+
 // A section, origin at the toe, x into the slope, y up, m. Whatever is empty is left out.
 struct SectionDrawing {
     std::string title = {};
@@ -68,8 +75,8 @@ struct SectionDrawing {
     std::vector<SectionForce> forces = {};
     std::vector<Polyline> bolts = {};  // each from its head to its end
     std::vector<Measure> measures = {};
-    std::vector<std::pair<Point, std::string>> notes = {};  // texts at their places
-    double toe_elevation = 0;                               // m; added to heights on the vertical axis
+    std::vector<SectionNote> notes = {};
+    double toe_elevation = 0;  // m; added to heights on the vertical axis
 };
 
 Figure section_figure(const SectionDrawing& drawing);

@@ -15,9 +15,9 @@ namespace delabole {
 
 namespace {
 
-constexpr std::size_t letters_of_name = 26;  // in a line beside a bar
-constexpr std::array colours{Colour::blue,   Colour::orange, Colour::green,
-                             Colour::purple, Colour::sky,    Colour::vermilion};
+constexpr std::size_t letters_of_candidate = 26;  // in a line beside a bar
+constexpr std::array input_colours{Colour::blue,   Colour::orange, Colour::green,
+                                   Colour::purple, Colour::sky,    Colour::vermilion};
 
 double greatest_reduction(const CandidateInformation& candidate) {
     double greatest = 0;
@@ -61,7 +61,7 @@ Figure information_figure(const std::vector<CandidateInformation>& candidates) {
     std::vector<Line> errors;
     double highest = 10;
     for (std::size_t number = 0; number < parameters.size(); ++number) {
-        Boxes boxes{.legend = human_name(parameters[number]), .colour = colours[number % colours.size()]};
+        Boxes boxes{.legend = human_name(parameters[number]), .colour = input_colours[number % input_colours.size()]};
         for (std::size_t row = 0; row < order.size(); ++row) {
             const double top = static_cast<double>(order.size() - row) + 0.4 - thickness * static_cast<double>(number);
             for (const ParameterInformation& parameter : order[row]->over_mechanisms) {
@@ -84,7 +84,7 @@ Figure information_figure(const std::vector<CandidateInformation>& candidates) {
     figure.series.insert(figure.series.end(), errors.begin(), errors.end());
     for (std::size_t row = 0; row < order.size(); ++row) {
         figure.y.ticks.emplace_back(static_cast<double>(order.size() - row),
-                                    wrapped(order[row]->label, letters_of_name));
+                                    wrapped(order[row]->label, letters_of_candidate));
     }
     figure.y.grid = false;
     figure.y.range = std::pair{0.4, static_cast<double>(order.size()) + 0.6};
@@ -146,7 +146,7 @@ Figure coverage_figure(const MechanismRecovery& recovery) {
     }
     for (std::size_t row = 0; row < count; ++row) {
         figure.y.ticks.emplace_back(static_cast<double>(count - row),
-                                    wrapped(human_name(recovery.parameters[row].name), letters_of_name));
+                                    wrapped(human_name(recovery.parameters[row].name), letters_of_candidate));
     }
     figure.y.grid = false;
     figure.y.range = std::pair{0.4, top};

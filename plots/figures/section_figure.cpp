@@ -75,30 +75,35 @@ std::vector<Arrows::Shaft> force_shafts(const SectionDrawing& drawing) {
     return shafts;
 }
 
-void add_forces(const SectionDrawing& drawing, const Point& raise, Figure& figure) {
+void add_forces(const SectionDrawing& drawing, const Point& raise, double px_per_metre, Figure& figure) {
     Arrows arrows{.shafts = force_shafts(drawing),
-                  .legend = "forces on what slides, " + human_unit(shown_unit(Dimension::force_per_length).symbol),
+                  .legend = "forces, " + human_unit(shown_unit(Dimension::force_per_length).symbol),
                   .colour = Colour::black,
                   .width = 3};
     if (arrows.shafts.empty()) {
         return;
     }
+    for (Arrows::Shaft& shaft : arrows.shafts) {
+        shaft = {shaft.from + raise, shaft.to + raise};
+    }
+    const std::vector<Arrows::Shaft> shafts = arrows.shafts;
+    figure.series.emplace_back(std::move(arrows));
     std::size_t index = 0;
     for (const SectionForce& force : drawing.forces) {
         if (force.force > 0) {
-            Arrows::Shaft& shaft = arrows.shafts[index++];
-            shaft = {shaft.from + raise, shaft.to + raise};
-            const bool sideways = std::abs(force.direction.x()) > 0.7;
+            const auto& [tail, tip] = shafts[index++];
+            const double beyond = force.direction.y() < 0 ? -0.6 : 0.6;
+            const std::vector<LabelPlace> upright{{tip, Label::Align::left, beyond},
+                                                  {tip, Label::Align::right, beyond},
+                                                  {tail, Label::Align::left, -beyond},
+                                                  {tail, Label::Align::right, -beyond}};
             // A force that points into the slope has its text in front of it.
-            figure.labels.push_back({.at = force.direction.x() > 0.7 ? shaft.from : shaft.to,
-                                     .text = force.text,
-                                     .align = sideways ? Label::Align::right : Label::Align::left,
-                                     .raise = sideways                  ? 0
-                                              : force.direction.y() < 0 ? -0.6
-                                                                        : 0.6});
+            const Point& front = force.direction.x() > 0.7 ? tail : tip;
+            const std::vector<LabelPlace> sideways{
+                {front, Label::Align::right, 0}, {front, Label::Align::right, 0.6}, {front, Label::Align::right, -0.6}};
+            add_where_free(std::abs(force.direction.x()) > 0.7 ? sideways : upright, force.text, px_per_metre, figure);
         }
     }
-    figure.series.emplace_back(std::move(arrows));
 }
 
 Frame frame_of(const SectionDrawing& drawing) {
@@ -146,8 +151,7 @@ void add_water(const SectionDrawing& drawing, double height, Figure& figure) {
 
 void add_measure(const Measure& measure, Figure& figure) {
     figure.arrows.push_back({.from = measure.from, .to = measure.to, .colour = Colour::grey, .both_heads = true});
-    figure.labels.push_back(
-        {.at = 0.5 * (measure.from + measure.to), .text = measure.text, .align = Label::Align::centre});
+    figure.labels.push_back({.at = 0.5 * (measure.from + measure.to), .text = " " + measure.text, .boxed = false});
 }
 
 Figure section_figure(const SectionDrawing& drawing) {
@@ -191,14 +195,13 @@ Figure section_figure(const SectionDrawing& drawing) {
         }
     };
     const bool is_plain = drawing.predicted_profile.empty() && drawing.observed_profile.empty();
-    add_line(drawing.ground, is_plain ? "ground surface" : "ground before the failure", Colour::black, Dash::solid, 3);
+    add_line(drawing.ground, is_plain ? "" : "ground before the failure", Colour::black, Dash::solid, 3);
     add_line(drawing.predicted_profile, "predicted after the failure", Colour::green, Dash::solid, 6);
     add_line(drawing.failure_plane, "failure plane", Colour::vermilion, Dash::dashed, 3);
     add_line(drawing.tension_crack, "tension crack", Colour::purple, Dash::dashed, 3);
     add_line(drawing.water_in_crack, "water in the crack", Colour::blue, Dash::solid, 5);
-    std::string bolts = "bolts";
     for (const Polyline& bolt : drawing.bolts) {
-        add_line(bolt, std::exchange(bolts, ""), Colour::green, Dash::solid, 3);
+        add_line(bolt, "", Colour::green, Dash::solid, 3);
     }
     add_line(drawing.observed_profile, "", Colour::black, Dash::dotted, 2);
     if (!drawing.observed_profile.empty()) {
@@ -221,12 +224,17 @@ Figure section_figure(const SectionDrawing& drawing) {
     for (const Measure& measure : drawing.measures) {
         add_measure({measure.from + raise, measure.to + raise, measure.text}, figure);
     }
-    for (const auto& [at, text] : drawing.notes) {
-        figure.labels.push_back({.at = at + raise, .text = text, .align = Label::Align::right});
-    }
-    add_forces(drawing, raise, figure);
     // The plot is about 540 px wide; title and axis take about 120 px of the height.
-    figure.height = static_cast<int>(std::clamp(540 * size.y() / size.x(), 200.0, 680.0)) + 120;
+    const double plot_height = std::clamp(540 * size.y() / size.x(), 200.0, 680.0);
+    figure.height = static_cast<int>(plot_height) + 120;
+    const double px_per_metre = std::min(540 / size.x(), plot_height / size.y());
+    add_forces(drawing, raise, px_per_metre, figure);
+    for (SectionNote note : drawing.notes) {
+        for (LabelPlace& place : note.places) {
+            place.at += raise;
+        }
+        add_where_free(note.places, note.text, px_per_metre, figure);
+    }
     return figure;
 }
 

@@ -2,6 +2,7 @@
 
 #include "kinematics/poles.hpp"
 #include "plots/drawing/contour.hpp"
+#include "plots/drawing/free_place.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
@@ -41,8 +42,9 @@ Point on_primitive(double azimuth, double radius) {
     return {radius * std::sin(azimuth), radius * std::cos(azimuth)};
 }
 
+constexpr double margin = 1.17;  // of the net's radius: room for the azimuths around the primitive
+
 Figure bare_circle(std::string title, int size) {
-    constexpr double margin = 1.17;  // room for the azimuths around the primitive
     return {.title = std::move(title),
             .x = {.range = std::pair{-margin, margin}, .grid = false},
             .y = {.range = std::pair{-margin, margin}, .grid = false},
@@ -83,22 +85,61 @@ void add_primitive(Figure& figure, NetProjection projection) {
                              .boxed = false});
 }
 
+// A text on the net.
+void add_name(Figure& figure, const std::vector<LabelPlace>& places, const std::string& text, Colour colour) {
+    add_where_free(places, text, figure.width / (2 * margin), figure, colour);
+}
+
+// On its curve, near the middle.
+void add_name_along(Figure& figure, const Polyline& curve, const std::string& text, Colour colour) {
+    std::vector<LabelPlace> places;
+    for (const double share : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
+        const auto index = static_cast<std::size_t>(share * static_cast<double>(curve.size() - 1));
+        places.push_back({curve[index], Label::Align::centre});
+    }
+    add_name(figure, places, text, colour);
+}
+
+// Around a point.
+void add_name_beside(Figure& figure, const Point& at, const std::string& text, Colour colour) {
+    std::vector<LabelPlace> places;
+    for (const double distance : {0.07, 0.16, 0.26}) {
+        for (const double side : {-1.0, 1.0}) {
+            places.push_back({at + Point(0, side * distance), Label::Align::centre});
+            places.push_back({at + Point(distance, 0), Label::Align::left});
+            places.push_back({at - Point(distance, 0), Label::Align::right});
+            places.push_back({at + Point(0.7 * distance, side * distance), Label::Align::left});
+            places.push_back({at + Point(-0.7 * distance, side * distance), Label::Align::right});
+        }
+    }
+    add_name(figure, places, text, colour);
+}
+
+void add_circle(Figure& figure, const Orientation& plane, NetProjection projection, Colour colour, Dash dash,
+                double width) {
+    figure.series.emplace_back(
+        Line{.points = great_circle(plane, projection), .colour = colour, .dash = dash, .width = width});
+}
+
 void add_face(Figure& figure, const Orientation& face, NetProjection projection) {
-    figure.series.emplace_back(Line{.points = great_circle(face, projection),
-                                    .legend = "face " + attitude(face.dip, face.dip_direction),
-                                    .colour = Colour::black,
-                                    .width = 4});
+    add_circle(figure, face, projection, Colour::black, Dash::solid, 4);
+}
+
+void name_plane(Figure& figure, const std::string& name, const Orientation& plane, NetProjection projection,
+                Colour colour) {
+    add_name_along(figure, great_circle(plane, projection), name + " " + attitude(plane.dip, plane.dip_direction),
+                   colour);
 }
 
 void add_planes(Figure& figure, const std::vector<DrawnJointSet>& sets, NetProjection projection) {
     for (std::size_t index = 0; index < sets.size(); ++index) {
-        const DrawnJointSet& set = sets[index];
-        figure.series.emplace_back(
-            Line{.points = great_circle(set.mean, projection),
-                 .legend = human_name(set.name) + " " + attitude(set.mean.dip, set.mean.dip_direction),
-                 .colour = of_set(set_colours, index),
-                 .dash = of_set(set_dashes, index),
-                 .width = 3});
+        add_circle(figure, sets[index].mean, projection, of_set(set_colours, index), of_set(set_dashes, index), 3);
+    }
+}
+
+void name_planes(Figure& figure, const std::vector<DrawnJointSet>& sets, NetProjection projection) {
+    for (std::size_t index = 0; index < sets.size(); ++index) {
+        name_plane(figure, human_name(sets[index].name), sets[index].mean, projection, of_set(set_colours, index));
     }
 }
 
@@ -187,16 +228,13 @@ void add_poles(Figure& figure, const StereonetDrawing& drawing) {
             continue;
         }
         if (!named) {
-            poles.legend = "small marks: " + poles_are(drawing) + " poles" +
-                           (drawing.measured ? "" : ", at most " + std::to_string(most_drawn) + " of each set");
+            poles.legend = poles_are(drawing) + " poles" +
+                           (drawing.measured ? "" : ", at most " + std::to_string(most_drawn) + " of a set");
             named = true;
         }
         figure.series.emplace_back(std::move(poles));
     }
-    Points others{.legend = "measured poles that belong to no set",
-                  .colour = Colour::grey,
-                  .marker = Marker::circle,
-                  .size = 0.5};
+    Points others{.legend = "measured poles of no set", .colour = Colour::grey, .marker = Marker::circle, .size = 0.5};
     for (const Orientation& plane : drawing.without_set) {
         others.points.push_back(projected_pole(plane, drawing.projection));
     }
@@ -212,12 +250,17 @@ void add_mean_poles(Figure& figure, const StereonetDrawing& drawing) {
         // A white ground parts the mark from the poles around it.
         figure.series.emplace_back(
             Points{.points = {pole}, .colour = Colour::white, .marker = of_set(set_markers, index), .size = 3});
-        figure.series.emplace_back(
-            Points{.points = {pole},
-                   .legend = human_name(set.name) + ", mean " + attitude(set.mean.dip, set.mean.dip_direction),
-                   .colour = of_set(set_colours, index),
-                   .marker = of_set(set_markers, index),
-                   .size = 2});
+        figure.series.emplace_back(Points{
+            .points = {pole}, .colour = of_set(set_colours, index), .marker = of_set(set_markers, index), .size = 2});
+    }
+}
+
+void name_mean_poles(Figure& figure, const StereonetDrawing& drawing) {
+    for (std::size_t index = 0; index < drawing.joint_set.size(); ++index) {
+        const DrawnJointSet& set = drawing.joint_set[index];
+        add_name_beside(figure, projected_pole(set.mean, drawing.projection),
+                        human_name(set.name) + " " + attitude(set.mean.dip, set.mean.dip_direction),
+                        of_set(set_colours, index));
     }
 }
 
@@ -271,19 +314,17 @@ Figure pole_figure(const StereonetDrawing& drawing) {
     add_zone(
         figure,
         planar_sliding_zone(drawing.slope, drawing.friction_angle, drawing.lateral_limit.planar_sliding, projection),
-        "poles that slide, within " + degrees_text(drawing.lateral_limit.planar_sliding) + "° of the face",
-        Colour::rock);
+        "poles that slide, ±" + degrees_text(drawing.lateral_limit.planar_sliding) + "°", Colour::rock);
     add_zone(figure,
              flexural_toppling_zone(drawing.slope, drawing.friction_angle, drawing.lateral_limit.flexural_toppling,
                                     projection),
-             "poles that topple (flexural), within " + degrees_text(drawing.lateral_limit.flexural_toppling) +
-                 "° of the face",
+             "poles that topple (flexural), ±" + degrees_text(drawing.lateral_limit.flexural_toppling) + "°",
              Colour::sky);
     add_poles(figure, drawing);
     add_density_contours(figure, drawing);
     add_face(figure, {drawing.slope.face_dip, drawing.slope.face_dip_direction}, projection);
     figure.series.emplace_back(Line{.points = daylight_envelope(drawing.slope, projection),
-                                    .legend = "daylight envelope of the face",
+                                    .legend = "daylight envelope",
                                     .colour = Colour::black,
                                     .dash = Dash::dashed,
                                     .width = 2});
@@ -294,6 +335,8 @@ Figure pole_figure(const StereonetDrawing& drawing) {
                                     .width = 2});
     add_mean_poles(figure, drawing);
     add_primitive(figure, projection);
+    name_mean_poles(figure, drawing);
+    name_plane(figure, "face", {drawing.slope.face_dip, drawing.slope.face_dip_direction}, projection, Colour::black);
     return figure;
 }
 
@@ -355,10 +398,8 @@ Figure plane_figure(const StereonetDrawing& drawing) {
     Figure figure = empty_net(drawing.title, "mean planes and intersections");
     add_zone(figure, wedge_sliding_zone(drawing.slope, drawing.friction_angle, projection),
              "intersections along which wedges slide", Colour::rock);
-    add_zone(
-        figure, toppling_axis_zone(drawing.slope, drawing.lateral_limit.direct_toppling, projection),
-        "axes of toppling columns, within " + degrees_text(drawing.lateral_limit.direct_toppling) + "° of the face",
-        Colour::sky);
+    add_zone(figure, toppling_axis_zone(drawing.slope, drawing.lateral_limit.direct_toppling, projection),
+             "axes of toppling columns, ±" + degrees_text(drawing.lateral_limit.direct_toppling) + "°", Colour::sky);
     add_zone(figure, oblique_toppling_axis_zone(drawing.slope, drawing.friction_angle, projection),
              "oblique axes, within " + friction + "° of vertical", Colour::light_grey);
     add_face(figure, {drawing.slope.face_dip, drawing.slope.face_dip_direction}, projection);
@@ -377,18 +418,17 @@ Figure plane_figure(const StereonetDrawing& drawing) {
         figure.series.emplace_back(std::move(lines));
     }
     add_primitive(figure, projection);
+    name_plane(figure, "face", {drawing.slope.face_dip, drawing.slope.face_dip_direction}, projection, Colour::black);
+    name_planes(figure, drawing.joint_set, projection);
     return figure;
 }
 
 Figure wedge_net_figure(const WedgeNet& net) {
     const NetProjection projection = net.projection;
     Figure figure = empty_net(net.title, "planes of the wedge");
-    add_face(figure, plane_with_normal(upward_normal(net.face)), projection);
-    figure.series.emplace_back(
-        Line{.points = great_circle(net.upper_surface, projection),
-             .legend = "upper surface " + attitude(net.upper_surface.dip, net.upper_surface.dip_direction),
-             .colour = Colour::grey,
-             .width = 2});
+    const Orientation face = plane_with_normal(upward_normal(net.face));
+    add_face(figure, face, projection);
+    add_circle(figure, net.upper_surface, projection, Colour::grey, Dash::solid, 2);
     add_planes(figure, net.planes, projection);
     figure.series.emplace_back(Points{.points = {projected_line(net.line, projection)},
                                       .legend = "line of intersection " + attitude(net.line.plunge, net.line.trend),
@@ -403,6 +443,9 @@ Figure wedge_net_figure(const WedgeNet& net) {
                    .size = 3});
     }
     add_primitive(figure, projection);
+    name_plane(figure, "face", face, projection, Colour::black);
+    name_plane(figure, "upper surface", net.upper_surface, projection, Colour::grey);
+    name_planes(figure, net.planes, projection);
     return figure;
 }
 

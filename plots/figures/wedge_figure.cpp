@@ -81,12 +81,7 @@ Slope slope_around(const WedgeDrawing& drawing) {
 }
 
 Figure empty_picture(const WedgeDrawing& drawing) {
-    return {.title = drawing.title,
-            .legend = LegendPlace::below,
-            .equal_scales = true,
-            .frame = false,
-            .width = 720,
-            .height = 560};
+    return {.title = drawing.title, .equal_scales = true, .frame = false, .width = 720, .height = 560};
 }
 
 void add_surface(Figure& figure, const View& view, std::vector<Direction> outline, Colour colour, double opacity,

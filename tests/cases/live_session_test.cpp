@@ -209,6 +209,62 @@ TEST(LiveSession, MisfitOfACaseWithFitIsThatOfItsObservations) {
     EXPECT_EQ(fit["observations"][0]["predicted"], "1.54");
 }
 
+// The same sentences as the commands print, of the slope as the page has it.
+TEST(LiveSession, StudiesTheSlopeAsItIs) {
+    const auto has = [](const Json& answer, std::string_view text) {
+        return std::ranges::any_of(answer["sentences"], [&](const Json& sentence) {
+            return sentence.get<std::string>().find(text) != std::string::npos;
+        });
+    };
+    const LiveSession samples = session_of("starting/sensitivity.toml");
+    EXPECT_EQ(samples.open()["studies"], true);
+    const Json as_given = samples.study(Json::object());
+    EXPECT_TRUE(has(as_given, "Probability of failure 0.11 %")) << as_given;
+    const Json higher = samples.study({{"values", {{"slope.height", 25}}}});
+    EXPECT_TRUE(has(higher, "Probability of failure ")) << higher;
+    EXPECT_FALSE(has(higher, "Probability of failure 0.11 %")) << higher;
+    EXPECT_THROW(samples.study({{"values", {{"tension_crack.distance_behind_crest", 100}}}}), LiveRefusal);
+
+    const Json fitted = session_of("starting/fit.toml").study(Json::object());
+    EXPECT_TRUE(has(fitted, "friction angle 35.9 deg (30.9 deg to 39.6 deg with 95 %)")) << fitted;
+    EXPECT_EQ(session_of("starting/plane_failure.toml").open()["studies"], false);
+}
+
+// The uphill top corner of each block follows, to the point where the pointer is.
+TEST(LiveSession, BlocksOfARowAreDragged) {
+    for (const auto& [name, count] :
+         std::array<std::pair<const char*, std::size_t>, 3>{{{"starting/flexural_toppling.toml", 4},
+                                                             {"starting/block_row.toml", 3},
+                                                             {"stepped_base/appendix_a.toml", 8}}}) {
+        const LiveSession session = session_of(name);
+        const Json before = session.answer(Json::object());
+        ASSERT_GE(before["handles"].size(), count) << name;
+        for (const Json& handle : before["handles"]) {
+            // Within the picture, where the corner is drawn.
+            const double x = handle["at"][0];
+            const double y = handle["at"][1];
+            const Json& figure = before["figures"][0];
+            if (handle["name"] != "base") {
+                bool drawn = false;
+                for (const Json& series : figure["series"]) {
+                    const Json& points = series.contains("points") ? series["points"] : series["outline"];
+                    for (const Json& point : points.is_array() ? points : Json::array()) {
+                        drawn = drawn || (point.is_array() && point[0].is_number() && point[1].is_number() &&
+                                          std::hypot(point[0].get<double>() - x, point[1].get<double>() - y) < 1e-6);
+                    }
+                }
+                EXPECT_TRUE(drawn) << name << ' ' << handle;
+            }
+            const Json answer = session.drag({{"handle", handle["name"]}, {"to", {x + 0.02, y + 0.03}}});
+            const Json& moved =
+                *std::ranges::find(answer["handles"], handle["name"], [](const Json& one) { return one["name"]; });
+            EXPECT_LT(std::hypot(moved["at"][0].get<double>() - x - 0.02, moved["at"][1].get<double>() - y - 0.03),
+                      handle["name"] == "base" ? 0.036 : 1e-3)
+                << name << ' ' << handle;
+        }
+    }
+}
+
 TEST(LiveSession, EveryPointOfASectionIsDragged) {
     std::string text = text_of("starting/full/plane_failure.toml");
     for (const auto& [key, further] : std::array<std::array<std::string, 2>, 2>{

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <limits>
 #include <locale>
+#include <regex>
 #include <stdexcept>
 
 namespace delabole {
@@ -169,7 +170,7 @@ TEST(WriteFigure, DrawsAnEmptyFrameWithoutData) {
     }
 }
 
-TEST(WriteFigure, DrawsEveryMarkColourArrowAndLegendPlace) {
+TEST(WriteFigure, DrawsEveryMarkColourAndArrow) {
     const ScratchFolder folder;
     Figure figure{.arrows = {{.from = {0, 0}, .to = {1, 1}},
                              {.from = {0, 1}, .to = {1, 0}, .colour = Colour::blue, .both_heads = true},
@@ -182,16 +183,49 @@ TEST(WriteFigure, DrawsEveryMarkColourArrowAndLegendPlace) {
         figure.series.emplace_back(Region{.outline = {{1.0 * colour, 0}, {colour + 1.0, 0}, {1.0 * colour, 1}},
                                           .colour = static_cast<Colour>(colour)});
     }
-    for (int place = 0; place <= static_cast<int>(LegendPlace::bottom_right); ++place) {
-        figure.legend = static_cast<LegendPlace>(place);
-        const FigureFiles files = write_figure(figure, folder.path(), "figure");
-        EXPECT_EQ(files.status, FigureStatus::ok) << files.message;
-        const bool shown = content_of(files.svg).find(">mark<") != std::string::npos;
-        EXPECT_EQ(shown, figure.legend != LegendPlace::none);
-        const std::string script = content_of(files.script);
-        EXPECT_NE(script.find("set arrow from 0,1 to 1,0 heads"), std::string::npos);
-        EXPECT_EQ(script.find("inf"), std::string::npos);
+    const FigureFiles files = write_figure(figure, folder.path(), "figure");
+    EXPECT_EQ(files.status, FigureStatus::ok) << files.message;
+    EXPECT_NE(content_of(files.svg).find(">mark<"), std::string::npos);
+    const std::string script = content_of(files.script);
+    EXPECT_NE(script.find("set arrow from 0,1 to 1,0 heads"), std::string::npos);
+    EXPECT_EQ(script.find("inf"), std::string::npos);
+}
+
+// Six short names take two rows, where one below the other they would take a quarter of the picture; a name longer than
+// the picture is wide is written smaller.
+TEST(GnuplotScript, LegendFlowsBelowThePlot) {
+    Figure figure;
+    for (const char* name : {"ground", "failure plane", "crack", "water", "observed", "predicted"}) {
+        figure.series.emplace_back(Line{.points = {{0, 0}, {1, 1}}, .legend = name});
     }
+    const auto size_of_canvas = [](const std::string& script) {
+        std::smatch size;
+        EXPECT_TRUE(std::regex_search(script, size, std::regex("set terminal svg size (\\d+),(\\d+)")));
+        return std::pair{std::stod(size[1]), std::stod(size[2])};
+    };
+    const std::string script = gnuplot_script(figure, "figure");
+    const auto [width, height] = size_of_canvas(script);
+    EXPECT_LT(height, figure.height + 3.5 * text_height);
+    const std::regex entry(R"(set label 10\d\d '([^']+)' at screen (\S+),screen (\S+) left)");
+    const std::string first_terminal = script.substr(0, script.find("set terminal pngcairo"));
+    double row = 1;
+    double right = 0;
+    int entries = 0;
+    for (std::sregex_iterator at(first_terminal.begin(), first_terminal.end(), entry), end; at != end; ++at) {
+        const double left = std::stod((*at)[2]) * width;
+        EXPECT_TRUE(std::stod((*at)[3]) < row || left > right) << (*at)[1];
+        row = std::stod((*at)[3]);
+        right = left + 0.5 * text_height * static_cast<double>((*at)[1].length());  // of narrow letters
+        EXPECT_LT(right, width) << (*at)[1];
+        ++entries;
+    }
+    EXPECT_EQ(entries, 6);
+
+    figure.series = {Line{.points = {{0, 0}, {1, 1}}, .legend = std::string(80, 'x')}};
+    std::smatch letters;
+    const std::string long_name = gnuplot_script(figure, "figure");
+    ASSERT_TRUE(std::regex_search(long_name, letters, std::regex("xx' at .* left font ',([0-9.]+)'")));
+    EXPECT_LT(std::stod(letters[1]), 0.7 * text_height);
 }
 
 TEST(WriteFigure, DrawsASinglePointAndAMapWithoutAnyAnswer) {

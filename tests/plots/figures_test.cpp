@@ -160,6 +160,28 @@ TEST(SectionFigure, DrawsForcesTheSmallestLongEnoughToBeSeen) {
     EXPECT_EQ(figure.labels.size(), 3U);
 }
 
+// A note goes to the first of its places that hides nothing: not over the text of a force, not over a line.
+TEST(SectionFigure, NotesKeepClear) {
+    SectionDrawing drawing;
+    drawing.ground = {{-10, 0}, {0, 0}, {30, 40}, {60, 40}};
+    drawing.failure_plane = {{0, 0}, {40, 30}};
+    drawing.forces = {{{40, 20}, {0, -1}, 1000, "W 1000"}};
+    SectionNote note{{}, "bolts"};
+    const Figure bare = section_figure(drawing);
+    ASSERT_EQ(bare.labels.size(), 1U);
+    note.places = {{bare.labels[0].at, bare.labels[0].align, bare.labels[0].raise},
+                   {{20, 15}, Label::Align::centre},  // on the failure plane
+                   {{59, 10}, Label::Align::left},    // over the edge
+                   {{25, 5}, Label::Align::centre}};
+    drawing.notes = {note};
+    const Figure figure = section_figure(drawing);
+    ASSERT_EQ(figure.labels.size(), 2U);
+    EXPECT_EQ(figure.labels[1].at, Point(25, 5));
+    // Where all hide something, rather a line than a text.
+    drawing.notes[0].places.pop_back();
+    EXPECT_EQ(section_figure(drawing).labels[1].at, Point(20, 15));
+}
+
 TEST(TornadoFigure, SortsBySizeAndSeparatesSigns) {
     const Figure figure =
         tornado_figure("title", {{"a", "+1", 0.1}, {"b_c", "+1 deg", -0.5}, {"d", "+1", std::nan("")}});

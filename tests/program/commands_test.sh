@@ -35,9 +35,10 @@ title "run and sensitivity: the cheapest support, and how likely it fails"
 delabole init support --out support.toml
 delabole run support.toml --out support
 expect_status 0
-expect_output 'Of 180 patterns the cheapest for FS 2 has rows '
+expect_output 'Of 180 patterns the cheapest for FS 2: rows '
 expect "it gives that factor" awk -F'[:, ]+' '/"factor_of_safety"/ { exit !($3 >= 2) }' \
     <(sed -n '/"support_design"/,/}/p' support/result.json)
+expect_output 'instead of FS 1.54 without these bolts.'
 expect "all that were tried" test "$(wc -l <support/support.csv)" -gt 10
 expect "the report says so as well" contains support/report.html 'Of 180 patterns the cheapest'
 expect "and the case that was analysed holds it" refuse cmp -s \
@@ -93,7 +94,11 @@ expect "and the next is metric again" grep -qE 'kN/m drive' "$scratch/out"
 
 title "run: what has no meaning has no number, and a height beyond all mountains is asked about"
 delabole run good.toml --set slope.height='40 km' --out high
-expect "asks" grep -q 'slope.height is 40000 m high: is that meant?' "$scratch/out" "$scratch/err"
+expect_output 'warning: slope.height is 40000 m high: is that meant?'
+expect_error 'good: slope.height is 40000 m high: is that meant?'
+delabole check good.toml --set slope.height='40 km'
+expect_status 0
+expect_error 'good.toml: slope.height is 40000 m high: is that meant?'
 
 title "run: a slope whose factor of safety is infinite"
 delabole run good.toml --set failure_plane.dip='0 deg' --set water.water_depth='0 m' --out level
@@ -257,6 +262,18 @@ title "--seed is recorded and replaces that of the case"
 delabole fit good_fit.toml --seed 12345 --out seeded --quiet
 expect_status 0
 expect "recorded" test "$(json_value seeded/result.json seed)" == 12345
+
+title "the fit of one mechanism begins with its values and how well they are known; zeros are zeros"
+delabole init fit --out fit_start.toml
+delabole fit fit_start.toml --out fit_start
+head_card=$(grep -A3 -m1 'Best fit with' fit_start/report.html)
+for phrase in 'Best fit with the priors: strength: friction angle 35.9' '(30.9' 'to 39.6' 'at most 12.1' \
+    'The data determine one combination of its 2 parameters' 'only one combination is determined: along the line FS = 1'; do
+    expect "its head card has: $phrase" grep -qF -- "$phrase" <<<"$head_card"
+done
+expect "no ranking of one" refuse grep -q 'one mechanism that was fitted' fit_start/report.html
+expect "a title of what is drawn" contains fit_start/figures/*_section.gp 'The slope at the best point'
+expect "no rounding" test -z "$(awk -F, 'NR > 1 && (($3 != 0 && $3 < 1e-9) || ($5 != 0 && $5 < 1e-10))' fit_start/*_profiles.csv)"
 
 title "--quiet prints nothing, and writes the same"
 for arguments in "run good.toml" "fit good_fit.toml" "reproduce tilting" "verify $source_folder/cases/stepped_base" "check good.toml"; do

@@ -222,6 +222,17 @@ open_browser 1400 900
 visit "$address"
 wait_for "document.querySelector('#chart svg .here')"
 expect_value "the valley" "[...document.querySelectorAll('#chart title')].filter(one => one.textContent.startsWith('valley') && one.parentElement.getAttribute('d')).length" 2
+evaluate "(async () => {
+    find('ask-study').click();
+    while (!find('findings').children.length) await new Promise(requestAnimationFrame);
+    const said = find('findings').textContent;
+    change({'slope.height': 13});
+    while (find('findings').children.length) await new Promise(requestAnimationFrame);
+    goTo({});
+    while (state.answer.verdict !== 'FS 1.54: stands.') await new Promise(requestAnimationFrame);
+    return said.includes('friction angle 35.9 deg (30.9 deg to 39.6 deg with 95 %)');
+})()"
+expect "fitted ranges on demand, gone when the slope is another" test "$value" == true
 expect_value "observed and predicted" "find('observations').tBodies[0].rows[0].cells[2].textContent" '"1.54"'
 [[ -z ${DELABOLE_SCREENSHOTS:-} ]] || screenshot "$DELABOLE_SCREENSHOTS/live_fit.png"
 expect "the console is empty" test ! -s "$scratch/console"

@@ -53,6 +53,26 @@ expect_error 'delabole: cannot write linked/evaluations.sqlite: it is a symbolic
 expect "no store elsewhere" test ! -e new_victim
 expect "the victim is as it was" test "$(cat victim)" == precious
 
+title "several cases with one --out: a folder for each, and what each answers"
+cp good.toml second.toml
+delabole run good.toml second.toml --out several
+expect_status 0
+expect_complete_results several/good
+expect_complete_results several/second
+expect "an overview at the end" grep -qE '^second +FS [0-9.]+: .*several/second$' "$scratch/out"
+mkdir other
+cp good.toml other/good.toml
+delabole run good.toml other/good.toml --out of_one_name
+expect_status 2
+expect_error "good.toml and other/good.toml would both be written into of_one_name/good: rename one of them, or run it alone"
+expect "nothing was written" test ! -e of_one_name
+mkdir planted
+ln -s "$work/victims" planted/good
+delabole run good.toml second.toml --out planted
+expect_status 5
+expect_error 'delabole: cannot write planted/good: it is a symbolic link'
+expect "nothing was written through the link" test -z "$(ls -A victims)"
+
 title "the folder that --out names may be a link: its user has made it"
 ln -s victims named
 delabole run good.toml --out named --quiet

@@ -42,7 +42,6 @@ misused show
 misused init
 misused run good.toml --colour
 misused run good.toml --out
-misused run good.toml good_fit.toml --out results
 misused fit good_fit.toml --threads 0
 misused fit good_fit.toml --threads many
 misused fit good_fit.toml --seed -1

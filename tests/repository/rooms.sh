@@ -16,7 +16,7 @@ declare -A libraries=(
     [fitting]='(unsupported/)?Eigen/|gsl/|nlopt\.hp?p?$|(sqlite3|mpi)\.h$'
     [plots]='(unsupported/)?Eigen/|gsl/|gnuplot-iostream\.h$'
     [cases]='(unsupported/)?Eigen/|gsl/|toml\+\+/|udunits2\.h$|CLI/|nlohmann/|pybind11/|httplib\.h$'
-    [tests]='(unsupported/)?Eigen/|gsl/|nlopt\.hp?p?$|gnuplot-iostream\.h$|toml\+\+/|udunits2\.h$|CLI/|nlohmann/|gtest/|gmock/|benchmark/|boost/multiprecision/|fuzzer/'
+    [tests]='netinet/in\.h$|(unsupported/)?Eigen/|gsl/|nlopt\.hp?p?$|gnuplot-iostream\.h$|toml\+\+/|udunits2\.h$|CLI/|nlohmann/|gtest/|gmock/|benchmark/|boost/multiprecision/|fuzzer/'
 )
 # Rooms that each may include, by folder from the root. lib/ is on the include path itself, so its headers are those
 # whose first folder is none of the other rooms.

@@ -5,6 +5,7 @@
 #include "cases/program/reader/case_error.hpp"
 #include "cases/program/reader/names.hpp"
 #include "cases/program/reader/units.hpp"
+#include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "plots/drawing/atomic_file.hpp"
@@ -24,6 +25,10 @@ ExitCode check_command(const Paths& cases, const Options& options) {
             const CaseFile file = read_case(path, settings_of(options));
             refuse_impossible(file);
             entry["status"] = "ok";
+            entry["questions"] = questions_about(file.model);
+            for (const std::string& question : questions_about(file.model)) {
+                std::cerr << path.string() << ": " << question << '\n';
+            }
             if (!options.json && !options.quiet) {
                 std::cout << path.string() << ": ok\n";
             }

@@ -86,7 +86,8 @@ void add_parts(CLI::App& command, Options& options, unsigned parts) {
         command
             .add_option(
                 "--out", options.out,
-                "Folder for the results; by default results/<name of the case>. It holds one result, which takes the "
+                "Folder for the results; by default results/<name of the case>. run puts each of several cases into a "
+                "folder of its name there. It holds one result, which takes the "
                 "place of what files.txt in it lists; other files stay. Symbolic links in it are not followed, and a "
                 "second delabole is refused while one is writing")
             ->type_name("DIR");

@@ -100,10 +100,16 @@ void append_sweeps(const CaseFile& file, const ResultFolder& folder, const Optio
     }
 }
 
-ExitCode run_one(CaseFile file, const Options& options) {
+// Where several cases were run: what each of them answers, and where that is.
+using Overview = std::vector<std::vector<std::string>>;
+
+ExitCode run_one(CaseFile file, const Options& options, Overview& overview) {
     const Stopwatch watch;
     show_units_of(file);
     announce(file, options);
+    for (const std::string& question : options.quiet ? std::vector<std::string>{} : questions_about(file.model)) {
+        std::cerr << stem_of(file) << ": " << question << '\n';
+    }
     // Claimed before the work, which may take hours and keeps its checkpoint there.
     ResultFolder folder(options, stem_of(file), OnInterrupt::stop);
     const std::optional<DesignedSupport> support = [&] {
@@ -179,6 +185,7 @@ ExitCode run_one(CaseFile file, const Options& options) {
     write_outputs(folder, analysis);
     folder.write_report(report);
     folder.write("result.json", json_text(json));
+    overview.push_back({stem_of(file), head.sentences.front(), folder.path().string()});
     if (options.json) {
         std::cout << json_text(json);
     } else if (!options.quiet) {
@@ -200,15 +207,25 @@ ExitCode run_one(CaseFile file, const Options& options) {
     return ExitCode::not_converged;
 }
 
+// With several cases each has a folder of its own in the one that --out names.
+Options with_own_folder(const Options& options, const CaseFile& file, std::size_t cases) {
+    Options own = options;
+    if (cases > 1 && !options.out.empty()) {
+        own.out = options.out / stem_of(file);
+        refuse_link(own.out);
+    }
+    return own;
+}
+
 // Two cases of one name, in different folders, would leave one result under it.
 void refuse_shared_folders(const std::vector<CaseFile>& files, const Options& options) {
     std::map<std::filesystem::path, const CaseFile*> folders;
     for (const CaseFile& file : files) {
-        const std::filesystem::path folder = result_path(options, stem_of(file));
+        const std::filesystem::path folder = result_path(with_own_folder(options, file, files.size()), stem_of(file));
         const auto [other, is_new] = folders.emplace(folder, &file);
         if (!is_new) {
             throw UsageError(other->second->name + " and " + file.name + " would both be written into " +
-                             folder.string() + ": run them one by one, each with a folder of its own (--out)");
+                             folder.string() + ": rename one of them, or run it alone");
         }
     }
 }
@@ -216,26 +233,26 @@ void refuse_shared_folders(const std::vector<CaseFile>& files, const Options& op
 }  // namespace
 
 ExitCode run_command(const Paths& cases, const Options& options) {
-    if (cases.size() > 1 && !options.out.empty()) {
-        throw UsageError("--out names one folder, but there are several cases");
-    }
     // Every case is read before the first is analysed: a mistake in the last one costs nothing.
     std::vector<CaseFile> files;
     for (const std::filesystem::path& path : cases) {
         files.push_back(read_case(path, settings_of(options)));
     }
     refuse_shared_folders(files, options);
-    std::size_t analysed = 0;
+    Overview overview;
     ExitCode worst = ExitCode::ok;
     for (const CaseFile& file : files) {
         try {
             stop_if_interrupted();
-            worst = std::max(worst, run_one(file, options));
+            worst = std::max(worst, run_one(file, with_own_folder(options, file, files.size()), overview));
         } catch (const Interrupted&) {
-            std::cerr << "delabole: interrupted, " << analysed << " of " << files.size() << " cases were analysed\n";
+            std::cerr << "delabole: interrupted, " << overview.size() << " of " << files.size()
+                      << " cases were analysed\n";
             return ExitCode::not_converged;
         }
-        ++analysed;
+    }
+    if (files.size() > 1 && !options.json && !options.quiet) {
+        std::cout << aligned_columns(overview);
     }
     return worst;
 }

@@ -2,6 +2,7 @@
 
 #include "cases/program/results/analysis.hpp"
 #include "kinematics/stereonet.hpp"
+#include "limit_equilibrium/block_row/block_row.hpp"
 #include "plane_failure/water_diagram.hpp"
 
 #include <Eigen/Dense>
@@ -98,7 +99,33 @@ void add_handles(const PlaneFailureStudy<>& study, const std::vector<Quantity>& 
     }
 }
 
+// The uphill corner at the top of each block of a row, which its width and height move; the row leans by `dip`.
+template <class Blocks>
+void add_row(const Blocks& blocks, const std::string& key, double dip, const std::string& dip_input, double toe,
+             std::vector<Handle>& handles) {
+    const Point along(std::cos(dip), std::sin(dip));
+    const Point across(-std::sin(dip), std::cos(dip));
+    double u = 0;
+    double v = 0;
+    for (std::size_t index = 0; index < blocks.size(); ++index) {
+        const std::string name = key + "[" + std::to_string(index + 1) + "]";
+        u += blocks[index].width;
+        add(handles, name, {name + ".width", name + ".height"},
+            u * along + (v + blocks[index].height) * across + Point(0, toe));
+        if constexpr (requires { blocks[index].step_above; }) {
+            v += blocks[index].step_above;
+        }
+    }
+    if (!dip_input.empty()) {
+        add(handles, "base", {dip_input}, 1.05 * u * along + Point(0, toe));
+    }
+}
+
 void add_handles(const SteppedBaseStudy<>& study, const std::vector<Quantity>& inputs, std::vector<Handle>& handles) {
+    if (const auto* blocks = std::get_if<BlockColumns<>>(&study.model.scene.columns)) {
+        const double toe = study.model.scene.slope ? toe_of(*study.model.scene.slope) : 0;
+        add_row(blocks->block, "columns.block", degrees(90) - blocks->joint_dip, "", toe, handles);
+    }
     if (!study.model.scene.slope) {
         return;
     }
@@ -127,6 +154,18 @@ void add_handles(const KinematicsStudy& study, const std::vector<Quantity>&, std
             add(handles, set.name, {key + "dip", key + "dip_direction"},
                 projected_pole(mean_orientation(set), projection));
         }
+    }
+}
+
+void add_handles(const FlexuralSlope& slope, const std::vector<Quantity>&, std::vector<Handle>& handles) {
+    add_row(slope.column, "column", slope.base_dip, "base_dip", 0, handles);
+}
+
+// Drawn where its governing mode begins, whatever the inclination of its base.
+void add_handles(const BlockRow<>& row, const std::vector<Quantity>&, std::vector<Handle>& handles) {
+    const BlockRowResult result = analyse(row);
+    if (result.check == BlockRowCheck::valid && !result.block.empty()) {
+        add_row(row.block, "block", result.answer.critical_tilt, "", 0, handles);
     }
 }
 

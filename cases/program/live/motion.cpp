@@ -104,9 +104,11 @@ std::string LiveMotion::picture() const {
     std::vector<BoltPull> bolts = bolt_pulls(simulation_->scene(), simulation_->bodies(), state);
     std::erase_if(bolts, [](const BoltPull& bolt) { return !bolt.holds; });
     Floats floats;
+    // Beyond 2^24 a float does not hold every whole number.
+    constexpr std::uint64_t float_holds = std::uint64_t{1} << 24U;
     for (const double value :
-         {state.time, static_cast<double>(state.steps), static_cast<double>(simulation_->outcome()), ledger.applied,
-          ledger.kinetic, ledger.elastic, ledger.friction,
+         {state.time, static_cast<double>(state.steps / float_holds), static_cast<double>(state.steps % float_holds),
+          static_cast<double>(simulation_->outcome()), ledger.applied, ledger.kinetic, ledger.elastic, ledger.friction,
           ledger.dashpots + ledger.local_damping + ledger.kinetic_damping, ledger.residual(),
           std::max(state.unbalanced, state.unbalanced_then), static_cast<double>(state.motion.size()),
           static_cast<double>(forces.size()), static_cast<double>(bolts.size())}) {

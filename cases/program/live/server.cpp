@@ -165,6 +165,7 @@ struct LiveServer::Parts {
         answer_json("/drag", &LiveSession::drag);
         answer_json("/map", &LiveSession::map);
         answer_json("/fit", &LiveSession::fit);
+        answer_json("/study", &LiveSession::study);
         answer_json("/save", &LiveSession::save);
         answer_json("/report", &LiveSession::report);
         answer_json("/motion/start", &LiveSession::start_motion);

@@ -3,6 +3,7 @@
 #include "cases/program/live/case_text.hpp"
 #include "cases/program/live/figure_json.hpp"
 #include "cases/program/live/handles.hpp"
+#include "cases/program/live/study.hpp"
 #include "cases/program/reader/names.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
@@ -234,6 +235,7 @@ Json LiveSession::open() const {
               {"description", file_.description},
               {"model", std::string(model_name(file_.model))},
               {"moves", moves},
+              {"studies", has_study(file_, fit_)},
               {"groups", std::move(groups)}};
     if (fit_) {
         for (const FreeParameter& free : fit_->mechanisms.front().parameters) {
@@ -377,6 +379,19 @@ Json LiveSession::fit(const Json& request) const {
                     : Json::object();
     json["observations"] = std::move(observations);
     return json;
+}
+
+Json LiveSession::study(const Json& request) const {
+    CaseFile changed = file_;
+    changed.model = model(request);
+    if (const std::string failure = failure_of(changed.model); !failure.empty()) {
+        throw LiveRefusal(impossible(changed, failure).message);
+    }
+    try {
+        return {{"sentences", studied(changed, fit_)}};
+    } catch (const std::runtime_error& error) {
+        throw LiveRefusal(error.what());
+    }
 }
 
 Json LiveSession::save(const Json& request) const {

@@ -54,6 +54,9 @@ class LiveSession {
     // free, the misfit, priors counted, over the grid.
     Json fit(const Json& request) const;
 
+    // {values}: what the case's [sensitivity] and [fit] say of the slope, in sentences: see studied().
+    Json study(const Json& request) const;
+
     // {values}: the case's text with these values.
     Json save(const Json& request) const;
 

@@ -41,16 +41,30 @@ std::string determined_in_words(const MechanismFit& fit) {
     return "The data determine " + what + " of its " + parameters + (rank >= count ? " near the best point" : "");
 }
 
+// "30.9 deg to 39.6 deg", "at most 12.1 kPa": an end at a bound is no finding.
+std::string range_in_words(const ProfileLikelihood* profile, const FreeParameter& parameter, Dimension dimension) {
+    if (profile == nullptr) {
+        return "";
+    }
+    const double lower = profile->interval_95.lower;
+    const double upper = profile->interval_95.upper;
+    const bool from_bound = lower == parameter.lower;
+    const bool to_bound = upper == parameter.upper;
+    return from_bound && to_bound ? "anywhere within its bounds"
+           : from_bound           ? "at most " + value_in_words(upper, dimension) + " with 95 %"
+           : to_bound             ? "at least " + value_in_words(lower, dimension) + " with 95 %"
+                      : value_in_words(lower, dimension) + " to " + value_in_words(upper, dimension) + " with 95 %";
+}
+
 // The first parameters alone: a case names those first that matter most.
-std::string values_in_words(const MechanismFit& fit) {
-    constexpr std::size_t most = 2;
+std::string values_in_words(const MechanismFit& fit, std::size_t most) {
     std::vector<std::string> values;
     for (std::size_t index = 0; index < std::min(most, fit.best.size()); ++index) {
         const FreeParameter& parameter = fit.parameters[index];
         const std::string range =
-            interval_in_words(profile_of(fit, parameter.name, true), parameter, fit.dimensions[index]);
+            range_in_words(profile_of(fit, parameter.name, true), parameter, fit.dimensions[index]);
         values.push_back(human_name(parameter.name) + " " + value_in_words(fit.best[index], fit.dimensions[index]) +
-                         (range.empty() ? "" : " (" + range + " with 95 %)"));
+                         (range.empty() ? "" : " (" + range + ")"));
     }
     return list_in_words(values);
 }
@@ -67,16 +81,26 @@ HeadCard head_card(const FitResult& result) {
         head.sentences.emplace_back("No mechanism has an answer within the bounds of its parameters.");
         return head;
     }
+    if (result.mechanisms.size() == 1) {
+        constexpr std::size_t most = 3;
+        const bool with_priors = std::ranges::any_of(
+            best.parameters, [](const FreeParameter& parameter) { return parameter.prior.has_value(); });
+        if (const std::string values = values_in_words(best, most); !values.empty()) {
+            head.sentences.push_back("Best fit" + std::string(with_priors ? " with the priors" : "") + ": " + values +
+                                     ".");
+        }
+        head.sentences.push_back(determined_in_words(best) + ".");
+        head.sentences.push_back(best.identifiability.verdict);
+        return head;
+    }
     const std::string probability = probability_of_best(result);
-    head.sentences.push_back(result.mechanisms.size() == 1
-                                 ? title_of(best) + " is the one mechanism that was fitted."
-                                 : "Best explanation of the " + std::to_string(result.mechanisms.size()) + " compared" +
-                                       (probability.empty() ? "" : ", with a probability of " + probability) + ": " +
-                                       title_of(best) + ".");
+    head.sentences.push_back("Best explanation of the " + std::to_string(result.mechanisms.size()) + " compared" +
+                             (probability.empty() ? "" : ", with a probability of " + probability) + ": " +
+                             title_of(best) + ".");
     if (const std::string dependence = dependence_of_ranking(result); !dependence.empty()) {
         head.sentences.push_back(dependence);
     }
-    const std::string values = values_in_words(best);
+    const std::string values = values_in_words(best, 2);
     head.sentences.push_back(determined_in_words(best) +
                              (values.empty() ? "" : "; with the priors they give " + values) + ".");
     return head;

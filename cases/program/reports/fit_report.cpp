@@ -189,12 +189,16 @@ Json json_of(const MechanismFit& fit) {
 
 void write_tables(const MechanismFit& fit, const ResultFolder& folder) {
     CsvTable profiles({"parameter", "with_priors", "value", "unit", "misfit"});
+    const auto rounded = [](double value, double scale) { return std::abs(value) < scale ? 0 : value; };
     for (const ProfileLikelihood& profile : fit.profiles) {
         const Dimension dimension = fit.dimension_of(profile.parameter);
+        const double range =
+            profile.values.empty() ? 0 : 1e-12 * std::abs(profile.values.back() - profile.values.front());
         for (std::size_t point = 0; point < profile.values.size(); ++point) {
             profiles.add_row({profile.parameter, profile.with_priors ? "yes" : "no",
-                              in_display_unit(profile.values[point], dimension),
-                              std::string(display_unit(dimension).symbol), profile.misfits[point]});
+                              in_display_unit(rounded(profile.values[point], range), dimension),
+                              std::string(display_unit(dimension).symbol),
+                              rounded(profile.misfits[point], 1e-10)});  // of 1e-5 standard deviations
         }
     }
     folder.write(fit.name + "_profiles.csv", profiles.text());

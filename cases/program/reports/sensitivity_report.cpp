@@ -64,7 +64,7 @@ std::vector<std::string> findings(const StudySubject& subject, const Sensitivity
     std::vector<std::string> sentences;
     if (result.propagation && result.propagation->with_value > 0) {
         const PropagationResult& samples = *result.propagation;
-        sentences.push_back(human_name(subject.quantity.name) + ": mean " + subject.in_words(samples.mean.value) +
+        sentences.push_back("Mean " + human_name(subject.quantity.name) + " " + subject.in_words(samples.mean.value) +
                             ", standard deviation " + subject.in_words(samples.standard_deviation) +
                             (samples.with_value < samples.samples
                                  ? ", of the " + std::to_string(samples.with_value) + " of " +

@@ -5,6 +5,7 @@
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 namespace delabole {
@@ -33,11 +34,26 @@ void mark_none(Analysis& analysis, std::string_view prefix) {
     }
 }
 
-void warn_of_height(const std::string& key, double height, Analysis& analysis) {
-    constexpr double highest = 5000;  // m; more than any mountain stands above its foot
-    if (height > highest) {
-        analysis.warnings.push_back(key + " is " + value_in_words(height, Dimension::length) + " high: is that meant?");
+std::vector<std::string> questions_about(const CaseModel& model) {
+    std::vector<std::string> questions;
+    const auto ask = [&](const std::string& key, double height) {
+        constexpr double highest = 5000;  // m; more than any mountain stands above its foot
+        if (height > highest) {
+            questions.push_back(key + " is " + value_in_words(height, Dimension::length) + " high: is that meant?");
+        }
+    };
+    for (const Quantity& input : named_inputs(model)) {
+        if (input.name == "slope.height" || input.name == "scene.slope.height") {
+            ask(input.name, input.value);
+        }
     }
+    const auto* relaxation = std::get_if<RelaxationStudy>(&model);
+    const auto* slope = relaxation != nullptr ? std::get_if<RelaxationSlope>(&relaxation->model.scene) : nullptr;
+    if (slope != nullptr && !slope->geometry.outline.empty()) {
+        const auto [lowest, highest] = std::ranges::minmax(slope->geometry.outline, {}, &SectionPoint::y);
+        ask("scene.outline", highest.y - lowest.y);
+    }
+    return questions;
 }
 
 void append_required_value(Analysis& analysis, const std::string& parameter, double target, const Required& required) {
@@ -146,11 +162,7 @@ Analysis named_outputs(const CaseModel& model, const CaseAnswer& answer) {
             return without_answer.failure.empty() ? named_outputs(study, own) : without_answer;
         },
         model);
-    for (const Quantity& input : named_inputs(model)) {
-        if (input.name == "slope.height") {
-            warn_of_height(input.name, input.value, analysis);
-        }
-    }
+    std::ranges::move(questions_about(model), std::back_inserter(analysis.warnings));
     return analysis;
 }
 

@@ -44,8 +44,9 @@ struct Analysis {
 // "none" for every output whose name begins so; these are details then.
 void mark_none(Analysis& analysis, std::string_view prefix);
 
-// Asks whether a height beyond that of any slope is meant.
-void warn_of_height(const std::string& key, double height, Analysis& analysis);
+// Asks whether values that are possible and yet hardly meant, as a height beyond that of any slope, are. They are among
+// the warnings of an analysis.
+std::vector<std::string> questions_about(const CaseModel& model);
 
 // The value of a named input at which the factor of safety takes a given value, as "required.<input>".
 void append_required_value(Analysis& analysis, const std::string& parameter, double target, const Required& required);

@@ -45,7 +45,24 @@ std::string causes_in_words(const SupportDesignResult& found) {
     return list_in_words(causes);
 }
 
-std::string sentence_of(const SupportDesign& design, const SupportDesignResult& found) {
+// ", instead of FS 0.93 without bolts"
+std::string without_support_in_words(CaseModel model) {
+    std::visit(
+        [](auto& study) {
+            if constexpr (requires { study.model.support.clear(); }) {
+                study.model.support.clear();
+            } else if constexpr (requires { study.model.scene.support.clear(); }) {
+                study.model.scene.support.clear();
+            }
+        },
+        model);
+    const Analysis analysis = analyse_model(model);
+    const NamedOutput* factor = analysis.find("factor_of_safety");
+    const auto* value = factor != nullptr ? std::get_if<double>(&factor->value) : nullptr;
+    return value != nullptr ? ", instead of FS " + number_in_words(*value) + " without these bolts" : "";
+}
+
+std::string sentence_of(const SupportDesign& design, const SupportDesignResult& found, const std::string& without) {
     const std::string patterns = std::to_string(found.patterns) + " patterns";
     const TriedSupport* shown = answer_of(found);
     if (shown == nullptr) {
@@ -53,10 +70,10 @@ std::string sentence_of(const SupportDesign& design, const SupportDesignResult& 
                "): what is shown has the support of the case.";
     }
     const std::string factor = "FS " + number_in_words(design.factor_of_safety);
-    const std::string what = choice_in_words(design, *shown) + " and costs " +
-                             number_in_words(shown_cost(shown->cost)) + per_length_of_slope() + ".";
-    return found.cheapest ? "Of " + patterns + " the cheapest for " + factor + " has " + what
-                          : "None of " + patterns + " gives " + factor + "; the strongest, shown here, has " + what;
+    const std::string what = choice_in_words(design, *shown) + ", for " + number_in_words(shown_cost(shown->cost)) +
+                             per_length_of_slope() + without + ".";
+    return found.cheapest ? "Of " + patterns + " the cheapest for " + factor + ": " + what
+                          : "None of " + patterns + " gives " + factor + "; the strongest, shown here: " + what;
 }
 
 Figure cost_figure(const DesignedSupport& support, const TriedSupport& answer) {
@@ -115,7 +132,7 @@ std::optional<DesignedSupport> design_support_of(CaseFile& file, const std::func
     }
     const SupportDesign& design = *file.support_design;
     DesignedSupport support{design, design_support(interface_of(file.model), design, watch), {}};
-    support.sentence = sentence_of(design, support.found);
+    support.sentence = sentence_of(design, support.found, without_support_in_words(file.model));
     if (const TriedSupport* answer = answer_of(support.found)) {
         std::vector<Condition> conditions;
         for (std::size_t index = 0; index < design.choices.size(); ++index) {

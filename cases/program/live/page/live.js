@@ -249,6 +249,7 @@ function sectionOf(answer, title, withHandles) {
 }
 
 function show(answer) {
+  if (answer !== state.answer) find('findings').replaceChildren();
   state.answer = answer;
   find('verdict').textContent = answer.failure || answer.verdict;
   find('verdict').className = answer.failure ? 'failure' : '';
@@ -286,6 +287,18 @@ function addMap() {
     find(id).replaceChildren(...[...state.inputs.keys()].map(name => new Option(name, name, false, name === chosen)));
     find(id).addEventListener('change', () => refreshMap());
   }
+}
+
+// Of the slope as it stands; a change of it makes them another slope's.
+function addStudy() {
+  find('study').hidden = !state.open.studies;
+  find('ask-study').addEventListener('click', attempt(async () => {
+    tell('Samples are drawn and fits are made.');
+    const values = JSON.stringify(state.values), {sentences} = await ask('/study', {values: state.values});
+    tell('');
+    if (values === JSON.stringify(state.values))
+      find('findings').replaceChildren(...sentences.map(text => Object.assign(document.createElement('li'), {textContent: text})));
+  }));
 }
 
 function attempt(work) {
@@ -343,6 +356,7 @@ async function begin() {
   find('about').textContent = state.open.description;
   buildInputs(state.open.groups);
   addTools();
+  addStudy();
   addMap();
   showInputs();
   if (state.open.moves) await beginMotion();

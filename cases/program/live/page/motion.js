@@ -31,10 +31,10 @@ async function changeMotion() {
 
 function take(buffer) {
   const numbers = new Float32Array(buffer);
-  const [time, steps, outcome] = numbers, [blocks, forces] = numbers.slice(10, 12);
-  const balance = [...numbers.slice(3, 9)], unbalanced = numbers[9];
-  motion.picture = {time, steps, outcome, poses: numbers.subarray(13, 13 + 3 * blocks),
-    forces: numbers.subarray(13 + 3 * blocks, 13 + 3 * blocks + 4 * forces), bolts: numbers.subarray(13 + 3 * blocks + 4 * forces)};
+  const [time, stepsAbove, stepsBelow, outcome] = numbers, [blocks, forces] = numbers.slice(11, 13);
+  const steps = stepsAbove * 2 ** 24 + stepsBelow, balance = [...numbers.slice(4, 10)], unbalanced = numbers[10];
+  motion.picture = {time, steps, outcome, poses: numbers.subarray(14, 14 + 3 * blocks),
+    forces: numbers.subarray(14 + 3 * blocks, 14 + 3 * blocks + 4 * forces), bolts: numbers.subarray(14 + 3 * blocks + 4 * forces)};
   find('clock').textContent = `${time.toFixed(3)} s, ${steps} steps${motion.rate ? `, ${motion.rate.toFixed(0)} pictures a second` : ''}`;
   find('verdict').textContent = `${motion.outcomes[outcome]}; greatest unbalanced force ${unbalanced.toPrecision(3)} of a weight`;
   const most = Math.max(...balance.map(Math.abs));  // below a millionth of it a single float holds rounding

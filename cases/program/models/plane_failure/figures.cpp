@@ -104,16 +104,21 @@ void annotate(const PlaneFailure<>& problem, const PlaneFailureResult& result, S
     const double left = -0.15 * height;
     drawing.measures.push_back({{left, 0}, {left, height}, value_in_words(height, Dimension::length)});
     const auto face_at = [&](double level) { return Point(level / std::tan(problem.slope.face_dip), level); };
-    const auto note = [&](const Point& at, double angle) {
-        drawing.notes.emplace_back(at, value_in_words(angle, Dimension::angle));
+    // Beside the face or below the plane, wherever along it there is room.
+    const auto note = [&](const Polyline& line, const Point& beside, Label::Align align, double angle) {
+        SectionNote dip{{}, value_in_words(angle, Dimension::angle)};
+        for (const double share : {0.5, 0.75, 0.25, 0.9, 0.1}) {
+            dip.places.push_back({line.front() + share * (line.back() - line.front()) + height * beside, align});
+        }
+        drawing.notes.push_back(std::move(dip));
     };
-    note(face_at(0.9 * height) - Point(0.03 * height, 0), problem.slope.face_dip);
+    note({face_at(height), face_at(0.6 * height)}, {-0.03, 0}, Label::Align::right, problem.slope.face_dip);
     if (drawing.failure_plane.empty()) {
         return;
     }
     const Point foot = drawing.failure_plane.front();
     const Point end = drawing.failure_plane.back();
-    note(foot + 0.3 * (end - foot) + height * Point(-0.02, 0.02), result.plane_dip);
+    note({foot, end}, {0.03, -0.03}, Label::Align::left, result.plane_dip);
     const Point top = drawing.tension_crack.empty() ? end : drawing.tension_crack.back();
     Polyline mass{foot, end, top};
     for (std::size_t index = drawing.ground.size(); index-- > 0;) {
@@ -138,12 +143,17 @@ void annotate(const PlaneFailure<>& problem, const PlaneFailureResult& result, S
         const BoltPattern<>& pattern = problem.support[index].pattern;
         const Point of_bolts(std::cos(pattern.plunge), -std::sin(pattern.plunge));
         double force = 0;
+        SectionNote bolts;
         for (const BoltRow& row : support[index]) {
-            drawing.bolts.push_back({row.head, row.head + pattern.length * of_bolts});
+            const Point tip = row.head + pattern.length * of_bolts;
+            drawing.bolts.push_back({row.head, tip});
+            bolts.places.push_back({tip + Point(0.02 * height, 0), Label::Align::left});
+            bolts.places.push_back({tip - Point(0, 0.06 * height), Label::Align::centre});
+            bolts.places.push_back({row.head - Point(0.03 * height, 0), Label::Align::right});
             force += row.force;
         }
-        drawing.notes.emplace_back(support[index].back().head - Point(0.03 * height, 0),
-                                   "bolts " + value_in_words(force, Dimension::force_per_length));
+        bolts.text = "bolts " + value_in_words(force, Dimension::force_per_length);
+        drawing.notes.push_back(std::move(bolts));
     }
     for (const Bolt<>& bolt : problem.bolt) {
         drawing.forces.push_back({face_at(bolt.head_height),

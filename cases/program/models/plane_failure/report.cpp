@@ -180,11 +180,20 @@ HeadCard head_card(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& a
 void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer, const ResultFolder& folder,
                          Report& report) {
     const PlaneFailure<>& problem = answer.resolved.problem;
-    SectionDrawing section = section_drawing(problem, "Slope, failure plane, crack and water");
+    SectionDrawing section = section_drawing(problem, "");
+    std::vector<std::string> drawn{"Slope", "failure plane"};
+    if (!section.tension_crack.empty()) {
+        drawn.emplace_back("crack");
+    }
+    if (!section.water_pressure.empty()) {
+        drawn.emplace_back("water");
+    }
+    section.title = list_in_words(drawn);
     annotate(problem, answer.result, section);
-    report.blocks.emplace_back(
-        folder.draw(section_figure(section), "section",
-                    "The slope and what slides. Lengths of arrows and water pressures are not to scale."));
+    report.blocks.emplace_back(folder.draw(section_figure(section), "section",
+                                           std::string("The slope and what slides. Lengths of arrows") +
+                                               (section.water_pressure.empty() ? "" : " and water pressures") +
+                                               " are not to scale."));
     if (const auto critical = critical_plane_drawing(study, answer.resolved)) {
         report.blocks.emplace_back(folder.draw(critical_figure(*critical), "critical_plane",
                                                "Least factor of safety for each dip of the failure plane."));
@@ -217,14 +226,17 @@ void append_mechanism_figures(const PlaneFailureStudy<>& at_best, const Mechanis
     if (!warnings.empty()) {
         report.blocks.emplace_back(Notice{NoticeKind::warning, "The mass at the best point", warnings});
     }
-    SectionDrawing section = section_drawing(slope, "Observed and predicted profile");
+    SectionDrawing section =
+        section_drawing(slope, problem.profile ? "Observed and predicted profile" : "The slope at the best point");
     section.predicted_profile = profile_after_failure(slope);
     if (problem.profile) {
         section.observed_profile = problem.profile->profile;
     }
     report.blocks.emplace_back(folder.draw(section_figure(section), fit.name + "_section",
-                                           "Section before the failure, the profile left standing as observed and as "
-                                           "predicted at the best point, with water pressures."));
+                                           std::string("Section before the failure and the profile left standing, ") +
+                                               (problem.profile ? "as observed and as " : "") +
+                                               "predicted at the best point" +
+                                               (section.water_pressure.empty() ? "." : ", with water pressures.")));
     FailureLoci loci = failure_loci(slope);
     loci.laboratory = {prior_range(fit, slope)};
     report.blocks.emplace_back(

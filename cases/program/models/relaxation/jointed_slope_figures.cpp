@@ -80,11 +80,6 @@ void warn_of_free_side(const RelaxationSlope& slope, Analysis& analysis) {
     }
 }
 
-void warn_of_great_height(const RelaxationSlope& slope, Analysis& analysis) {
-    const auto [lowest, highest] = std::ranges::minmax(slope.geometry.outline, {}, &SectionPoint::y);
-    warn_of_height("scene.outline", highest.y - lowest.y, analysis);
-}
-
 }  // namespace
 
 void append_cutting_warnings(const RelaxationSlope& slope, const JointedSection& section, Analysis& analysis) {
@@ -96,7 +91,6 @@ void append_cutting_warnings(const RelaxationSlope& slope, const JointedSection&
     }
     if (!slope.geometry.outline.empty()) {
         warn_of_free_side(slope, analysis);
-        warn_of_great_height(slope, analysis);
     }
     if (section.outline_reversed) {
         analysis.warnings.emplace_back("scene.outline runs clockwise and was turned round");
