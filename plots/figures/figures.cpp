@@ -106,7 +106,6 @@ Figure factor_of_safety_against_water(const WaterDepthCurves& data) {
             shown.include(point.y());
         }
     }
-    label_curves(lines, figure);
     figure.series.insert(figure.series.end(), lines.begin(), lines.end());
     figure.series.emplace_back(Line{.points = {{0, 1}, {1, 1}},
                                     .legend = "factor of safety 1",

@@ -112,7 +112,7 @@ TEST(WaterFigure, MarksThePrintedStatements) {
     const Figure figure = factor_of_safety_against_water(samples::water_depth_curves());
     EXPECT_EQ(with_legend<Points>(figure, "A: printed: stable when half full, c = 0").points[0], Point(0.5, 1));
     EXPECT_EQ(all<Line>(figure).size(), 4U);
-    EXPECT_EQ(figure.labels.size(), 5U) << "three curves and two statements";
+    EXPECT_EQ(figure.labels.size(), 2U) << "the statements; curves are named in the legend";
     EXPECT_EQ(factor_of_safety_against_water({}).y.range->first, 0);
 }
 

@@ -15,6 +15,8 @@ title "all of the thesis"
 delabole reproduce
 expect_complete_results_of_reproduce results/thesis
 expect_figures results/thesis 4
+expect "rows have their place in the thesis" contains "$scratch/out" 'met or why not'
+expect "they are counted, and what is left out is named" contains "$scratch/out" 'take minutes: plates, '
 in_browser results/thesis
 
 title "one part"

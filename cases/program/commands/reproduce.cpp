@@ -1,4 +1,5 @@
 // delabole reproduce
+#include "cases/program/case/case_writer.hpp"
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/names.hpp"
 #include "cases/program/terminal/interrupt.hpp"
@@ -167,19 +168,65 @@ std::vector<std::pair<std::string, std::string>> reproducible() {
 
 namespace {
 
-std::vector<std::vector<std::string>> on_screen(const std::vector<PrintedRow>& rows) {
-    const bool both = names_clean_engine(rows);
-    std::vector<std::vector<std::string>> screen = {{"quantity", "printed", "computed", "difference"}};
+struct PlacedRow {
+    std::string place;  // in the thesis
+    PrintedRow row;
+};
+
+std::vector<std::vector<std::string>> on_screen(const std::vector<PlacedRow>& rows) {
+    const bool both = std::ranges::any_of(rows, [](const PlacedRow& one) { return !one.row.clean.empty(); });
+    std::vector<std::vector<std::string>> screen = {
+        {"thesis", "quantity", "printed", "computed", "difference", "met or why not"}};
+    constexpr std::ptrdiff_t after_computed = 4;
     if (both) {
-        screen.front().insert(screen.front().begin() + 3, "clean engine");
+        screen.front().insert(screen.front().begin() + after_computed, "clean engine");
     }
-    for (const PrintedRow& row : rows) {
-        screen.push_back({row.what, row.printed, row.computed, row.difference});
+    for (const auto& [place, row] : rows) {
+        screen.push_back({place, row.what, row.printed, row.computed, row.difference, row.remark});
         if (both) {
-            screen.back().insert(screen.back().begin() + 3, row.clean);
+            screen.back().insert(screen.back().begin() + after_computed, row.clean);
         }
     }
     return screen;
+}
+
+// How many rows meet what is printed: statements do or do not, and a number stands beside the printed one with its
+// difference.
+struct RowCounts {
+    int met = 0;
+    int not_met = 0;
+    int beside = 0;
+    int not_printed = 0;
+};
+
+RowCounts count(const std::vector<PlacedRow>& rows) {
+    RowCounts counts;
+    for (const auto& [place, row] : rows) {
+        const bool not_met = row.remark.find(" NOT met") != std::string::npos;
+        const bool met = row.remark.starts_with(statement(true));
+        const bool printed = !row.printed.empty() && row.printed != "not printed";
+        ++(not_met ? counts.not_met : met ? counts.met : printed ? counts.beside : counts.not_printed);
+    }
+    return counts;
+}
+
+std::string in_words(const RowCounts& counts) {
+    return "statements met " + std::to_string(counts.met) + ", not met " + std::to_string(counts.not_met) +
+           "; computed beside the printed " + std::to_string(counts.beside) + "; not printed " +
+           std::to_string(counts.not_printed);
+}
+
+// What takes minutes is left out of the whole and said so.
+std::string left_out() {
+    std::vector<std::string> names;
+    for (const ReproductionChapter& chapter : chapters()) {
+        for (const ReproductionItem& item : chapter.items) {
+            if (item.cost == ReproductionCost::minutes) {
+                names.push_back(item.name);
+            }
+        }
+    }
+    return "left out, because they take minutes: " + list_in_words(names);
 }
 
 }  // namespace
@@ -191,7 +238,7 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
     Report report{chosen.title, "The analysis of toppling failure using models and numerical methods", {}};
     Json json;
     json["status"] = "ok";
-    std::vector<PrintedRow> rows;
+    std::vector<PlacedRow> rows;
     std::optional<ItemsProgress> progress(std::in_place, chosen.items, options.quiet);
     for (std::size_t number = 0; number < chosen.items.size(); ++number) {
         const ReproductionItem* item = chosen.items[number];
@@ -209,7 +256,7 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
         }
         json[item->name] = result.json;
         for (const PrintedRow& row : result.rows) {
-            rows.push_back(row);
+            rows.push_back({item->place, row});
             Json one = {
                 {"what", row.what}, {"printed", row.printed}, {"computed", row.computed}, {"remark", row.remark}};
             if (!row.clean.empty()) {
@@ -219,6 +266,14 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
         }
     }
     progress.reset();
+    const RowCounts counts = count(rows);
+    json["counts"] = {{"met", counts.met},
+                      {"not_met", counts.not_met},
+                      {"beside", counts.beside},
+                      {"not_printed", counts.not_printed}};
+    const std::string ending = in_words(counts) + (what.empty() ? "; " + left_out() : "");
+    report.blocks.emplace_back(Heading{"Count"});
+    report.blocks.emplace_back(Paragraph{ending});
     Json source;
     source["program"] = "delabole " + std::string(version());
     source["revision"] = std::string(revision());
@@ -231,7 +286,8 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
     if (options.json) {
         std::cout << json_text(json);
     } else if (!options.quiet) {
-        std::cout << text_table(on_screen(rows)) << "report in " << (folder.path() / "report.html").string() << '\n';
+        std::cout << aligned_columns(on_screen(rows)) << ending << "\nreport in "
+                  << (folder.path() / "report.html").string() << '\n';
     }
     return ExitCode::ok;
 }

@@ -12,9 +12,11 @@ namespace {
 
 // In `verify` the source stands in its own column; here it goes without saying.
 PrintedRow printed_row_of(const Comparison& comparison) {
-    std::string remark = comparison.verdict == Verdict::met           ? ""
-                         : comparison.verdict == Verdict::unreachable ? comparison.source
-                                                                      : statement(false);
+    const bool met = comparison.verdict == Verdict::met;
+    std::string remark = met && comparison.expected == "not printed" ? "" : statement(met);
+    if (comparison.verdict == Verdict::unreachable) {
+        remark += ": " + comparison.source;
+    }
     if (!comparison.note.empty()) {
         remark += (remark.empty() ? "" : "; ") + comparison.note;
     }
@@ -42,8 +44,8 @@ void reproduce_data(const CaseFile& file, const ResultFolder& folder, Report& re
 
 }  // namespace
 
-ReproductionItem data_item(const std::string& name, const std::string& meaning, const std::string& folder,
-                           const std::vector<std::string>& cases) {
+ReproductionItem data_item(const std::string& name, const std::string& place, const std::string& meaning,
+                           const std::string& folder, const std::vector<std::string>& cases, ReproductionCost cost) {
     const auto reproduce = [folder, cases](const ResultFolder& results, Report& report) {
         Reproduction result;
         for (const std::string& one : cases) {
@@ -52,7 +54,7 @@ ReproductionItem data_item(const std::string& name, const std::string& meaning, 
         }
         return result;
     };
-    return {name, meaning, reproduce};
+    return {name, place, meaning, reproduce, cost};
 }
 
 }  // namespace delabole

@@ -193,14 +193,15 @@ Reproduction reproduce_friction_angles(const ResultFolder&, Report& report) {
 }  // namespace
 
 ReproductionChapter appendix_a_chapter() {
-    return {"appendixA",
-            "columns on a stepped base, 4.4, Appendix A and 5.3.4.2",
-            "Thesis, Appendix A: printed and computed",
-            {
-                {"limiting_friction", "friction for limiting equilibrium, modes and forces of Appendix A",
-                 reproduce_limiting_friction},
-                {"friction_angles", "which of the friction angles of 5.3.4.2 hold", reproduce_friction_angles},
-            }};
+    return {
+        "appendixA",
+        "columns on a stepped base, 4.4, Appendix A and 5.3.4.2",
+        "Thesis, Appendix A: printed and computed",
+        {
+            {"limiting_friction", "4.4, Appendix A",
+             "friction for limiting equilibrium, modes and forces of Appendix A", reproduce_limiting_friction},
+            {"friction_angles", "5.3.4.2", "which of the friction angles of 5.3.4.2 hold", reproduce_friction_angles},
+        }};
 }
 
 }  // namespace delabole

@@ -255,8 +255,8 @@ ReproductionChapter published_problems() {
     return {"published",
             "published problems of jointed slopes, RJ-1 to RJ-20",
             "Published problems of jointed slopes",
-            {{"factors", "factors of safety by strength reduction beside those of other codes", reproduce_factors,
-              ReproductionCost::minutes}}};
+            {{"factors", "published", "factors of safety by strength reduction beside those of other codes",
+              reproduce_factors, ReproductionCost::minutes}}};
 }
 
 }  // namespace delabole

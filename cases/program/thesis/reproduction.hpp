@@ -31,6 +31,7 @@ enum class ReproductionCost { seconds, minutes };
 
 struct ReproductionItem {
     std::string name;     // "fig2.8"
+    std::string place;    // section, figure or table of the thesis
     std::string meaning;  // one line
     // Appends to the report, writes figures and tables into the folder.
     std::function<Reproduction(const ResultFolder&, Report&)> reproduce;
@@ -63,6 +64,7 @@ struct PartOfWork {
 void run_part(const ResultFolder& folder, const PartOfWork& part, std::size_t count,
               const std::function<void(std::size_t)>& task);
 
+// How a remark on a statement begins, so that rows can be counted.
 std::string statement(bool met);
 // "1 slides, 2 to 5 topple and 6 to 8 stay": what each column does, with `to` between the first and last that do the
 // same.
@@ -73,7 +75,8 @@ Table printed_table(const std::string& caption, const std::vector<PrintedRow>& r
 
 // `cases` are built-in ones of a folder (thesis_tables.hpp), in the order of the report.
 // An item that is data alone: cases whose texts, [[expect]] and [[sweep]] say what is printed and drawn.
-ReproductionItem data_item(const std::string& name, const std::string& meaning, const std::string& folder,
-                           const std::vector<std::string>& cases);
+ReproductionItem data_item(const std::string& name, const std::string& place, const std::string& meaning,
+                           const std::string& folder, const std::vector<std::string>& cases,
+                           ReproductionCost cost = ReproductionCost::seconds);
 
 }  // namespace delabole

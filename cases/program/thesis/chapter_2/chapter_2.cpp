@@ -4,6 +4,7 @@
 #include "cases/program/thesis/imperial.hpp"
 #include "cases/program/thesis/reproduction.hpp"
 #include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
 #include "plots/figures/figures.hpp"
 
 #include <cmath>
@@ -44,7 +45,7 @@ Table solutions_table(CsvTable& csv) {
 
 WaterDepthCurves fig_2_8_curves(const Fig28Solution& solution) {
     WaterDepthCurves curves;
-    curves.title = "Thesis Fig 2.8(b), recomputed";
+    curves.title = "Fig 2.8 (b)";
     curves.ratio = "depth of water / z";
     for (const double share : {0.0, 0.5, 1.0}) {
         NamedCurve curve{
@@ -68,6 +69,12 @@ Reproduction reproduce_fig_2_8(const ResultFolder& folder, Report& report) {
                            difference_in_words(solution.state.factor_of_safety - 1), "z is solved for this statement"});
     result.rows.push_back({"FS, crack half full, c = 0", "more than 1 (stable)",
                            number_in_words(solution.factor_half_full), "", statement(solution.factor_half_full > 1)});
+    constexpr double intact = 20;  // MN/m2, the least of Richards's strengths
+    const double stress = 27e3 * 225 * foot / 1e6;
+    result.rows.push_back(
+        {"(a) stress below 225 ft of slate of 27 kN/m3", "2 MN/m2, several times below 20",
+         human_number(stress, 3) + " MN/m2", human_number(stress - 2, 2) + " MN/m2",
+         statement(intact > 3 * stress) + ": strength over stress " + human_number(intact / stress, 3)});
     report.blocks.emplace_back(Heading{"Fig 2.8: plane failure with a crack in the face"});
     report.blocks.emplace_back(
         Paragraph{"H, z and the unit weight are not printed. H is taken between the printed levels 575 and 350 ft; z "
@@ -110,26 +117,32 @@ Reproduction reproduce_dry_friction(const ResultFolder&, Report& report) {
 }  // namespace
 
 ReproductionChapter chapter_2() {
-    return {"chapter2",
-            "the calculations of chapter 2",
-            "Thesis, chapter 2: printed and computed",
-            {
-                {"fig2.8", "plane failure of the west face; its unprinted crack depth and curves", reproduce_fig_2_8},
-                data_item("tilting", "groundwater by tilting the model, section 2.3.5", "plane_failure",
-                          {"groundwater_by_tilting"}),
-                {"mechanisms", "modes of failure tried on models of the west face, verdicts of section 2.3.3.2",
-                 reproduce_mechanisms},
-                {"drawings", "Figs 2.4, 2.5, 2.7 and 2.10: the failure and the models", reproduce_slope_drawings},
-                {"plates", "Plates 2.I to 2.VI as runs in motion, scored by the field criteria", reproduce_plates,
-                 ReproductionCost::minutes},
-                {"groundwater", "one column with groundwater: tests and observations of section 2.3.5",
-                 reproduce_groundwater},
-                {"trends", "Figs 2.11 to 2.14 as trends of runs, conclusions (i) to (iv) of section 2.3.4",
-                 reproduce_trends, ReproductionCost::minutes},
-                {"column_motion", "one column with groundwater in motion: observations 1 to 4 of section 2.3.5",
-                 reproduce_column_motion, ReproductionCost::minutes},
-                {"dry_friction", "dry factor of safety of section 2.3.3.2 A", reproduce_dry_friction},
-            }};
+    return {
+        "chapter2",
+        "the calculations of chapter 2",
+        "Thesis, chapter 2: printed and computed",
+        {
+            {"fig2.8", "2.3.2, Fig 2.8", "plane failure of the west face; its unprinted crack depth and curves",
+             reproduce_fig_2_8},
+            data_item("tilting", "2.3.5, Fig 2.15", "groundwater by tilting the model, section 2.3.5", "plane_failure",
+                      {"groundwater_by_tilting"}),
+            {"mechanisms", "2.3.3.2", "modes of failure tried on models of the west face, verdicts of section 2.3.3.2",
+             reproduce_mechanisms},
+            {"drawings", "Figs 2.4 to 2.10", "Figs 2.4, 2.5, 2.7 and 2.10: the failure and the models",
+             reproduce_slope_drawings},
+            {"plates", "Plates 2.I to 2.VI", "Plates 2.I to 2.VI as runs in motion, scored by the field criteria",
+             reproduce_plates, ReproductionCost::minutes},
+            data_item("plate2.iii", "Plate 2.III", "which friction lets the model of Plate 2.III fail",
+                      "thesis/chapter_2", {"plate_2_iii"}, ReproductionCost::minutes),
+            {"groundwater", "2.3.5", "one column with groundwater: tests and observations of section 2.3.5",
+             reproduce_groundwater},
+            {"trends", "2.3.4", "Figs 2.11 to 2.14 as trends of runs, conclusions (i) to (iv) of section 2.3.4",
+             reproduce_trends, ReproductionCost::minutes},
+            {"column_motion", "2.3.5, Plates 2.VII to IX",
+             "one column with groundwater in motion: observations 1 to 4 of section 2.3.5", reproduce_column_motion,
+             ReproductionCost::minutes},
+            {"dry_friction", "2.3.3.2 A", "dry factor of safety of section 2.3.3.2 A", reproduce_dry_friction},
+        }};
 }
 
 }  // namespace delabole

@@ -64,7 +64,7 @@ Table tests_table(const std::vector<GroundwaterTest>& tests) {
 
 Figure driving_figure(const std::vector<GroundwaterTest>& tests) {
     constexpr std::array colours{Colour::blue, Colour::vermilion, Colour::green, Colour::purple};
-    Figure figure{.title = "What drives a joint-A column",
+    Figure figure{.title = "2.3.5: what drives a joint-A column",
                   .x = {.title = "rotation of the model", .unit = "deg"},
                   .y = {.title = "driving force over weight"}};
     std::vector<double> frictions;

@@ -28,7 +28,8 @@ Polyline surface(double lower, double upper) {
 
 // Figs 2.4 and 2.5: what the survey leaves open, between the gentlest and the steepest surfaces.
 Figure profile_figure() {
-    Figure figure{.title = "The failure of 1967 (Figs 2.4 and 2.5)",
+    const double boundary_x = surface(degrees(40), degrees(70))[1].x() - 5;
+    Figure figure{.title = "Figs 2.4 and 2.5: the failure of 1967",
                   .x = {.title = "distance from the foot"},
                   .y = {.title = "level"}};
     figure.x.unit = figure.y.unit = "ft";
@@ -39,14 +40,45 @@ Figure profile_figure() {
         Line{.points = {Point(0, foot_level), Point((top_level - foot_level) / std::tan(degrees(60)), top_level)},
              .legend = "face of the models, 60°",
              .colour = Colour::black,
-             .dash = Dash::dashed}};
+             .dash = Dash::dashed},
+        Line{.points = {Point(0, foot_level), Point((top_level - foot_level) / std::tan(degrees(70)), top_level)},
+             .legend = "face of Fig 2.8, 70°",
+             .colour = Colour::black,
+             .dash = Dash::dotted},
+        // Traced north of the fall at 420 ft; that it is the fault where the two surfaces meet is a speculation.
+        Line{.points = {Point(boundary_x - 60, 360), Point(boundary_x + 80, 500)},
+             .legend = "green over grey slate, perhaps a fault: 420 ft, 45° to the pit",
+             .colour = Colour::green}};
     for (const auto& [level, what] :
-         {std::pair{top_level, "575 ft: third bench"}, std::pair{knee_level, "425 ft: seepage"},
+         {std::pair{617.3, "617.3 ft: bench 1, cracks"}, std::pair{top_level, "575 ft: third bench"},
+          std::pair{475.0, "475 ft: some seepage"}, std::pair{knee_level, "425 ft: seepage"},
           std::pair{foot_level, "350 ft: foot"}}) {
         figure.labels.push_back({.at = Point(-20, level), .text = what, .align = Label::Align::right, .size = 0.8});
     }
-    figure.x.range = {-160, 180};
+    figure.x.range = {-270, 180};
+    figure.height = 560;
+    figure.y.range = {340, 630};
     return figure;
+}
+
+// How each joint set lies, as a short line with its name and dip, in the space in front of the face.
+void add_directions(const RelaxationSlope& slope, Figure& figure) {
+    constexpr double half = 0.025;     // m, of a line
+    constexpr double between = 0.075;  // m
+    std::vector<std::string> named;
+    for (const SlopeCut& cut : slope.geometry.cut) {
+        const auto* set = std::get_if<JointSetCut>(&cut.trace);
+        if (set == nullptr || std::ranges::find(named, cut.joint) != named.end() || cut.joint == "fault") {
+            continue;
+        }
+        const Point middle(-0.16, 0.3 - between * static_cast<double>(named.size()));
+        const Point along = half * Point(std::cos(set->dip), std::sin(set->dip));
+        figure.series.emplace_back(Line{.points = {middle - along, middle + along}, .colour = Colour::vermilion});
+        figure.labels.push_back({.at = middle + Point(half + 0.01, 0),
+                                 .text = cut.joint + ", " + human_number(std::abs(set->dip) / degrees(1), 3) + "°",
+                                 .size = 0.8});
+        named.push_back(cut.joint);
+    }
 }
 
 Figure scene_figure(std::string_view name, const std::string& title) {
@@ -68,7 +100,9 @@ Figure scene_figure(std::string_view name, const std::string& title) {
         }
         drawing.blocks.push_back(std::move(shown));
     }
-    return block_figure(drawing);
+    Figure figure = block_figure(drawing);
+    add_directions(slope, figure);
+    return figure;
 }
 
 }  // namespace
@@ -84,11 +118,11 @@ Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report
         std::string caption;
     };
     const std::array drawings{
-        Drawing{"plate_2_ii", "Undercutting (Figs 2.7 and 2.10 b)", "fig_2_7",
+        Drawing{"plate_2_ii", "Figs 2.7 and 2.10 (b): undercutting", "fig_2_7",
                 "A fault with gouge, joint A, cleavage."},
-        Drawing{"plate_2_iii", "Joints A and B and cleavage (Fig 2.10 a)", "fig_2_10_a", "The model of Plate 2.III."},
-        Drawing{"plate_2_i", "Joints A and C and cleavage (Fig 2.10 a)", "fig_2_10_c", "The model of Plate 2.I."},
-        Drawing{"plate_2_vi", "Joint B ends at a discontinuity (Fig 2.10 b)", "fig_2_10_b",
+        Drawing{"plate_2_iii", "Fig 2.10 (a): joints A, B and cleavage", "fig_2_10_a", "The model of Plate 2.III."},
+        Drawing{"plate_2_i", "Fig 2.10 (a): joints A, C and cleavage", "fig_2_10_c", "The model of Plate 2.I."},
+        Drawing{"plate_2_vi", "Fig 2.10 (b): joint B ends at a discontinuity", "fig_2_10_b",
                 "The model of Plate 2.VI."}};
     for (const Drawing& drawing : drawings) {
         report.blocks.emplace_back(

@@ -5,24 +5,26 @@
 namespace delabole {
 
 ReproductionChapter chapter_3() {
-    return {
-        "chapter3",
-        "physical model tests, chapter 3",
-        "Thesis, chapter 3: printed and computed",
-        {
-            {"table3.2", "base friction tests: what the tables say of the text, and what guessing scores",
-             reproduce_table_3_2},
-            {"base_friction",
-             "base friction tests of Table 3.2 as runs: the strength fitted to half, the rest predicted",
-             reproduce_base_friction_runs, ReproductionCost::minutes},
-            {"tilting_frame", "rows of columns tilted until they fail, with the scatter of plaster: Figs 3.4, 3.6, 3.7",
-             reproduce_tilting_runs, ReproductionCost::minutes},
-            {"fig3.2", "base friction: crack path and its time against slope height (Table 3.3)", reproduce_fig_3_2},
-            data_item("fig3.4", "single column on the tilting frame, theoretical curve", "thesis/chapter_4",
-                      {"fig_3_4"}),
-            {"fig3.6", "rows of one to four equal columns on the tilting frame", reproduce_fig_3_6},
-            {"fig3.7", "columns of growing and falling height on the tilting frame, Plate 3.XIV", reproduce_fig_3_7},
-        }};
+    return {"chapter3",
+            "physical model tests, chapter 3",
+            "Thesis, chapter 3: printed and computed",
+            {
+                {"table3.2", "3.4.1, Table 3.2",
+                 "base friction tests: what the tables say of the text, and what guessing scores", reproduce_table_3_2},
+                {"base_friction", "3.2, Table 3.2",
+                 "base friction tests of Table 3.2 as runs: the strength fitted to half, the rest predicted",
+                 reproduce_base_friction_runs, ReproductionCost::minutes},
+                {"tilting_frame", "3.3",
+                 "rows of columns tilted until they fail, with the scatter of plaster: Figs 3.4, 3.6, 3.7",
+                 reproduce_tilting_runs, ReproductionCost::minutes},
+                {"fig3.2", "Fig 3.2, Table 3.3",
+                 "base friction: crack path and its time against slope height (Table 3.3)", reproduce_fig_3_2},
+                data_item("fig3.4", "Fig 3.4", "single column on the tilting frame, theoretical curve",
+                          "thesis/chapter_4", {"fig_3_4"}),
+                {"fig3.6", "Fig 3.6", "rows of one to four equal columns on the tilting frame", reproduce_fig_3_6},
+                {"fig3.7", "Fig 3.7, Plate 3.XIV",
+                 "columns of growing and falling height on the tilting frame, Plate 3.XIV", reproduce_fig_3_7},
+            }};
 }
 
 }  // namespace delabole

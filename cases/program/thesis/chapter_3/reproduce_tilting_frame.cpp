@@ -132,7 +132,7 @@ Reproduction reproduce_fig_3_6(const ResultFolder& folder, Report& report) {
     constexpr std::array colours{Colour::grey, Colour::blue, Colour::vermilion, Colour::green};
     constexpr std::array legends{"one column, and any that part", "two, pressed together", "three", "four"};
     EqualRows rows = equal_rows();
-    Figure figure = tilt_figure("Equal columns on the tilting frame", "height", "in");
+    Figure figure = tilt_figure("Fig 3.6: equal columns on the tilting frame", "height", "in");
     for (std::size_t index = 0; index < legends.size(); ++index) {
         rows.pressed[index].legend = legends[index];
         rows.pressed[index].colour = colours[index];
@@ -314,7 +314,7 @@ Line heights_line(const std::vector<RowOfHeights>& rows, const std::string& lege
 }
 
 Figure heights_figure(const std::vector<RowOfHeights>& rows, double friction, double printed_tilt) {
-    Figure figure = tilt_figure("Columns of growing and falling height", "number of columns", "");
+    Figure figure = tilt_figure("Fig 3.7: columns of growing and falling height", "number of columns", "");
     const auto at = [](double angle) { return "friction " + human_number(angle / degrees(1), 3) + "°"; };
     constexpr double other_friction = degrees(30);  // that of chapter 5's nine columns
     Points printed;

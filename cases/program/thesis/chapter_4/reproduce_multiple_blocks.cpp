@@ -62,8 +62,9 @@ Figure mode_gallery(int count) {
         slips[index].colour = toe_motions[index].colour;
     }
     Points pivots{.legend = "P: toe does not slide"};
-    BlockDrawing gallery{.title = number_in_words(count) + " blocks: every block turns",
+    BlockDrawing gallery{.title = "Fig 4.9: " + number_in_words(count) + " blocks, every block turns",
                          .displaced_legend = "turned by 15 deg"};
+    std::vector<Label> letters;
     int place = 0;
     for (const RowModeSummary& mode : whole_row_modes(count, slenderness, 20, 30)) {
         const int in_a_row = count == 3 ? 3 : 4;
@@ -93,9 +94,13 @@ Figure mode_gallery(int count) {
             block.mode = DrawnMode::plain;
             gallery.blocks.push_back(std::move(block));
         }
+        letters.push_back({.at = shift + (slenderness + 1.3) * up,
+                           .text = "(" + std::string(1, static_cast<char>('a' + place)) + ")",
+                           .boxed = false});
         ++place;
     }
     Figure figure = block_figure(gallery);
+    figure.labels.insert(figure.labels.end(), letters.begin(), letters.end());
     figure.frame = false;
     for (Arrows& arrows : slips) {
         figure.series.emplace_back(std::move(arrows));
@@ -157,7 +162,7 @@ Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report) {
         "derived; so (a) is the least stable one only up to a friction angle that falls as the columns get taller."});
     for (const int ratio : {3, 5, 7}) {
         const std::string words = std::to_string(ratio);
-        Figure figure = tilt_figure("Three blocks, a/b = " + words, "friction φ = ψ", "deg");
+        Figure figure = tilt_figure("Fig 4.10: three blocks, a/b = " + words, "friction φ = ψ", "deg");
         figure.series.emplace_back(mode_line(ratio, "(a) as printed, (14) = (8)", Colour::grey, Dash::dashed,
                                              closed_form::two_equal_blocks_forward<double>));
         figure.series.emplace_back(mode_line(ratio, "(a) FFP as derived", Colour::blue, Dash::solid,

@@ -117,7 +117,7 @@ Reproduction reproduce_fig_4_7(const ResultFolder& folder, Report& report) {
         {"W1/W2 that gives both best", "not printed", human_number(best_ratio, 4), "", "least squares"});
     result.json["weight_ratio_least_squares"] = best_ratio;
     Figure figure = modes_figure(slenderness, best);
-    figure.title = "Two blocks, a/b = 9, W1/W2 = " + human_number(best_ratio, 4);
+    figure.title = "Fig 4.7: two blocks, a/b = 9, W1/W2 = " + human_number(best_ratio, 4);
     Points equal_weights{.legend = "boundaries with equal weights", .marker = Marker::circle, .size = 1.8};
     for (std::size_t index = 0; index < frictions.size(); ++index) {
         const double phi = frictions[index];

@@ -167,8 +167,12 @@ Reproduction reproduce_fig_5_12(const ResultFolder& folder, Report& report) {
                         cycle ? human_number(share, 3) : ""});
             if (cycle && engine == Engine::recreated) {
                 const std::string name = "fig_5_12_" + std::to_string(std::lround(run.columns.heights[0] / inch));
-                report.blocks.emplace_back(folder.draw(frames_figure("Fig 5.12: " + run.name, run, computed, {*cycle}),
-                                                       name, "Where block 2 begins to slide backwards."));
+                Figure figure = frames_figure("Fig 5.12: " + run.name, run, computed, {*cycle});
+                // The three are compared: one scale.
+                figure.x.range = std::pair(-0.5, 5.5);
+                figure.y.range = std::pair(-1.5, 11.5);
+                figure.height = 760;
+                report.blocks.emplace_back(folder.draw(figure, name, "Where block 2 begins to slide backwards."));
             }
         }
     }
@@ -287,7 +291,7 @@ Reproduction reproduce_observations(const ResultFolder& folder, Report& report) 
             drawn.push_back({all[index].name + ", clean", &clean_histories[index], rotation, true});
         }
     }
-    Figure figure = history_figure("Two blocks at 18.4 deg", "rotation of block 1", "deg", drawn);
+    Figure figure = history_figure("5.3.2: two blocks at 18.4 deg", "rotation of block 1", "deg", drawn);
     Points marks{.legend = "printed: cycles of one displacement", .marker = Marker::filled_diamond};
     for (const Chapter5Run& one : runs) {
         marks.points.emplace_back(one.printed_cycle.value_or(0), rotation(print_at(histories[0], printed_cycle)));
