@@ -156,7 +156,7 @@ StaticEquations::StaticEquations(const Bodies& bodies, const std::vector<char>& 
         diagonal_.push_back(static_cast<int>(std::lower_bound(begin, end, column) - pattern.row.begin()));
     }
     tangent_.resize(pattern.row.size());
-    system_.emplace(std::move(pattern));
+    system_.emplace(std::move(pattern), 3);
 }
 
 // Three rows and three columns for each pair of free blocks that act on each other, and for each free block.
