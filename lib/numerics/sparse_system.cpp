@@ -1,8 +1,13 @@
 #include "numerics/sparse_system.hpp"
 
+#include "numerics/frontal_factors.hpp"
+
 #include <klu.h>
 
+#include <algorithm>
+#include <cmath>
 #include <new>
+#include <optional>
 #include <utility>
 
 namespace delabole {
@@ -19,14 +24,42 @@ struct SparseSystem::Factors {
     klu_common common = {};
     klu_symbolic* symbolic = nullptr;
     klu_numeric* numeric = nullptr;
+    bool analysed = false;  // by KLU
+    std::optional<FrontalFactors> fronts = {};
 };
 
-SparseSystem::SparseSystem(SparsePattern pattern)
-    : pattern_(std::move(pattern)), value_(pattern_.row.size(), 0.0), factors_(std::make_unique<Factors>()) {
-    factors_->symbolic =
-        klu_analyze(pattern_.size(), pattern_.column_begin.data(), pattern_.row.data(), &factors_->common);
-    if (factors_->common.status == KLU_OUT_OF_MEMORY) {
+namespace {
+
+// Fewer are solved as fast without dense matrices.
+constexpr int many_unknowns = 72;
+
+// Of the groups, such that elimination joins few of them.
+std::vector<int> elimination_order(const SparsePattern& pattern, int group) {
+    SparsePattern groups;
+    for (int column = 0; column < pattern.size(); column += group) {
+        const int end = pattern.column_begin[static_cast<std::size_t>(column) + 1];
+        for (int entry = pattern.column_begin[static_cast<std::size_t>(column)]; entry < end; entry += group) {
+            groups.row.push_back(pattern.row[static_cast<std::size_t>(entry)] / group);
+        }
+        groups.column_begin.push_back(static_cast<int>(groups.row.size()));
+    }
+    klu_common common = {};
+    klu_defaults(&common);
+    klu_symbolic* symbolic = klu_analyze(groups.size(), groups.column_begin.data(), groups.row.data(), &common);
+    if (symbolic == nullptr) {
         throw std::bad_alloc();
+    }
+    std::vector<int> order(symbolic->Q, symbolic->Q + groups.size());
+    klu_free_symbolic(&symbolic, &common);
+    return order;
+}
+
+}  // namespace
+
+SparseSystem::SparseSystem(SparsePattern pattern, int group)
+    : pattern_(std::move(pattern)), value_(pattern_.row.size(), 0.0), factors_(std::make_unique<Factors>()) {
+    if (group > 1 && pattern_.size() >= many_unknowns) {
+        factors_->fronts.emplace(pattern_, group, elimination_order(pattern_, group));
     }
 }
 
@@ -35,14 +68,71 @@ SparseSystem::SparseSystem(SparseSystem&& other) noexcept = default;
 SparseSystem& SparseSystem::operator=(SparseSystem&& other) noexcept = default;
 
 bool SparseSystem::solve(Eigen::VectorXd& vector) {
+    return factors_->fronts && solve_by_fronts(vector) ? true : solve_by_klu(vector);
+}
+
+bool SparseSystem::solve_by_fronts(Eigen::VectorXd& vector) {
+    // Of the products that make up a row: more digits than its pivots may cost KLU are left.
+    constexpr double little = 1e-11;
+    constexpr int most_improvements = 2;
+    FrontalFactors& fronts = *factors_->fronts;
+    if (!fronts.factor(value_)) {
+        return false;
+    }
+    const auto greatest_of = [](const std::vector<double>& values) {
+        double greatest = 0;
+        for (const double value : values) {
+            greatest = std::max(greatest, std::abs(value));
+        }
+        return greatest;
+    };
+    const double greatest = greatest_of(value_);
+    Eigen::VectorXd solution = vector;
+    fronts.solve(solution);
+    for (int improvements = 0; solution.allFinite(); ++improvements) {
+        Eigen::VectorXd left = left_over(vector, solution);
+        const double products = greatest * solution.lpNorm<Eigen::Infinity>() + vector.lpNorm<Eigen::Infinity>();
+        if (left.lpNorm<Eigen::Infinity>() <= little * products) {
+            vector = std::move(solution);
+            return true;
+        }
+        if (improvements == most_improvements) {
+            break;
+        }
+        fronts.solve(left);
+        solution += left;
+    }
+    return false;
+}
+
+Eigen::VectorXd SparseSystem::left_over(const Eigen::VectorXd& right, const Eigen::VectorXd& solution) const {
+    Eigen::VectorXd left = right;
+    for (int column = 0; column < pattern_.size(); ++column) {
+        const double by = solution(column);
+        const int end = pattern_.column_begin[static_cast<std::size_t>(column) + 1];
+        for (int entry = pattern_.column_begin[static_cast<std::size_t>(column)]; entry < end; ++entry) {
+            left(pattern_.row[static_cast<std::size_t>(entry)]) -= by * value_[static_cast<std::size_t>(entry)];
+        }
+    }
+    return left;
+}
+
+bool SparseSystem::solve_by_klu(Eigen::VectorXd& vector) {
     klu_common& common = factors_->common;
-    klu_symbolic* const symbolic = factors_->symbolic;
+    klu_symbolic*& symbolic = factors_->symbolic;
     klu_numeric*& numeric = factors_->numeric;
+    int* const begin = pattern_.column_begin.data();
+    int* const row = pattern_.row.data();
+    if (!factors_->analysed) {
+        factors_->analysed = true;
+        symbolic = klu_analyze(pattern_.size(), begin, row, &common);
+        if (common.status == KLU_OUT_OF_MEMORY) {
+            throw std::bad_alloc();
+        }
+    }
     if (symbolic == nullptr) {  // structurally singular
         return false;
     }
-    int* const begin = pattern_.column_begin.data();
-    int* const row = pattern_.row.data();
     // Pivots are kept as long as elimination makes entries grow by no more than this: it costs as many digits.
     constexpr double least_reciprocal_growth = 1e-6;
     const bool kept = numeric != nullptr && klu_refactor(begin, row, value_.data(), symbolic, numeric, &common) != 0 &&

@@ -1,9 +1,14 @@
 // Linear equations whose pattern of entries stays while their values change from one solution to the next.
 //
-// Direct solution by KLU (Davis & Palamadai Natarajan 2010, Algorithm 907, ACM TOMS 37-3): the ordering is found once
-// for the pattern, pivots once for some values and kept for the next ones as long as they are good enough. It calls no
-// BLAS: the same numbers come out on any number of threads and with whatever BLAS is installed.
+// Direct solution. Many unknowns in groups are eliminated by dense matrices (frontal_factors.hpp), in the order that
+// KLU finds for their groups, and the solution is improved once if that leaves something over. Few of them, those
+// without groups, and those of which the dense matrices leave too much over are solved by KLU (Davis & Palamadai
+// Natarajan 2010, Algorithm 907, ACM TOMS 37-3): the ordering is found once for the pattern, pivots once for some
+// values and kept for the next ones as long as they are good enough. Neither calls BLAS: the same numbers come out on
+// any number of threads and with whatever BLAS is installed.
 #pragma once
+
+#include "numerics/sparse_pattern.hpp"
 
 #include <Eigen/Core>
 
@@ -13,19 +18,11 @@
 
 namespace delabole {
 
-// Compressed columns: the entries of column j are those from column_begin[j] to before column_begin[j + 1], with their
-// rows in increasing order.
-struct SparsePattern {
-    std::vector<int> column_begin = {0};
-    std::vector<int> row = {};
-
-    int size() const { return static_cast<int>(column_begin.size()) - 1; }
-};
-
 class SparseSystem {
   public:
-    // Square, with at least one row.
-    explicit SparseSystem(SparsePattern pattern);
+    // Square, with at least one row. More than one unknown in a `group`: the pattern is symmetric and has all entries
+    // between two groups, which follow one another, or none.
+    explicit SparseSystem(SparsePattern pattern, int group = 1);
     ~SparseSystem();
     SparseSystem(SparseSystem&& other) noexcept;
     SparseSystem& operator=(SparseSystem&& other) noexcept;
@@ -40,6 +37,10 @@ class SparseSystem {
 
   private:
     struct Factors;
+
+    bool solve_by_klu(Eigen::VectorXd& vector);
+    bool solve_by_fronts(Eigen::VectorXd& vector);
+    Eigen::VectorXd left_over(const Eigen::VectorXd& right, const Eigen::VectorXd& solution) const;
 
     SparsePattern pattern_;
     std::vector<double> value_;

@@ -57,6 +57,86 @@ TEST(SparseSystem, SolvesWhatDenseEliminationSolves) {
     }
 }
 
+// Groups of three on a grid, each with its eight neighbours: elimination joins what lies far apart.
+SparsePattern grid(int wide, int high) {
+    SparsePattern pattern;
+    for (int column = 0; column < 3 * wide * high; ++column) {
+        const int x = column / 3 % wide;
+        const int y = column / 3 / wide;
+        for (int group = 0; group < wide * high; ++group) {
+            if (std::abs(group % wide - x) <= 1 && std::abs(group / wide - y) <= 1) {
+                pattern.row.insert(pattern.row.end(), {3 * group, 3 * group + 1, 3 * group + 2});
+            }
+        }
+        pattern.column_begin.push_back(static_cast<int>(pattern.row.size()));
+    }
+    return pattern;
+}
+
+// Not symmetric, with diagonals as large as in stiffness with friction.
+void set_values(SparseSystem& system, std::mt19937& random) {
+    std::uniform_real_distribution<double> number(-1, 1);
+    const SparsePattern& pattern = system.pattern();
+    for (int column = 0; column < pattern.size(); ++column) {
+        for (auto entry = static_cast<std::size_t>(pattern.column_begin[static_cast<std::size_t>(column)]);
+             entry < static_cast<std::size_t>(pattern.column_begin[static_cast<std::size_t>(column) + 1]); ++entry) {
+            system.values()[entry] = number(random) + (pattern.row[entry] == column ? 5 : 0);
+        }
+    }
+}
+
+TEST(SparseSystem, EliminatesGroupsAsDenseEliminationDoes) {
+    std::mt19937 random(2);
+    for (const auto& [wide, high] : {std::pair{5, 5}, {30, 1}, {9, 12}, {1, 40}}) {
+        SparseSystem system(grid(wide, high), 3);
+        for (int round = 0; round < 3; ++round) {
+            set_values(system, random);
+            const Eigen::MatrixXd matrix = dense(system);
+            const Eigen::VectorXd right = Eigen::VectorXd::Random(matrix.rows());
+            Eigen::VectorXd found = right;
+            ASSERT_TRUE(system.solve(found));
+            // Some hundred roundings; pivots grow by little where diagonals are large.
+            EXPECT_LT((matrix * found - right).norm(), 1e-13 * (matrix.norm() * found.norm() + right.norm()));
+            EXPECT_LT((found - matrix.partialPivLu().solve(right)).norm(), 1e-11 * found.norm());
+        }
+    }
+}
+
+// Diagonal groups that have no pivots at all: their neighbours have to come to their help, which dense matrices of some
+// groups cannot give.
+TEST(SparseSystem, SolvesWhatNeedsPivotsOfOtherGroups) {
+    SparseSystem system(grid(2, 15), 3);
+    std::mt19937 random(3);
+    set_values(system, random);
+    for (int column = 0; column < system.pattern().size(); ++column) {
+        for (auto entry = static_cast<std::size_t>(system.pattern().column_begin[static_cast<std::size_t>(column)]);
+             entry < static_cast<std::size_t>(system.pattern().column_begin[static_cast<std::size_t>(column) + 1]);
+             ++entry) {
+            if (system.pattern().row[entry] / 3 == column / 3) {
+                system.values()[entry] = 0;
+            }
+        }
+    }
+    const Eigen::MatrixXd matrix = dense(system);
+    const Eigen::VectorXd right = Eigen::VectorXd::Ones(matrix.rows());
+    Eigen::VectorXd found = right;
+    ASSERT_TRUE(system.solve(found));
+    // As above for KLU.
+    EXPECT_LT((matrix * found - right).norm(), 1e-8 * (matrix.norm() * found.norm() + right.norm()));
+}
+
+TEST(SparseSystem, SaysWhereGroupsHaveNoSolution) {
+    SparseSystem zero(grid(6, 6), 3);
+    Eigen::VectorXd vector = Eigen::VectorXd::Ones(zero.pattern().size());
+    EXPECT_FALSE(zero.solve(vector));
+    std::ranges::fill(zero.values(), std::numeric_limits<double>::quiet_NaN());
+    EXPECT_FALSE(zero.solve(vector));
+    std::mt19937 random(4);
+    set_values(zero, random);
+    vector.setOnes();
+    EXPECT_TRUE(zero.solve(vector));
+}
+
 TEST(SparseSystem, GivesTheSameBitsAgain) {
     Eigen::VectorXd first = Eigen::VectorXd::LinSpaced(200, -1, 1);
     Eigen::VectorXd second = first;

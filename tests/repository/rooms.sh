@@ -32,7 +32,7 @@ posix='^(sys/[a-z]+|unistd|fcntl|signal|poll|spawn|termios)\.h$'
 declare -A only_file=([glpk.h]=lib/limit_equilibrium/bound/lp_bound.cpp [klu.h]=lib/numerics/sparse_system.cpp
     [sqlite3.h]=fitting/work/evaluation_store.cpp [mpi.h]=fitting/work/ranks.cpp [httplib.h]=cases/program/live/server.cpp
     [sys/mman.h]=lib/dynamic_relaxation/wide/large_array.hpp
-    [emmintrin.h]=lib/dynamic_relaxation/wide/lanes.hpp)
+    [emmintrin.h]=lib/numerics/lanes.hpp)
 # The one folder whose files may include it.
 declare -A only_folder=([pybind11]=cases/python)
 # Folders inside a room, from the lowest up: each includes only itself and those before it. A folder with such a list

@@ -1,6 +1,6 @@
 #include "dynamic_relaxation/blocks/block_sweep.hpp"
 
-#include "dynamic_relaxation/wide/lanes.hpp"
+#include "numerics/lanes.hpp"
 
 #include <algorithm>
 #include <cstring>

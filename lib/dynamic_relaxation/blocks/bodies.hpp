@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dynamic_relaxation/scene/scene.hpp"
-#include "dynamic_relaxation/wide/lanes.hpp"
+#include "numerics/lanes.hpp"
 
 #include <cstddef>
 #include <optional>

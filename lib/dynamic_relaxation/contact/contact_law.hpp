@@ -12,7 +12,7 @@
 
 #include "dynamic_relaxation/contact/contact_transition.hpp"
 #include "dynamic_relaxation/contact/contacts.hpp"
-#include "dynamic_relaxation/wide/lanes.hpp"
+#include "numerics/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "dynamic_relaxation/contact/contact_sweep.hpp"
 
 #include "dynamic_relaxation/contact/contact_law.hpp"
-#include "dynamic_relaxation/wide/lanes.hpp"
+#include "numerics/lanes.hpp"
 
 #include <algorithm>
 #include <array>

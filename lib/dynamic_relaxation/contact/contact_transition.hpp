@@ -4,7 +4,7 @@
 #pragma once
 
 #include "dynamic_relaxation/contact/contacts.hpp"
-#include "dynamic_relaxation/wide/lanes.hpp"
+#include "numerics/lanes.hpp"
 
 namespace delabole {
 

@@ -8,9 +8,9 @@
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
 #include "dynamic_relaxation/blocks/neighbours.hpp"
-#include "dynamic_relaxation/wide/lanes.hpp"
 #include "dynamic_relaxation/wide/large_array.hpp"
 #include "dynamic_relaxation/wide/packed_array.hpp"
+#include "numerics/lanes.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -6,45 +6,31 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 namespace delabole {
 
 namespace {
 
-using Direction = Eigen::Matrix<double, 6, 1>;
-
-// The force of a contact in a given state, and how it changes with the motion of its two blocks.
-struct Response {
-    Eigen::Matrix<double, 6, 1> force = Eigen::Matrix<double, 6, 1>::Zero();
-    Eigen::Matrix<double, 6, 6> stiffness = Eigen::Matrix<double, 6, 6>::Zero();
-    Eigen::Matrix<double, 6, 6> damping = Eigen::Matrix<double, 6, 6>::Zero();
-};
-
-// Displacement along (x, y) of a point of a block against one of another, by displacements of both and turns times
-// radius.
+// Displacements along a line of a point of a block against one of another, and turns of one against the other.
 struct Arms {
     double radius;
     double other_radius;
 
     template <class Position>
-    Direction along(double x, double y, const Position& at) const {
-        Direction row;
-        row << x, y, (at.arm_x * y - at.arm_y * x) / radius, -x, -y,
-            -(at.other_arm_x * y - at.other_arm_y * x) / other_radius;
-        return row;
+    PairDirection along(double x, double y, const Position& at) const {
+        return {x, y, (at.arm_x * y - at.arm_y * x) / radius,
+                -(at.other_arm_x * y - at.other_arm_y * x) / other_radius};
     }
-    Direction turn() const {
-        Direction row;
-        row << 0, 0, 1 / radius, 0, 0, -1 / other_radius;
-        return row;
-    }
+    PairDirection turn() const { return {0, 0, 1 / radius, -1 / other_radius}; }
 };
 
 // The law of contact_law.hpp without velocities. A contact that has opened by a hair still counts in the tangent:
 // without it, blocks that touch without pressure would have nothing to stand on. Where contacts resist with
 // pseudo-viscosity, open ones do so as well.
-std::optional<Response> respond(const ContactLaw& law, const RelaxationContact& contact, const ContactPosition& at,
-                                const Arms& arms, ContactMemory& memory, double hair, bool resists) {
+PairResponse respond(const ContactLaw& law, const RelaxationContact& contact, const ContactPosition& at,
+                     const Arms& arms, ContactMemory& memory, double hair, bool resists) {
     const double overlap = -at.gap;
     const bool bonded = law.tension > 0 && !memory.broken && memory.touching;
     const double weight = contact_weight(law, contact, at, memory.insists);
@@ -63,25 +49,25 @@ std::optional<Response> respond(const ContactLaw& law, const RelaxationContact& 
     memory.touching = holds_of_one(bearing_of(over, apart, bonded, 0));
     memory.sliding = false;
     const bool open = overlap < -hair && !bonded;
+    PairResponse response;
     if (idle || open) {
         memory.shear = 0;
         if (idle || !resists) {
-            return std::nullopt;
+            return response;
         }
     }
-    Response response;
-    const Direction normal = arms.along(at.normal_x, at.normal_y, at);
-    const Direction along = arms.along(at.along_x(), at.along_y(), at);
+    response.normal = arms.along(at.normal_x, at.normal_y, at);
+    response.along = arms.along(at.along_x(), at.along_y(), at);
     if (resists) {
-        response.damping = weight * (law.normal_stiffness * normal * normal.transpose() +
-                                     law.shear_stiffness * along * along.transpose());
+        response.normal_damping = weight * law.normal_stiffness;
+        response.shear_damping = weight * law.shear_stiffness;
         if (open) {
             return response;
         }
     }
     const double pressing = law.normal_stiffness * std::max(overlap, 0.0);
     const double strength = shear_strength(law, pressing, memory.broken);
-    response.stiffness = weight * law.normal_stiffness * normal * normal.transpose();
+    response.normal_stiffness = weight * law.normal_stiffness;
     const double trial = -law.shear_stiffness * memory.shear;
     const double shear = std::clamp(trial, -strength, strength);
     memory.sliding = slips(trial, strength);
@@ -89,27 +75,29 @@ std::optional<Response> respond(const ContactLaw& law, const RelaxationContact& 
     memory.shear = -shear / law.shear_stiffness;
     if (memory.sliding) {
         const double friction = memory.broken ? law.residual_friction : law.friction;
-        response.stiffness +=
-            weight * law.normal_stiffness * std::copysign(friction, trial) * along * normal.transpose();
+        response.coupling = weight * law.normal_stiffness * std::copysign(friction, trial);
     } else {
-        response.stiffness += weight * law.shear_stiffness * along * along.transpose();
+        response.shear_stiffness = weight * law.shear_stiffness;
     }
-    response.force = weight * ((bonded ? law.normal_stiffness * overlap : pressing) * normal + shear * along);
+    response.normal_force = weight * (bonded ? law.normal_stiffness * overlap : pressing);
+    response.shear_force = weight * shear;
     return response;
 }
 
-Response respond(const Bond& bond, const FacePosition& at, const Arms& arms) {
-    const Direction normal = arms.along(at.normal_x, at.normal_y, at);
-    const Direction along = arms.along(at.along_x(), at.along_y(), at);
-    const Direction bending = arms.turn();
-    Response response;
-    response.force = -bond.normal_stiffness * at.opening * normal - bond.shear_stiffness * at.slide * along -
-                     bond.bending_stiffness * at.turn * bending;
-    response.stiffness = bond.normal_stiffness * normal * normal.transpose() +
-                         bond.shear_stiffness * along * along.transpose() +
-                         bond.bending_stiffness * bending * bending.transpose();
-    response.damping = response.stiffness;
-    return response;
+// The response of a bond to displacements, and that to a turn.
+std::array<PairResponse, 2> respond(const Bond& bond, const FacePosition& at, const Arms& arms) {
+    PairResponse moved;
+    moved.normal = arms.along(at.normal_x, at.normal_y, at);
+    moved.along = arms.along(at.along_x(), at.along_y(), at);
+    moved.normal_force = -bond.normal_stiffness * at.opening;
+    moved.shear_force = -bond.shear_stiffness * at.slide;
+    moved.normal_stiffness = moved.normal_damping = bond.normal_stiffness;
+    moved.shear_stiffness = moved.shear_damping = bond.shear_stiffness;
+    PairResponse turned;
+    turned.normal = arms.turn();
+    turned.normal_force = -bond.bending_stiffness * at.turn;
+    turned.normal_stiffness = turned.normal_damping = bond.bending_stiffness;
+    return {moved, turned};
 }
 
 double stiffest_spring(const ContactList& list, const Bonds& bonds) {
@@ -121,6 +109,43 @@ double stiffest_spring(const ContactList& list, const Bonds& bonds) {
         stiffest = std::max(stiffest, bond.normal_stiffness);
     }
     return stiffest;
+}
+
+// Six rows of six columns: forces that the displacements of both blocks of a pair change, with those of resistance.
+std::array<double, 36> tangent_of(std::span<const PairResponse> responses, double resisting) {
+    std::array<double, 36> tangent{};
+    for (const PairResponse& response : responses) {
+        const std::array<double, 6> normal = response.normal.of_both();
+        const std::array<double, 6> along = response.along.of_both();
+        const double normal_stiffness = response.normal_stiffness + resisting * response.normal_damping;
+        const double shear_stiffness = response.shear_stiffness + resisting * response.shear_damping;
+        for (std::size_t column = 0; column < 6; ++column) {
+            const double pressed = normal_stiffness * normal[column];
+            const double sheared = response.coupling * normal[column] + shear_stiffness * along[column];
+            for (std::size_t row = 0; row < 6; ++row) {
+                tangent[6 * column + row] += pressed * normal[row] + sheared * along[row];
+            }
+        }
+    }
+    return tangent;
+}
+
+// Forces of a pseudo-viscosity of 1 against the displacements of both blocks.
+std::array<double, 6> damping_against(const std::array<double, 6>& moved, std::span<const PairResponse> responses) {
+    std::array<double, 6> force{};
+    for (const PairResponse& response : responses) {
+        const auto resist = [&](const PairDirection& direction, double damping) {
+            const double by = damping * (direction.x * (moved[0] - moved[3]) + direction.y * (moved[1] - moved[4]) +
+                                         direction.lever * moved[2] + direction.other_lever * moved[5]);
+            const std::array<double, 6> along = direction.of_both();
+            for (std::size_t row = 0; row < 6; ++row) {
+                force[row] += by * along[row];
+            }
+        };
+        resist(response.normal, response.normal_damping);
+        resist(response.along, response.shear_damping);
+    }
+    return force;
 }
 
 }  // namespace
@@ -144,19 +169,28 @@ StaticEquations::StaticEquations(const Bodies& bodies, const std::vector<char>& 
         return;
     }
     SparsePattern pattern = pattern_of(list);
+    const auto add = [&](std::size_t block, std::size_t other, std::size_t responses) {
+        const std::size_t begin = pairs_.empty() ? 0 : pairs_.back().end;
+        const std::size_t first = std::min(block, other);
+        const std::size_t second = std::max(block, other);
+        if (pairs_.empty() || pairs_.back().first != first || pairs_.back().second != second) {
+            pairs_.push_back({first, second, begin, begin, places_of(pattern, first, second)});
+        }
+        pairs_.back().end += responses;
+    };
     for (const ContactBlocks& contact : list.contact.blocks()) {
-        places_of_contact_.push_back(places_of(pattern, contact.block, contact.other));
+        add(contact.block, contact.other, 1);
     }
     for (const Bond& bond : bonds.list()) {
-        places_of_bond_.push_back(places_of(pattern, bond.face.block, bond.face.other));
+        add(bond.face.block, bond.face.other, 2);
     }
+    response_.resize(pairs_.empty() ? 0 : pairs_.back().end);
     for (int column = 0; column < pattern.size(); ++column) {
         const auto begin = pattern.row.begin() + pattern.column_begin[static_cast<std::size_t>(column)];
         const auto end = pattern.row.begin() + pattern.column_begin[static_cast<std::size_t>(column) + 1];
         diagonal_.push_back(static_cast<int>(std::lower_bound(begin, end, column) - pattern.row.begin()));
     }
-    tangent_.resize(pattern.row.size());
-    system_.emplace(std::move(pattern));
+    system_.emplace(std::move(pattern), 3);
 }
 
 // Three rows and three columns for each pair of free blocks that act on each other, and for each free block.
@@ -216,8 +250,6 @@ void StaticEquations::evaluate(const std::vector<Motion>& motion, const MemoryAr
         unbalanced_.segment<3>(3 * static_cast<Eigen::Index>(index)) =
             load_share_ * loads_[block].cwiseProduct(lengths);
     }
-    std::ranges::fill(tangent_, 0.0);
-    std::ranges::fill(damping_, 0.0);
     contacts_evaluated_ += list.contact.size();
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         const RelaxationContact contact = list.contact[index];
@@ -234,22 +266,22 @@ void StaticEquations::evaluate(const std::vector<Motion>& motion, const MemoryAr
                 memory.place = at.slide;
             }
         }
-        const std::optional<Response> response =
+        take_up(
+            contact.block, contact.other,
             respond(list.law_of(contact), contact, at, {bodies_.radius[contact.block], bodies_.radius[contact.other]},
-                    memory, memory.touching ? 0 : touching, !damping_.empty());
+                    memory, memory.touching ? 0 : touching, contacts_resist_),
+            index);
         list.memory.set(index, memory);
-        if (response) {
-            add(contact.block, contact.other, places_of_contact_[index], response->force, response->stiffness,
-                response->damping);
-        }
     }
     for (std::size_t index = 0; index < bonds_.list().size(); ++index) {
         const SharedFace& face = bonds_.list()[index].face;
         if (bond_memory_[index].state == BondState::whole) {
-            const Response response =
+            const std::array<PairResponse, 2> responses =
                 respond(bonds_.list()[index], locate(face, motion[face.block], motion[face.other]),
                         {bodies_.radius[face.block], bodies_.radius[face.other]});
-            add(face.block, face.other, places_of_bond_[index], response.force, response.stiffness, response.damping);
+            for (std::size_t part = 0; part < responses.size(); ++part) {
+                take_up(face.block, face.other, responses[part], list.contact.size() + 2 * index + part);
+            }
         }
     }
 }
@@ -283,39 +315,41 @@ double StaticEquations::mean_ratio(const Eigen::VectorXd& forces) const {
     return std::sqrt(sum / static_cast<double>(free_blocks_.size()));
 }
 
-void StaticEquations::add(std::size_t block, std::size_t other, const Places& places, const Vector6& force,
-                          const Matrix6& stiffness, const Matrix6& damping) {
+void StaticEquations::take_up(std::size_t block, std::size_t other, const PairResponse& response, std::size_t index) {
+    PairResponse& kept = response_[index];
+    kept = response;
+    if (block > other) {
+        kept.normal = response.normal.of_other_first();
+        kept.along = response.along.of_other_first();
+        std::swap(block, other);
+    }
+    const Eigen::Vector3d force = kept.normal_force * kept.normal.of_first() + kept.shear_force * kept.along.of_first();
     if (unknown_[block] != none) {
-        unbalanced_.segment<3>(unknown_[block]) += force.head<3>();
+        unbalanced_.segment<3>(unknown_[block]) += force;
     }
     if (unknown_[other] != none) {
-        unbalanced_.segment<3>(unknown_[other]) += force.tail<3>();
-    }
-    for (Eigen::Index part = 0; part < 4; ++part) {
-        const Place& place = places[static_cast<std::size_t>(part)];
-        if (place.begin == none) {
-            continue;
-        }
-        for (Eigen::Index column = 0; column < 3; ++column) {
-            const auto at = static_cast<std::size_t>(place.begin) +
-                            static_cast<std::size_t>(column) * static_cast<std::size_t>(place.stride);
-            for (Eigen::Index row = 0; row < 3; ++row) {
-                const std::size_t entry = at + static_cast<std::size_t>(row);
-                tangent_[entry] += stiffness(3 * (part / 2) + row, 3 * (part % 2) + column);
-                if (!damping_.empty()) {
-                    damping_[entry] += damping(3 * (part / 2) + row, 3 * (part % 2) + column);
-                }
-            }
-        }
+        const double moment = kept.normal_force * kept.normal.other_lever + kept.shear_force * kept.along.other_lever;
+        unbalanced_.segment<3>(unknown_[other]) += Eigen::Vector3d(-force.x(), -force.y(), moment);
     }
 }
 
 std::optional<Eigen::VectorXd> StaticEquations::change(const PseudoViscosity& resisting,
                                                        const Eigen::VectorXd& forces) {
     const std::span<double> value = system_->values();
-    std::ranges::copy(tangent_, value.begin());
-    for (std::size_t entry = 0; entry < damping_.size(); ++entry) {
-        value[entry] += resisting.of_contacts * damping_[entry];
+    std::ranges::fill(value, 0.0);
+    for (const Pair& pair : pairs_) {
+        const std::array<double, 36> tangent =
+            tangent_of({response_.data() + pair.begin, pair.end - pair.begin}, resisting.of_contacts);
+        for (std::size_t part = 0; part < pair.places.size(); ++part) {
+            const Place& place = pair.places[part];
+            for (std::size_t column = 0; column < 3 && place.begin != none; ++column) {
+                double* const to = value.data() + place.begin + column * static_cast<std::size_t>(place.stride);
+                const double* const from = tangent.data() + 6 * (3 * (part % 2) + column) + 3 * (part / 2);
+                to[0] += from[0];
+                to[1] += from[1];
+                to[2] += from[2];
+            }
+        }
     }
     for (const int place : diagonal_) {
         value[static_cast<std::size_t>(place)] += resisting.of_blocks * stiffest_;
@@ -328,16 +362,27 @@ std::optional<Eigen::VectorXd> StaticEquations::change(const PseudoViscosity& re
 }
 
 Eigen::VectorXd StaticEquations::resistance(const PseudoViscosity& resisting, const Eigen::VectorXd& moved) const {
-    const SparsePattern& pattern = system_->pattern();
     Eigen::VectorXd held = resisting.of_blocks * stiffest_ * moved;
-    if (damping_.empty()) {
+    if (!contacts_resist_) {
         return held;
     }
-    for (int column = 0; column < pattern.size(); ++column) {
-        const double by = resisting.of_contacts * moved(column);
-        const int end = pattern.column_begin[static_cast<std::size_t>(column) + 1];
-        for (int entry = pattern.column_begin[static_cast<std::size_t>(column)]; entry < end; ++entry) {
-            held(pattern.row[static_cast<std::size_t>(entry)]) += by * damping_[static_cast<std::size_t>(entry)];
+    for (const Pair& pair : pairs_) {
+        const int first = unknown_[pair.first];
+        const int second = unknown_[pair.second];
+        std::array<double, 6> by{};
+        for (int one = 0; one < 3; ++one) {
+            by[static_cast<std::size_t>(one)] = first != none ? moved(first + one) : 0;
+            by[static_cast<std::size_t>(one) + 3] = second != none ? moved(second + one) : 0;
+        }
+        const std::array<double, 6> resists =
+            damping_against(by, {response_.data() + pair.begin, pair.end - pair.begin});
+        for (int one = 0; one < 3; ++one) {
+            if (first != none) {
+                held(first + one) += resisting.of_contacts * resists[static_cast<std::size_t>(one)];
+            }
+            if (second != none) {
+                held(second + one) += resisting.of_contacts * resists[static_cast<std::size_t>(one) + 3];
+            }
         }
     }
     return held;

@@ -21,11 +21,37 @@ struct PseudoViscosity {
     double of_contacts;  // between two blocks, of the springs that their contacts have or would have if they closed
 };
 
+// Displacement along a line of a point of one block against one of another: the product of (x, y, lever) with the
+// first's displacements and turn times radius, and of (-x, -y, other_lever) with the second's.
+struct PairDirection {
+    double x = 0;
+    double y = 0;
+    double lever = 0;
+    double other_lever = 0;
+
+    Eigen::Vector3d of_first() const { return {x, y, lever}; }
+    std::array<double, 6> of_both() const { return {x, y, lever, -x, -y, other_lever}; }
+    PairDirection of_other_first() const { return {-x, -y, other_lever, lever}; }
+};
+
+// The force of a contact or a bond in a given state, N/m, and how it changes with the motion of its two blocks, N/m2.
+struct PairResponse {
+    PairDirection normal = {};
+    PairDirection along = {};
+    double normal_force = 0;
+    double shear_force = 0;
+    double normal_stiffness = 0;
+    double shear_stiffness = 0;  // where it sticks
+    double coupling = 0;         // of the shear force with the displacement along the normal, where it slides
+    double normal_damping = 0;   // for a pseudo-viscosity of contacts of 1
+    double shear_damping = 0;    // likewise
+};
+
 // Rotations and moments are counted at the block's radius: all unknowns are lengths, so that scenes of every size lead
 // to the same equations. Loads: x force, y force and moment of each block.
 //
 // Which blocks act on each other is taken from a list of contacts and the whole bonds once; their forces and tangents
-// are then added in place.
+// are then added in place, tangents only where a solution asks for them.
 class StaticEquations {
   public:
     StaticEquations(const Bodies& bodies, const std::vector<char>& held, const std::vector<Eigen::Vector3d>& loads,
@@ -40,10 +66,10 @@ class StaticEquations {
     void set_load_share(double share) { load_share_ = share; }
 
     // Without it, contacts do not resist, and nothing is computed for that.
-    void let_contacts_resist() { damping_.resize(tangent_.size()); }
+    void let_contacts_resist() { contacts_resist_ = true; }
 
-    // Forces and tangents where blocks have moved to `motion` since contacts had the memories of `before`; `list`,
-    // which has the constructor's contacts in the same order, gets those of now.
+    // Forces, and what tangents are made of, where blocks have moved to `motion` since contacts had the memories of
+    // `before`; `list`, which has the constructor's contacts in the same order, gets those of now.
     void evaluate(const std::vector<Motion>& motion, const MemoryArray& before, ContactList& list);
 
     // Three numbers for each free block: x force, y force, moment over radius.
@@ -65,9 +91,6 @@ class StaticEquations {
     std::uint64_t contacts_evaluated() const { return contacts_evaluated_; }
 
   private:
-    using Vector6 = Eigen::Matrix<double, 6, 1>;
-    using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
     // Where the three rows of a block in the three columns of another stand among the values of the system: the first
     // row of the first column, and entries from one column to the next.
     struct Place {
@@ -75,13 +98,21 @@ class StaticEquations {
         int stride;
     };
     using Places = std::array<Place, 4>;  // block on block, other on block, block on other, other on other
+    // Two blocks with what acts between them, in a row of the responses.
+    struct Pair {
+        std::size_t first;
+        std::size_t second;  // the higher number
+        std::size_t begin;
+        std::size_t end;
+        Places places;
+    };
     static constexpr int none = -1;
 
     double load_of(std::size_t index) const;  // of a free block, N per metre run
     SparsePattern pattern_of(const ContactList& list) const;
     Places places_of(const SparsePattern& pattern, std::size_t block, std::size_t other) const;
-    void add(std::size_t block, std::size_t other, const Places& places, const Vector6& force, const Matrix6& stiffness,
-             const Matrix6& damping);
+    // Adds the forces of what acts between two blocks, and keeps it among the responses.
+    void take_up(std::size_t block, std::size_t other, const PairResponse& response, std::size_t index);
 
     const Bodies& bodies_;
     const std::vector<Eigen::Vector3d>& loads_;
@@ -89,13 +120,11 @@ class StaticEquations {
     const std::vector<BondMemory>& bond_memory_;
     std::vector<std::size_t> free_blocks_ = {};
     std::vector<int> unknown_;  // first of a block's three; none where it is held
-    std::vector<Places> places_of_contact_ = {};
-    std::vector<Places> places_of_bond_ = {};
+    std::vector<Pair> pairs_ = {};
+    std::vector<PairResponse> response_ = {};  // of the contacts, then of the bonds, two each
     std::vector<int> diagonal_ = {};           // among the values, of each unknown
     std::optional<SparseSystem> system_ = {};  // none where no block is free
-    std::vector<double> tangent_ = {};         // in the order of the pattern
-    std::vector<double> damping_ =
-        {};  // likewise, of a pseudo-viscosity of contacts of 1; empty where they do not resist
+    bool contacts_resist_ = false;
     Eigen::VectorXd unbalanced_ = {};
     double load_share_ = 1;
     double stiffest_ = 0;
