@@ -151,7 +151,7 @@ void add_water(const SectionDrawing& drawing, double height, Figure& figure) {
 
 void add_measure(const Measure& measure, Figure& figure) {
     figure.arrows.push_back({.from = measure.from, .to = measure.to, .colour = Colour::grey, .both_heads = true});
-    figure.labels.push_back({.at = 0.5 * (measure.from + measure.to), .text = " " + measure.text, .boxed = false});
+    figure.labels.push_back({.at = 0.5 * (measure.from + measure.to), .text = "\u00a0" + measure.text, .boxed = false});
 }
 
 Figure section_figure(const SectionDrawing& drawing) {
