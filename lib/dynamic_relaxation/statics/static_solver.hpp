@@ -47,8 +47,10 @@ struct StaticSolution {
 // creep. Of more, so many contacts begin or end to slide or to touch in one of those that balance would not improve:
 // each step is solved until pseudo-viscosity balances what is out of balance, from the memories that contacts had
 // before it, and what resists are not only the blocks themselves but also their contacts, open ones too, which do not
-// let them flutter; there are 2000 linear solutions at most. Where it finds no balance of bonded blocks, fewer than 400
-// and not left to creep, it tries again with loads that grow in eight steps.
+// let them flutter; there are 2000 linear solutions at most. Where the force of a contact jumps in however short a
+// step, the jump is taken, up to 20 times, and balanced by the steps after it, unless there are bonds, which it might
+// break. Where it finds no balance of bonded blocks, fewer than 400 and not left to creep, it tries again with loads
+// that grow in eight steps.
 StaticSolution solve_statically(const Bodies& bodies, const std::vector<char>& held,
                                 const std::vector<Eigen::Vector3d>& loads, const StaticSolveSettings& settings,
                                 const StaticSolution* creeping, const Bonds& bonds,
