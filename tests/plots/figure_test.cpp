@@ -55,7 +55,7 @@ TEST(GnuplotScript, TakesTextsLiterally) {
     const std::string script = gnuplot_script(simple_figure(), "figure");
     EXPECT_NE(script.find("set title 'it'.\"'\".'s factor_of_safety, 50 % `date` @{x}^2'\n"), std::string::npos)
         << script;
-    EXPECT_NE(script.find("title 'c_1 & <2>'"), std::string::npos);
+    EXPECT_NE(script.find(" 'c_1 & <2>' at "), std::string::npos);
     std::size_t terminals = 0;
     for (std::size_t at = script.find("set terminal"); at != std::string::npos;
          at = script.find("set terminal", at + 1)) {
