@@ -133,7 +133,7 @@ ReproductionChapter chapter_2() {
             {"plates", "Plates 2.I to 2.VI", "Plates 2.I to 2.VI as runs in motion, scored by the field criteria",
              reproduce_plates, ReproductionCost::minutes},
             data_item("plate2.iii", "Plate 2.III", "which friction lets the model of Plate 2.III fail",
-                      "thesis/chapter_2", {"plate_2_iii"}, ReproductionCost::minutes),
+                      "thesis/chapter_2", {"plate_2_iii_friction"}, ReproductionCost::minutes),
             {"groundwater", "2.3.5", "one column with groundwater: tests and observations of section 2.3.5",
              reproduce_groundwater},
             {"trends", "2.3.4", "Figs 2.11 to 2.14 as trends of runs, conclusions (i) to (iv) of section 2.3.4",
