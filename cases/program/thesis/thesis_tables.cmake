@@ -16,7 +16,8 @@ foreach(case
     plane_failure/fig_2_8 plane_failure/groundwater_by_tilting stepped_base/appendix_a
     thesis/chapter_2/groundwater_column thesis/chapter_2/plate_2_i
     thesis/chapter_2/plate_2_i_continuity thesis/chapter_2/plate_2_i_without_cleavage thesis/chapter_2/plate_2_ii
-    thesis/chapter_2/plate_2_ii_joints_c thesis/chapter_2/plate_2_iii thesis/chapter_2/plate_2_iv
+    thesis/chapter_2/plate_2_ii_joints_c thesis/chapter_2/plate_2_iii
+    thesis/chapter_2/plate_2_iii_friction thesis/chapter_2/plate_2_iv
     thesis/chapter_2/plate_2_iv_divided thesis/chapter_2/plate_2_v thesis/chapter_2/plate_2_vi
     thesis/chapter_4/fig_3_4 thesis/chapter_4/fig_4_3 thesis/chapter_4/fig_4_4 thesis/chapter_4/fig_4_6
     thesis/chapter_4/fig_4_8

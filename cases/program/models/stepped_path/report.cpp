@@ -101,7 +101,9 @@ HeadCard head_card(const SteppedPath&, const SteppedPathResult& result) {
     head.sentences = {"FS " + number_in_words(result.factor_of_safety) + (stands ? ": stands." : ": fails."),
                       value_in_words(result.failed_area, Dimension::area) + " move, along a surface that comes out " +
                           value_in_words(result.retreat, Dimension::length) + " behind the crest."};
-    if (result.column_count > 0) {
+    if (result.column_count == 1) {
+        head.sentences.emplace_back(result.toppling_count == 1 ? "1 column topples." : "1 column slides.");
+    } else if (result.column_count > 1) {
         head.sentences.push_back(number_in_words(result.column_count) + " columns move, " +
                                  number_in_words(result.toppling_count) + " of them topple.");
     }
