@@ -32,7 +32,9 @@
 
 #include "limit_equilibrium/block_row/block_row_solver.hpp"
 
+#include <array>
 #include <optional>
+#include <string>
 
 namespace delabole {
 
