@@ -326,7 +326,7 @@ FrontalFactors::FrontalFactors(const SparsePattern& pattern, int width, std::spa
     exchanged_.resize(wide * groups);
 }
 
-// Where each unknown of a front stands in it; others are left as they are.
+// Notes where each unknown of a front stands in it; places of others are left as they are.
 void FrontalFactors::note_places(const Front& front, std::vector<std::size_t>& place) const {
     for (std::size_t one = 0; one < front.pivots + front.others; ++one) {
         place[static_cast<std::size_t>(unknown_[front.unknowns + one])] = one;
@@ -412,7 +412,7 @@ bool FrontalFactors::factor(std::span<const double> values) {
     for (const Entry& entry : entry_) {
         factor_[entry.to] = values[entry.from];
     }
-    // What fronts have left over, with the last one's on top.
+    // The fronts whose leavings lie on the stack, the last one's on top.
     std::vector<std::size_t> waiting;
     stack_.clear();
     for (std::size_t at = 0; at < front_.size(); ++at) {

@@ -4,8 +4,6 @@
 
 #include <klu.h>
 
-#include <algorithm>
-#include <cmath>
 #include <new>
 #include <optional>
 #include <utility>
@@ -33,7 +31,7 @@ namespace {
 // Fewer are solved as fast without dense matrices.
 constexpr int many_unknowns = 72;
 
-// Of the groups, such that elimination joins few of them.
+// The groups in an order in which elimination joins few of them.
 std::vector<int> elimination_order(const SparsePattern& pattern, int group) {
     SparsePattern groups;
     for (int column = 0; column < pattern.size(); column += group) {
@@ -72,21 +70,15 @@ bool SparseSystem::solve(Eigen::VectorXd& vector) {
 }
 
 bool SparseSystem::solve_by_fronts(Eigen::VectorXd& vector) {
-    // Of the products that make up a row: more digits than its pivots may cost KLU are left.
+    // What may be left over, as a share of the products that make up a row. KLU's pivots may cost it more digits.
     constexpr double little = 1e-11;
     constexpr int most_improvements = 2;
     FrontalFactors& fronts = *factors_->fronts;
     if (!fronts.factor(value_)) {
         return false;
     }
-    const auto greatest_of = [](const std::vector<double>& values) {
-        double greatest = 0;
-        for (const double value : values) {
-            greatest = std::max(greatest, std::abs(value));
-        }
-        return greatest;
-    };
-    const double greatest = greatest_of(value_);
+    const double greatest = Eigen::Map<const Eigen::VectorXd>(value_.data(), static_cast<Eigen::Index>(value_.size()))
+                                .lpNorm<Eigen::Infinity>();
     Eigen::VectorXd solution = vector;
     fronts.solve(solution);
     for (int improvements = 0; solution.allFinite(); ++improvements) {

@@ -82,7 +82,7 @@ class ScriptWriter {
         plot_ << (plot_.tellp() > 0 ? ", \\\n     " : "") << "$series_" << blocks_ << ' ' << how;
     }
 
-    // What a series looks like, beside its name below the plot.
+    // A series as it is shown and named below the plot.
     struct LegendEntry {
         enum class Sample { line, arrow, marker, area } sample;
         std::string text;
@@ -143,9 +143,9 @@ class ScriptWriter {
         int tag = 1000;  // apart from labels and arrows of the figure
         for (const LegendEntry& entry : legend_) {
             const auto at = [&](double right, double up) {
-                std::ostringstream place;
-                place.imbue(std::locale::classic());
                 const double y = legend_space() - (entry.row + 0.5) * legend_line + up;
+                std::ostringstream place;  // six digits, as the pictures have them
+                place.imbue(std::locale::classic());
                 place << "screen " << (entry.left + right) / figure_.width << ",screen " << y / canvas_height();
                 return place.str();
             };

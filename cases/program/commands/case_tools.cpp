@@ -25,8 +25,9 @@ ExitCode check_command(const Paths& cases, const Options& options) {
             const CaseFile file = read_case(path, settings_of(options));
             refuse_impossible(file);
             entry["status"] = "ok";
-            entry["questions"] = questions_about(file.model);
-            for (const std::string& question : questions_about(file.model)) {
+            const std::vector<std::string> questions = questions_about(file.model);
+            entry["questions"] = questions;
+            for (const std::string& question : questions) {
                 std::cerr << path.string() << ": " << question << '\n';
             }
             if (!options.json && !options.quiet) {

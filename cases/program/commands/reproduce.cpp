@@ -168,21 +168,16 @@ std::vector<std::pair<std::string, std::string>> reproducible() {
 
 namespace {
 
-struct PlacedRow {
-    std::string place;  // in the thesis
-    PrintedRow row;
-};
-
-std::vector<std::vector<std::string>> on_screen(const std::vector<PlacedRow>& rows) {
-    const bool both = std::ranges::any_of(rows, [](const PlacedRow& one) { return !one.row.clean.empty(); });
+std::vector<std::vector<std::string>> on_screen(const std::vector<PrintedRow>& rows) {
+    const bool both = names_clean_engine(rows);
     std::vector<std::vector<std::string>> screen = {
         {"thesis", "quantity", "printed", "computed", "difference", "met or why not"}};
     constexpr std::ptrdiff_t after_computed = 4;
     if (both) {
         screen.front().insert(screen.front().begin() + after_computed, "clean engine");
     }
-    for (const auto& [place, row] : rows) {
-        screen.push_back({place, row.what, row.printed, row.computed, row.difference, row.remark});
+    for (const PrintedRow& row : rows) {
+        screen.push_back({row.place, row.what, row.printed, row.computed, row.difference, row.remark});
         if (both) {
             screen.back().insert(screen.back().begin() + after_computed, row.clean);
         }
@@ -199,9 +194,9 @@ struct RowCounts {
     int not_printed = 0;
 };
 
-RowCounts count(const std::vector<PlacedRow>& rows) {
+RowCounts count(const std::vector<PrintedRow>& rows) {
     RowCounts counts;
-    for (const auto& [place, row] : rows) {
+    for (const PrintedRow& row : rows) {
         const bool not_met = row.remark.find(" NOT met") != std::string::npos;
         const bool met = row.remark.starts_with(statement(true));
         const bool printed = !row.printed.empty() && row.printed != "not printed";
@@ -216,7 +211,7 @@ std::string in_words(const RowCounts& counts) {
            std::to_string(counts.not_printed);
 }
 
-// What takes minutes is left out of the whole and said so.
+// Names the items that take minutes, which a reproduction of everything leaves out.
 std::string left_out() {
     std::vector<std::string> names;
     for (const ReproductionChapter& chapter : chapters()) {
@@ -238,7 +233,7 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
     Report report{chosen.title, "The analysis of toppling failure using models and numerical methods", {}};
     Json json;
     json["status"] = "ok";
-    std::vector<PlacedRow> rows;
+    std::vector<PrintedRow> rows;
     std::optional<ItemsProgress> progress(std::in_place, chosen.items, options.quiet);
     for (std::size_t number = 0; number < chosen.items.size(); ++number) {
         const ReproductionItem* item = chosen.items[number];
@@ -256,7 +251,8 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
         }
         json[item->name] = result.json;
         for (const PrintedRow& row : result.rows) {
-            rows.push_back({item->place, row});
+            rows.push_back(row);
+            rows.back().place = item->place;
             Json one = {
                 {"what", row.what}, {"printed", row.printed}, {"computed", row.computed}, {"remark", row.remark}};
             if (!row.clean.empty()) {

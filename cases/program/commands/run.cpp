@@ -100,15 +100,17 @@ void append_sweeps(const CaseFile& file, const ResultFolder& folder, const Optio
     }
 }
 
-// Where several cases were run: what each of them answers, and where that is.
+// A row for each case that was run: its name, its answer and the folder that holds it.
 using Overview = std::vector<std::vector<std::string>>;
 
 ExitCode run_one(CaseFile file, const Options& options, Overview& overview) {
     const Stopwatch watch;
     show_units_of(file);
     announce(file, options);
-    for (const std::string& question : options.quiet ? std::vector<std::string>{} : questions_about(file.model)) {
-        std::cerr << stem_of(file) << ": " << question << '\n';
+    if (!options.quiet) {
+        for (const std::string& question : questions_about(file.model)) {
+            std::cerr << stem_of(file) << ": " << question << '\n';
+        }
     }
     // Claimed before the work, which may take hours and keeps its checkpoint there.
     ResultFolder folder(options, stem_of(file), OnInterrupt::stop);
@@ -207,7 +209,7 @@ ExitCode run_one(CaseFile file, const Options& options, Overview& overview) {
     return ExitCode::not_converged;
 }
 
-// With several cases each has a folder of its own in the one that --out names.
+// Each of several cases gets a folder of its own in the one that --out names.
 Options with_own_folder(const Options& options, const CaseFile& file, std::size_t cases) {
     Options own = options;
     if (cases > 1 && !options.out.empty()) {

@@ -50,10 +50,13 @@ std::string range_in_words(const ProfileLikelihood* profile, const FreeParameter
     const double upper = profile->interval_95.upper;
     const bool from_bound = lower == parameter.lower;
     const bool to_bound = upper == parameter.upper;
-    return from_bound && to_bound ? "anywhere within its bounds"
-           : from_bound           ? "at most " + value_in_words(upper, dimension) + " with 95 %"
-           : to_bound             ? "at least " + value_in_words(lower, dimension) + " with 95 %"
-                      : value_in_words(lower, dimension) + " to " + value_in_words(upper, dimension) + " with 95 %";
+    if (from_bound && to_bound) {
+        return "anywhere within its bounds";
+    }
+    return (from_bound ? "at most " + value_in_words(upper, dimension)
+            : to_bound ? "at least " + value_in_words(lower, dimension)
+                       : value_in_words(lower, dimension) + " to " + value_in_words(upper, dimension)) +
+           " with 95 %";
 }
 
 // The first parameters alone: a case names those first that matter most.

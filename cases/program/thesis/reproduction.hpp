@@ -19,6 +19,7 @@ struct PrintedRow {
     std::string difference;
     std::string remark;
     std::string clean = {};  // by the clean engine, where `computed` is by the re-created program of chapter 5
+    std::string place = {};  // in the thesis, that of its item
 };
 
 struct Reproduction {

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double near = 1e-3;  // in shortest edges; a joint drawn open by less is closed to contacts too
 
-// What lies between a block's longest edge and its corner farthest from that edge. Bounding boxes of flat, inclined
-// blocks overlap by the thousand where these bands do not.
+// The band between a block's longest edge and its corner farthest from that edge holds the block. Bounding boxes of
+// flat, inclined blocks overlap by the thousand where these bands do not.
 struct Band {
     PlanePoint<> normal;
     double low;  // from the block's centroid

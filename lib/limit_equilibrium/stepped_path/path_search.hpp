@@ -84,7 +84,7 @@ struct MovingColumn {
 std::vector<MovingColumn> moving_columns(const SteppedPath& problem, const PathLattice& lattice,
                                          const LatticePath& path, double factor);
 
-// Of surfaces that slide on steps, the one of least factor of safety.
+// The surface of least factor of safety among those that slide on steps.
 CriticalPath least_stable_sliding(const SteppedPath& problem, const PathLattice& lattice);
 
 // The same for one surface alone.

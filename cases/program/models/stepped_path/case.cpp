@@ -7,8 +7,7 @@
 namespace delabole {
 void check_case(Checker& checker, const SteppedPath& path) {
     const bool slides = path.search.mechanism == SteppedPathMechanism::sliding;
-    const bool with_risers = path.search.mechanism != SteppedPathMechanism::toppling;
-    if (with_risers && !path.risers) {
+    if (path.search.mechanism != SteppedPathMechanism::toppling && !path.risers) {
         checker.complain("search.mechanism", "steps up along risers, so [risers] is required");
     }
     if (!slides && !path.columns) {
@@ -20,15 +19,6 @@ void check_case(Checker& checker, const SteppedPath& path) {
     if (path.search.least_width && path.search.greatest_retreat &&
         !(*path.search.least_width < *path.search.greatest_retreat)) {
         checker.complain("search.least_width", "must be less than search.greatest_retreat");
-    }
-    if (path.massive_rock) {
-        const double dip = path.massive_rock->boundary_dip;
-        if (!(dip > path.steps.dip)) {
-            checker.complain("massive_rock.boundary_dip", "must be greater than steps.dip");
-        }
-        if (with_risers && path.risers && !(dip < path.risers->dip)) {
-            checker.complain("massive_rock.boundary_dip", "must be less than risers.dip");
-        }
     }
     std::visit(
         [&](const auto& water) {

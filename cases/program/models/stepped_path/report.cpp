@@ -39,7 +39,7 @@ Figure section_figure(const SteppedPath& path, const SteppedPathResult& result) 
     drawing.toe_elevation = path.slope.toe_elevation.value_or(0.0);
     Figure figure = block_figure(drawing);
     if (path.massive_rock) {
-        // Where the boundary lies in the rock that is drawn.
+        // Only the part of the boundary that lies in the rock is drawn.
         const double slope = std::tan(path.massive_rock->boundary_dip);
         const double height = path.massive_rock->boundary_height;
         const Point at_face(height / std::tan(path.slope.face_dip), height);

@@ -125,7 +125,7 @@ struct Variation {
 constexpr std::size_t points = 5;
 using Values = std::array<double, points>;
 
-// As they are listed in 2.3.3, with values between.
+// The values are those listed in 2.3.3 and some between them.
 constexpr Values cleavage_spacings{10, 15, 20, 30, 40};
 constexpr Values cleavage_dips{5, 7.5, 10, 12.5, 15};
 constexpr Values slope_angles{50, 60, 65, 70, 75};
@@ -192,7 +192,7 @@ std::vector<double> means_of(const Variation& series, double Response::*value) {
     return means;
 }
 
-// Of five values one order in sixty is monotone; a change is one that fewer than a tenth of all orders show as
+// One of sixty orders of five values is monotone; a change counts where fewer than a tenth of all orders show it as
 // strongly. Differences below a tenth of a column, or of 2 deg, are none.
 PrintedChange change_of(const std::vector<double>& response, const RankCorrelation& rank, double notable) {
     const auto [least, greatest] = std::ranges::minmax_element(response);
