@@ -43,6 +43,37 @@ RelaxationOutcome outcome_of(const RelaxationStudy& study) {
     return run(study).result.outcome;
 }
 
+// A square, with the first vertex and another one of its base in the middle of an edge, and water on two of its edges.
+TEST(RelaxationScene, VerticesOfStraightEdgesAreLeftOut) {
+    RelaxationPolygons polygons{};
+    polygons.joint = {RelaxationJoint{degrees(30), {}, {}, {}, {}, {}, {}},
+                      RelaxationJoint{degrees(20), {}, {}, {}, {}, {}, {}}};
+    polygons.block.resize(1);
+    polygons.block[0].density = 2500;
+    polygons.block[0].vertex = {{0, 1, {}}, {0, 0, {}}, {1, 0, {}}, {2, 0, {}}, {2, 1, 2}, {2, 2, {}}, {0, 2, {}}};
+    RelaxationStudy study{};
+    study.model.scene = polygons;
+    study.model.pressure = {{1, 1, 0, 10}, {1, 3, 20, 40}, {1, 5, 7, 8}, {1, 7, 3, 4}, {1, 8, 1, 1}};
+    const RelaxationScene scene = relaxation_scene(study);
+    const RelaxationBlock& block = scene.block[0];
+    // The joint changes half-way up the right side.
+    const Polygon<> corners{{0, 0}, {2, 0}, {2, 1}, {2, 2}, {0, 2}};
+    EXPECT_EQ(block.outline, corners);
+    EXPECT_EQ(block.joint, (std::vector<std::size_t>{0, 0, 1, 0, 0}));
+    ASSERT_EQ(scene.pressure.size(), 5U);
+    const auto presses = [&](std::size_t index, std::size_t edge, double begin, double end) {
+        const FacePressure& pressure = scene.pressure[index];
+        EXPECT_EQ(pressure.edge, edge) << index;
+        EXPECT_EQ(pressure.part.value().begin, begin) << index;
+        EXPECT_EQ(pressure.part.value().end, end) << index;
+    };
+    presses(0, 4, 1, 2);
+    presses(1, 0, 1, 2);
+    presses(2, 2, 0, 1);
+    presses(3, 4, 0, 1);
+    EXPECT_GE(scene.pressure[4].edge, corners.size());  // drawn nowhere: refused by the check of scenes
+}
+
 TEST(RelaxationScene, StiffnessIsOfTheHeaviestBlockUnlessGiven) {
     RelaxationStudy study = one_block(0, degrees(30), 1, 3);
     auto& row = std::get<RelaxationRow>(study.model.scene);

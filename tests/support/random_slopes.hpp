@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamic_relaxation/contact/bonds.hpp"
+#include "dynamic_relaxation/scene/straight_vertices.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "tests/support/jointed_slopes.hpp"
 
@@ -192,6 +193,7 @@ inline DrawnSlope with_more_vertices(DrawnSlope slope) {
         }
         block = std::move(more);
     }
+    leave_out_straight_vertices(slope.scene);
     slope.scene.bond = find_bonds(slope.scene);
     return slope;
 }

@@ -4,6 +4,7 @@
 #include "dynamic_relaxation/scene/bolts.hpp"
 #include "dynamic_relaxation/scene/scenes.hpp"
 #include "dynamic_relaxation/scene/slope_scene.hpp"
+#include "dynamic_relaxation/scene/straight_vertices.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 
 #include <algorithm>
@@ -213,9 +214,15 @@ RelaxationScene blocks_of(const RelaxationSlope& slope) {
     return scene;
 }
 
-// Blocks and joints without what loads them.
+// Blocks, joints and water on given faces, without what else loads them.
 RelaxationScene drawn_scene(const RelaxationStudy& study) {
-    return std::visit([](const auto& blocks) { return blocks_of(blocks); }, study.model.scene);
+    RelaxationScene scene = std::visit([](const auto& blocks) { return blocks_of(blocks); }, study.model.scene);
+    for (const WaterPressure& pressure : study.model.pressure) {
+        scene.pressure.push_back(
+            {index_of(pressure.block), index_of(pressure.edge), pressure.at_first, pressure.at_second});
+    }
+    leave_out_straight_vertices(scene);
+    return scene;
 }
 
 // Extent of the outline along a direction.
@@ -373,10 +380,6 @@ RelaxationScene relaxation_scene(const RelaxationStudy& study) {
     for (std::size_t index = 0; index < model.bolt.size(); ++index) {
         const std::vector<BoltSegment> segments = bolt_segments(scene, model.bolt[index], index);
         scene.bolt.insert(scene.bolt.end(), segments.begin(), segments.end());
-    }
-    for (const WaterPressure& pressure : model.pressure) {
-        scene.pressure.push_back(
-            {index_of(pressure.block), index_of(pressure.edge), pressure.at_first, pressure.at_second});
     }
     add_joint_water(scene, model.joint_water);
     for (const ShakingPoint& point : model.shaking) {
