@@ -168,7 +168,8 @@ StaticEquations::StaticEquations(const Bodies& bodies, const std::vector<char>& 
     if (free_blocks_.empty()) {
         return;
     }
-    SparsePattern pattern = pattern_of(list);
+    list_what_acts(list);
+    SparsePattern pattern = pattern_of();
     const auto add = [&](std::size_t block, std::size_t other, std::size_t responses) {
         const std::size_t begin = pairs_.empty() ? 0 : pairs_.back().end;
         const std::size_t first = std::min(block, other);
@@ -193,31 +194,42 @@ StaticEquations::StaticEquations(const Bodies& bodies, const std::vector<char>& 
     system_.emplace(std::move(pattern), 3);
 }
 
-// Three rows and three columns for each pair of free blocks that act on each other, and for each free block.
-SparsePattern StaticEquations::pattern_of(const ContactList& list) const {
-    std::vector<std::vector<int>> acting(free_blocks_.size());  // first unknowns of those that act on each
-    for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
-        acting[index].push_back(3 * static_cast<int>(index));
-    }
+void StaticEquations::list_what_acts(const ContactList& list) {
+    contacts_of_.resize(free_blocks_.size());
+    neighbours_.resize(free_blocks_.size());
     const auto join = [&](std::size_t block, std::size_t other) {
         if (unknown_[block] != none && unknown_[other] != none) {
-            acting[static_cast<std::size_t>(unknown_[block] / 3)].push_back(unknown_[other]);
-            acting[static_cast<std::size_t>(unknown_[other] / 3)].push_back(unknown_[block]);
+            neighbours_[static_cast<std::size_t>(unknown_[block] / 3)].push_back(unknown_[other] / 3);
+            neighbours_[static_cast<std::size_t>(unknown_[other] / 3)].push_back(unknown_[block] / 3);
         }
     };
-    for (const ContactBlocks& contact : list.contact.blocks()) {
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const ContactBlocks& contact = list.contact.blocks()[index];
         join(contact.block, contact.other);
+        for (const std::size_t block : {contact.block, contact.other}) {
+            if (unknown_[block] != none) {
+                contacts_of_[static_cast<std::size_t>(unknown_[block] / 3)].push_back(index);
+            }
+        }
     }
     for (const Bond& bond : bonds_.list()) {
         join(bond.face.block, bond.face.other);
     }
+    for (std::vector<int>& neighbours : neighbours_) {
+        std::ranges::sort(neighbours);
+        neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+    }
+}
+
+// Three rows and three columns for each pair of free blocks that act on each other, and for each free block.
+SparsePattern StaticEquations::pattern_of() const {
     SparsePattern pattern;
-    for (std::vector<int>& blocks : acting) {
-        std::ranges::sort(blocks);
-        blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+    for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
+        std::vector<int> acting = neighbours_[index];
+        acting.insert(std::ranges::lower_bound(acting, static_cast<int>(index)), static_cast<int>(index));
         for (int column = 0; column < 3; ++column) {
-            for (const int unknown : blocks) {
-                pattern.row.insert(pattern.row.end(), {unknown, unknown + 1, unknown + 2});
+            for (const int block : acting) {
+                pattern.row.insert(pattern.row.end(), {3 * block, 3 * block + 1, 3 * block + 2});
             }
             pattern.column_begin.push_back(static_cast<int>(pattern.row.size()));
         }
@@ -242,36 +254,14 @@ StaticEquations::Places StaticEquations::places_of(const SparsePattern& pattern,
 }
 
 void StaticEquations::evaluate(const std::vector<Motion>& motion, const MemoryArray& before, ContactList& list) {
-    constexpr double hair = 1e-9;  // of the shortest edge
     unbalanced_.resize(3 * static_cast<Eigen::Index>(free_blocks_.size()));
     for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
-        const std::size_t block = free_blocks_[index];
-        const Eigen::Vector3d lengths(1, 1, 1 / bodies_.radius[block]);
-        unbalanced_.segment<3>(3 * static_cast<Eigen::Index>(index)) =
-            load_share_ * loads_[block].cwiseProduct(lengths);
+        unbalanced_.segment<3>(3 * static_cast<Eigen::Index>(index)) = load_on(free_blocks_[index]);
     }
     contacts_evaluated_ += list.contact.size();
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
-        const RelaxationContact contact = list.contact[index];
-        const double touching =
-            hair * std::min(bodies_.shortest_edge[contact.block], bodies_.shortest_edge[contact.other]);
-        ContactMemory memory = before[index];
-        const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
-        if (memory.beneath && contact.twin != no_twin && before[contact.twin].touching) {
-            const ContactPosition of_twin =
-                locate(list.contact[contact.twin], motion[contact.other], motion[contact.block]);
-            if (twin_hands_over(-at.gap, -of_twin.gap)) {
-                memory.beneath = false;
-                memory.shear = before[contact.twin].shear;
-                memory.place = at.slide;
-            }
-        }
-        take_up(
-            contact.block, contact.other,
-            respond(list.law_of(contact), contact, at, {bodies_.radius[contact.block], bodies_.radius[contact.other]},
-                    memory, memory.touching ? 0 : touching, contacts_resist_),
-            index);
-        list.memory.set(index, memory);
+        const ContactBlocks& blocks = list.contact.blocks()[index];
+        take_up(blocks.block, blocks.other, response_of_contact(index, motion, before, list), index);
     }
     for (std::size_t index = 0; index < bonds_.list().size(); ++index) {
         const SharedFace& face = bonds_.list()[index].face;
@@ -284,6 +274,70 @@ void StaticEquations::evaluate(const std::vector<Motion>& motion, const MemoryAr
             }
         }
     }
+}
+
+PairResponse StaticEquations::response_of_contact(std::size_t index, const std::vector<Motion>& motion,
+                                                  const MemoryArray& before, ContactList& list) {
+    constexpr double hair = 1e-9;  // of the shortest edge
+    const RelaxationContact contact = list.contact[index];
+    const double touching = hair * std::min(bodies_.shortest_edge[contact.block], bodies_.shortest_edge[contact.other]);
+    ContactMemory memory = before[index];
+    const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
+    if (memory.beneath && contact.twin != no_twin && before[contact.twin].touching) {
+        const ContactPosition of_twin =
+            locate(list.contact[contact.twin], motion[contact.other], motion[contact.block]);
+        if (twin_hands_over(-at.gap, -of_twin.gap)) {
+            memory.beneath = false;
+            memory.shear = before[contact.twin].shear;
+            memory.place = at.slide;
+        }
+    }
+    const PairResponse response =
+        respond(list.law_of(contact), contact, at, {bodies_.radius[contact.block], bodies_.radius[contact.other]},
+                memory, memory.touching ? 0 : touching, contacts_resist_);
+    list.memory.set(index, memory);
+    return response;
+}
+
+StaticEquations::BlockBalance StaticEquations::balance_of(std::size_t index, const PseudoViscosity& resisting,
+                                                          const Eigen::VectorXd& moved,
+                                                          const std::vector<Motion>& motion, const MemoryArray& before,
+                                                          ContactList& list) {
+    const std::size_t block = free_blocks_[index];
+    const Eigen::Vector3d own_moved = moved.segment<3>(3 * static_cast<Eigen::Index>(index));
+    const double resists = resisting.of_blocks * stiffest_;
+    BlockBalance balance{load_on(block) - resists * own_moved, resists * Eigen::Matrix3d::Identity()};
+    const auto add = [&](std::size_t first, std::size_t second, const PairResponse& response) {
+        const bool is_first = first == block;
+        const int other = unknown_[is_first ? second : first];
+        const Eigen::Vector3d other_moved = other != none ? moved.segment<3>(other) : Eigen::Vector3d::Zero().eval();
+        const auto own = [&](const PairDirection& direction) {
+            return (is_first ? direction : direction.of_other_first()).of_first();
+        };
+        const auto moved_along = [&](const PairDirection& direction) {
+            return own(direction).dot(own_moved) +
+                   (is_first ? direction.of_other_first() : direction).of_first().dot(other_moved);
+        };
+        const Eigen::Vector3d normal = own(response.normal);
+        const Eigen::Vector3d along = own(response.along);
+        const double normal_damping = resisting.of_contacts * response.normal_damping;
+        const double shear_damping = resisting.of_contacts * response.shear_damping;
+        balance.force += (response.normal_force - normal_damping * moved_along(response.normal)) * normal +
+                         (response.shear_force - shear_damping * moved_along(response.along)) * along;
+        balance.tangent += (response.normal_stiffness + normal_damping) * normal * normal.transpose() +
+                           (response.shear_stiffness + shear_damping) * along * along.transpose() +
+                           response.coupling * along * normal.transpose();
+    };
+    for (const std::size_t contact : contacts_of_[index]) {
+        const ContactBlocks& blocks = list.contact.blocks()[contact];
+        add(blocks.block, blocks.other, response_of_contact(contact, motion, before, list));
+    }
+    contacts_evaluated_ += contacts_of_[index].size();
+    return balance;
+}
+
+Eigen::Vector3d StaticEquations::load_on(std::size_t block) const {
+    return load_share_ * loads_[block].cwiseProduct(Eigen::Vector3d(1, 1, 1 / bodies_.radius[block]));
 }
 
 double StaticEquations::load_of(std::size_t index) const {
@@ -388,15 +442,18 @@ Eigen::VectorXd StaticEquations::resistance(const PseudoViscosity& resisting, co
     return held;
 }
 
+void StaticEquations::move(std::size_t index, const Eigen::Vector3d& change, std::vector<Motion>& motion) const {
+    const std::size_t block = free_blocks_[index];
+    Motion& moved = motion[block];
+    const double turn = change(2) / bodies_.radius[block];
+    moved.x += change(0) - turn / 2 * change(1);
+    moved.y += change(1) + turn / 2 * change(0);
+    moved.set_angle(moved.angle + turn);
+}
+
 void StaticEquations::move(const Eigen::VectorXd& change, std::vector<Motion>& motion) const {
     for (std::size_t index = 0; index < free_blocks_.size(); ++index) {
-        const std::size_t block = free_blocks_[index];
-        Motion& moved = motion[block];
-        const Eigen::Index at = 3 * static_cast<Eigen::Index>(index);
-        const double turn = change(at + 2) / bodies_.radius[block];
-        moved.x += change(at) - turn / 2 * change(at + 1);
-        moved.y += change(at + 1) + turn / 2 * change(at);
-        moved.set_angle(moved.angle + turn);
+        move(index, change.segment<3>(3 * static_cast<Eigen::Index>(index)), motion);
     }
 }
 

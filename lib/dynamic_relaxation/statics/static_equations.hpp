@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace delabole {
@@ -79,6 +80,20 @@ class StaticEquations {
     // Root of the mean square of forces over their blocks' loads.
     double mean_ratio(const Eigen::VectorXd& forces) const;
 
+    // The net force on one block, its load and pseudo-viscosity included and bonds left out, and by how much it falls
+    // with the block's own motion while the others stay; moments over the radius.
+    struct BlockBalance {
+        Eigen::Vector3d force;
+        Eigen::Matrix3d tangent;
+    };
+    // `index`: among the free blocks, which have `moved` to `motion` since contacts had the memories of `before`.
+    // Contacts of the block in `list` get their memories of now.
+    BlockBalance balance_of(std::size_t index, const PseudoViscosity& resisting, const Eigen::VectorXd& moved,
+                            const std::vector<Motion>& motion, const MemoryArray& before, ContactList& list);
+    double load_of(std::size_t index) const;  // of a free block, N per metre run
+    // Indices, among the free blocks, of those that a free block acts on.
+    std::span<const int> neighbours_of(std::size_t index) const { return neighbours_[index]; }
+
     // Motion that would balance the forces if tangents stayed what they are: three numbers for each free block. Nothing
     // where the equations have no solution.
     std::optional<Eigen::VectorXd> change(const PseudoViscosity& resisting, const Eigen::VectorXd& forces);
@@ -87,6 +102,7 @@ class StaticEquations {
 
     // Turns are about their own centre, exact to second order: what rolls over its toe stays on it.
     void move(const Eigen::VectorXd& change, std::vector<Motion>& motion) const;
+    void move(std::size_t index, const Eigen::Vector3d& change, std::vector<Motion>& motion) const;
 
     std::uint64_t contacts_evaluated() const { return contacts_evaluated_; }
 
@@ -108,9 +124,12 @@ class StaticEquations {
     };
     static constexpr int none = -1;
 
-    double load_of(std::size_t index) const;  // of a free block, N per metre run
-    SparsePattern pattern_of(const ContactList& list) const;
+    SparsePattern pattern_of() const;
     Places places_of(const SparsePattern& pattern, std::size_t block, std::size_t other) const;
+    Eigen::Vector3d load_on(std::size_t block) const;  // moments over the radius
+    void list_what_acts(const ContactList& list);
+    PairResponse response_of_contact(std::size_t index, const std::vector<Motion>& motion, const MemoryArray& before,
+                                     ContactList& list);
     // Adds the forces of what acts between two blocks, and keeps it among the responses.
     void take_up(std::size_t block, std::size_t other, const PairResponse& response, std::size_t index);
 
@@ -121,7 +140,9 @@ class StaticEquations {
     std::vector<std::size_t> free_blocks_ = {};
     std::vector<int> unknown_;  // first of a block's three; none where it is held
     std::vector<Pair> pairs_ = {};
-    std::vector<PairResponse> response_ = {};  // of the contacts, then of the bonds, two each
+    std::vector<PairResponse> response_ = {};                 // of the contacts, then of the bonds, two each
+    std::vector<std::vector<std::size_t>> contacts_of_ = {};  // of each free block
+    std::vector<std::vector<int>> neighbours_ = {};
     std::vector<int> diagonal_ = {};           // among the values, of each unknown
     std::optional<SparseSystem> system_ = {};  // none where no block is free
     bool contacts_resist_ = false;

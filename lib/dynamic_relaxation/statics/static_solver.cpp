@@ -2,6 +2,7 @@
 
 #include "dynamic_relaxation/contact/contact_law.hpp"
 #include "dynamic_relaxation/contact/corner_choice.hpp"
+#include "dynamic_relaxation/statics/local_balance.hpp"
 #include "dynamic_relaxation/statics/static_equations.hpp"
 
 #include <algorithm>
@@ -211,7 +212,7 @@ class StaticSolver {
 
     // One implicit step of the motion without mass, from `motion` and the memories that contacts had before it: forces
     // out of balance are those that pseudo-viscosity holds. Newton's method, with a line search over the root of the
-    // mean square of what they lack.
+    // mean square of what they lack; where a step of all blocks leaves much lacking, those that lack most follow alone.
     struct ImplicitStep {
         Eigen::VectorXd moved;
         int solutions = 0;      // of linear equations
@@ -232,6 +233,7 @@ class StaticSolver {
         ImplicitStep step{Eigen::VectorXd::Zero(equations_.unbalanced().size())};
         Eigen::VectorXd lacking = equations_.unbalanced();
         const double at_first = equations_.mean_ratio(lacking);
+        const double enough = std::max(well_enough * at_first, rounding);
         double lacks = at_first;
         while (step.solutions < most_solutions && !step.balanced) {
             ++step.solutions;
@@ -240,20 +242,36 @@ class StaticSolver {
                 return step;
             }
             const std::vector<Motion> from = motion;
+            const Eigen::VectorXd moved_before = step.moved;
             const double lacked = lacks;
+            const auto weigh = [&] {
+                equations_.evaluate(motion, before, list);
+                lacking = equations_.unbalanced() - equations_.resistance(resisting, step.moved);
+                lacks = equations_.mean_ratio(lacking);
+            };
             double share = 1;
             for (int halvings = 0;; ++halvings, share /= 2) {
                 motion = from;
                 equations_.move(share * *change, motion);
-                equations_.evaluate(motion, before, list);
-                lacking = equations_.unbalanced() - equations_.resistance(resisting, step.moved + share * *change);
-                lacks = equations_.mean_ratio(lacking);
+                step.moved = moved_before + share * *change;
+                weigh();
+                if (lacks > enough && bonds_.empty()) {
+                    const std::vector<Motion> together = motion;
+                    const Eigen::VectorXd moved_together = step.moved;
+                    const double lacks_together = lacks;
+                    balance_one_by_one(resisting, lacking, before, equations_, step.moved, motion, list);
+                    weigh();
+                    if (!(lacks < lacks_together)) {
+                        motion = together;
+                        step.moved = moved_together;
+                        weigh();
+                    }
+                }
                 if (lacks < lacked || halvings == most_halvings) {
                     break;
                 }
             }
-            step.moved += share * *change;
-            step.balanced = lacks <= std::max(well_enough * at_first, rounding);
+            step.balanced = lacks <= enough;
             if (!(lacks < astray * at_first)) {
                 return step;
             }
