@@ -1,6 +1,6 @@
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
 
-#include "plane_failure/closed_forms.hpp"
+#include "tests/lib/plane_failure/closed_forms.hpp"
 
 #include <gtest/gtest.h>
 

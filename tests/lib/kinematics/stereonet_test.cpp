@@ -175,7 +175,9 @@ TEST(PoleDensity, IntegratesToTheNumberOfPoles) {
     const std::vector<Direction> poles = random_poles(25);
     for (const double concentration : {0.01, 5.0, 100.0}) {
         constexpr std::size_t side = 203;
-        const DensityGrid grid = pole_density_grid(poles, concentration, NetProjection::equal_area, side);
+        const DensityGrid grid =
+            density_grid([&](const Direction& at) { return pole_density(poles, at, concentration); },
+                         NetProjection::equal_area, side);
         double sum = 0;
         double points = 0;
         for (Eigen::Index row = 0; row < grid.values.rows(); ++row) {
@@ -207,7 +209,9 @@ TEST(PoleDensity, OfOnePoleIsFishersKernelOnBothItsEnds) {
 }
 
 TEST(PoleDensity, IsFiniteOverTheWholeNetOnly) {
-    const DensityGrid grid = pole_density_grid(random_poles(3), 20, NetProjection::equal_angle, 41);
+    const std::vector<Direction> poles = random_poles(3);
+    const DensityGrid grid =
+        density_grid([&](const Direction& at) { return pole_density(poles, at, 20); }, NetProjection::equal_angle, 41);
     for (Eigen::Index row = 0; row < 41; ++row) {
         for (Eigen::Index column = 0; column < 41; ++column) {
             const double radius = std::hypot(grid.coordinates[static_cast<std::size_t>(column)],

@@ -1,9 +1,9 @@
 // Critical geometry, required values and optimum bolts against closed forms, published numbers and brute force.
 #include "plane_failure/critical.hpp"
 #include "numerics/scalar_search.hpp"
-#include "plane_failure/closed_forms.hpp"
 #include "plane_failure/plane_failure.hpp"
 #include "plane_failure/required.hpp"
+#include "tests/lib/plane_failure/closed_forms.hpp"
 #include "tests/lib/plane_failure/critical_searches.hpp"
 #include "tests/support/random_problem.hpp"
 

@@ -1,8 +1,8 @@
 // The library in double precision against 50 digits: the same templates over a 50-digit scalar (rounding), and an
 // independent derivation by vectors and the shoelace formula (formulas), on the very same double inputs.
-#include "plane_failure/closed_forms.hpp"
 #include "plane_failure/plane_failure.hpp"
 #include "plane_failure/stability.hpp"
+#include "tests/lib/plane_failure/closed_forms.hpp"
 #include "tests/lib/plane_failure/reference_plane_failure.hpp"
 #include "tests/support/random_problem.hpp"
 
