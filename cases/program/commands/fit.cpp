@@ -124,8 +124,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     source["seed"] = problem.settings.seed;
     kept.enter(source);
     documents.json["provenance"] = source;
-    report.blocks.emplace_back(Heading{"Inputs"});
-    report.blocks.emplace_back(inputs_table(file));
+    append_inputs(file, report);
     report.blocks.emplace_back(evidence_table(problem));
     const ExitCode code = write_study({file, documents.json, '\n' + documents.screen + kept.summary(), reserved},
                                       folder, options, report);

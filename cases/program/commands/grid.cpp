@@ -98,8 +98,7 @@ ExitCode grid_command(const std::filesystem::path& path, const Options& options)
     }();
     Report report{title_of(file, options), file.description, {}};
     document_sweep(run, folder, report);
-    report.blocks.emplace_back(Heading{"Inputs"});
-    report.blocks.emplace_back(inputs_table(file));
+    append_inputs(file, report);
     Json json;
     json["status"] = "ok";
     json["title"] = file.title;

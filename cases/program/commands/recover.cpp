@@ -123,8 +123,7 @@ ExitCode recover_command(const std::filesystem::path& path, const Options& optio
     source["seed"] = problem.settings.seed;
     kept.enter(source);
     json["provenance"] = source;
-    report.blocks.emplace_back(Heading{"Inputs"});
-    report.blocks.emplace_back(inputs_table(file));
+    append_inputs(file, report);
     return write_study({file, json, documents.screen + kept.summary(), reserved}, folder, options, report);
 }
 

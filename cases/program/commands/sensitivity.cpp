@@ -83,8 +83,7 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
     source["seed"] = problem.study.seed;
     kept.enter(source);
     json["provenance"] = source;
-    report.blocks.emplace_back(Heading{"Inputs"});
-    report.blocks.emplace_back(inputs_table(file));
+    append_inputs(file, report);
     const ExitCode code =
         write_study({file, json, documents.screen + kept.summary(), reserved}, folder, options, report);
     if (result.status == SensitivityStatus::interrupted) {

@@ -113,8 +113,7 @@ ExitCode trade_command(const std::filesystem::path& path, const Options& options
     json.update(documents.json);
     json["warnings"] = remarks;
     json["provenance"] = source;
-    report.blocks.emplace_back(Heading{"Inputs"});
-    report.blocks.emplace_back(inputs_table(file));
+    append_inputs(file, report);
     for (const std::string& remark : remarks) {
         documents.screen += "warning: " + remark + '\n';
     }
