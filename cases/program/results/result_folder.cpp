@@ -2,6 +2,7 @@
 
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/terminal/interrupt.hpp"
+#include "fitting/work/bare_number.hpp"
 #include "fitting/work/ranks.hpp"
 #include "plots/drawing/atomic_file.hpp"
 #include "plots/drawing/text.hpp"
@@ -27,16 +28,9 @@ std::string shortest(double value) {
     return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
 
-bool is_number(std::string_view text) {
-    text.remove_prefix(text.starts_with('+') ? 1 : 0);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc{} && end == text.data() + text.size();
-}
-
 bool may_be_formula(std::string_view text) {
     return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos &&
-           !is_number(text);
+           !bare_number(text.substr(text.starts_with('+') ? 1 : 0));
 }
 
 std::string quoted(const std::string& text) {
