@@ -17,7 +17,6 @@
 
 #include <map>
 #include <optional>
-#include <utility>
 
 namespace delabole {
 

@@ -190,13 +190,6 @@ DensityGrid density_grid(const std::function<double(const Direction&)>& density,
     return grid;
 }
 
-DensityGrid pole_density_grid(const std::vector<Direction>& poles, double kernel_concentration,
-                              NetProjection projection, std::size_t side) {
-    const std::vector<double> weights(poles.size(), 1.0);
-    return density_grid([&](const Direction& at) { return pole_density(poles, weights, at, kernel_concentration); },
-                        projection, side);
-}
-
 std::vector<Polyline> inside_primitive(const Polyline& line) {
     std::vector<Polyline> parts;
     bool open = false;

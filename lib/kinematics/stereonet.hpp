@@ -88,10 +88,6 @@ struct DensityGrid {
 DensityGrid density_grid(const std::function<double(const Direction&)>& density, NetProjection projection,
                          std::size_t side);
 
-// Time grows with side^2 * poles.size().
-DensityGrid pole_density_grid(const std::vector<Direction>& poles, double kernel_concentration,
-                              NetProjection projection, std::size_t side);
-
 // The parts of a line inside the primitive circle, cut at it.
 std::vector<Polyline> inside_primitive(const Polyline& line);
 

@@ -1,8 +1,8 @@
 #include "plots/drawing/contour.hpp"
 
+#include <compare>
 #include <limits>
 #include <map>
-#include <tuple>
 #include <utility>
 
 namespace delabole {
@@ -15,11 +15,7 @@ struct Side {
     Eigen::Index column;
     bool horizontal;
 
-    bool operator==(const Side& other) const { return key() == other.key(); }
-    bool operator<(const Side& other) const { return key() < other.key(); }
-
-  private:
-    std::tuple<Eigen::Index, Eigen::Index, bool> key() const { return {row, column, horizontal}; }
+    auto operator<=>(const Side& other) const = default;
 };
 
 class Grid {

@@ -1,5 +1,7 @@
-// The range that finite numbers span.
+// The range that finite numbers span, and the frame that finite points do.
 #pragma once
+
+#include "geometry/polyline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +22,27 @@ struct Extent {
     }
     bool empty() const { return lowest > highest; }
     double size() const { return highest - lowest; }
+};
+
+struct Frame {
+    Extent x;
+    Extent y;
+
+    void include(const Point& point) {
+        if (point.allFinite()) {
+            x.include(point.x());
+            y.include(point.y());
+        }
+    }
+    void include(const Polyline& line) {
+        for (const Point& point : line) {
+            include(point);
+        }
+    }
+    bool empty() const { return x.empty(); }
+    Point lowest() const { return {x.lowest, y.lowest}; }
+    Point highest() const { return {x.highest, y.highest}; }
+    Point size() const { return {x.size(), y.size()}; }
 };
 
 }  // namespace delabole

@@ -166,6 +166,12 @@ void draw(FigureFiles& files, const fs::path& folder, GnuplotRuns& runs) {
 
 }  // namespace
 
+void add_line(Figure& figure, Line line) {
+    if (!line.points.empty()) {
+        figure.series.emplace_back(std::move(line));
+    }
+}
+
 void remove_abandoned_drawings(const std::filesystem::path& folder) {
     std::error_code error;
     std::vector<fs::path> abandoned;

@@ -129,6 +129,9 @@ struct Figure {
     int height = 450;           // px, without the legend, which is added below
 };
 
+// Adds the line where it has points.
+void add_line(Figure& figure, Line line);
+
 // The gnuplot script: settings, data and plot command, drawn to <name>.svg and <name>.png in the working folder.
 // Independent of the locale. A figure without one finite number becomes an empty frame that says so.
 std::string gnuplot_script(const Figure& figure, std::string_view name);

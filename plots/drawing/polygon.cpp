@@ -28,6 +28,13 @@ Polyline closed(Polyline outline) {
     return outline;
 }
 
+Polyline raised(Polyline line, double height) {
+    for (Point& point : line) {
+        point.y() += height;
+    }
+    return line;
+}
+
 bool crosses(const Rectangle& rectangle, const Point& from, const Point& to) {
     double enters = 0;
     double leaves = 1;

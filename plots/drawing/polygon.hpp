@@ -12,6 +12,8 @@ double chord(const Polyline& outline, const Point& through, int axis);
 // The outline with its first point repeated.
 Polyline closed(Polyline outline);
 
+Polyline raised(Polyline line, double height);
+
 struct Rectangle {
     Point lowest;
     Point highest;

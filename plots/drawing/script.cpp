@@ -17,16 +17,14 @@ constexpr double mean_letter_width = 0.56 * text_height;
 constexpr double legend_sample = 44;                // px, with the space before its text
 constexpr double legend_gap = 22;                   // px, between entries
 constexpr double legend_line = 1.35 * text_height;  // px
-
-bool finite(const Point& point) {
-    return std::isfinite(point.x()) && std::isfinite(point.y());
-}
+constexpr int digits_of_data = 12;
+constexpr int digits_of_pixels = 6;  // as the pictures have them
 
 Rows rows_of(const Polyline& points, bool keep_gaps) {
     constexpr double gap = std::numeric_limits<double>::quiet_NaN();
     Rows rows;
     for (const Point& point : points) {
-        if (finite(point)) {
+        if (point.allFinite()) {
             rows.push_back({point.x(), point.y()});
         } else if (keep_gaps && !rows.empty()) {
             rows.push_back({gap, gap});
@@ -35,14 +33,16 @@ Rows rows_of(const Polyline& points, bool keep_gaps) {
     return rows;
 }
 
+std::ostringstream classic_stream(int digits) {
+    std::ostringstream stream;
+    stream.imbue(std::locale::classic());
+    stream.precision(digits);
+    return stream;
+}
+
 class ScriptWriter {
   public:
-    ScriptWriter(const Figure& figure, std::string_view name) : figure_(figure), name_(name) {
-        for (std::ostringstream* stream : {&script_, &data_, &plot_}) {
-            stream->imbue(std::locale::classic());
-            stream->precision(12);
-        }
-    }
+    ScriptWriter(const Figure& figure, std::string_view name) : figure_(figure), name_(name) {}
 
     std::string write() {
         for (const Series& series : figure_.series) {
@@ -70,9 +70,7 @@ class ScriptWriter {
 
     template <class... Parts>
     static std::string words(const Parts&... parts) {
-        std::ostringstream text;
-        text.imbue(std::locale::classic());
-        text.precision(12);
+        std::ostringstream text = classic_stream(digits_of_data);
         (text << ... << parts);
         return text.str();
     }
@@ -138,14 +136,12 @@ class ScriptWriter {
 
     // Set again for each terminal, whose markers differ in size.
     std::string legend_commands() const {
-        std::ostringstream commands;
-        commands.imbue(std::locale::classic());
+        std::ostringstream commands = classic_stream(digits_of_pixels);
         int tag = 1000;  // apart from labels and arrows of the figure
         for (const LegendEntry& entry : legend_) {
             const auto at = [&](double right, double up) {
                 const double y = legend_space() - (entry.row + 0.5) * legend_line + up;
-                std::ostringstream place;  // six digits, as the pictures have them
-                place.imbue(std::locale::classic());
+                std::ostringstream place = classic_stream(digits_of_pixels);
                 place << "screen " << (entry.left + right) / figure_.width << ",screen " << y / canvas_height();
                 return place.str();
             };
@@ -216,7 +212,7 @@ class ScriptWriter {
     void add(const Boxes& boxes) {
         Rows rows;
         for (const Boxes::Box& box : boxes.boxes) {
-            if (finite(box.lower_left) && finite(box.upper_right)) {
+            if (box.lower_left.allFinite() && box.upper_right.allFinite()) {
                 rows.push_back({box.lower_left.x(), box.lower_left.y(), box.upper_right.x(), box.upper_right.y()});
                 include({{box.upper_right.x(), box.upper_right.y()}});
             }
@@ -233,7 +229,7 @@ class ScriptWriter {
     void add(const Arrows& arrows) {
         Rows rows;
         for (const Arrows::Shaft& shaft : arrows.shafts) {
-            if (finite(shaft.from) && finite(shaft.to)) {
+            if (shaft.from.allFinite() && shaft.to.allFinite()) {
                 rows.push_back({shaft.from.x(), shaft.from.y(), shaft.to.x(), shaft.to.y()});
                 include({{shaft.to.x(), shaft.to.y()}});
             }
@@ -356,7 +352,7 @@ class ScriptWriter {
 
     void write_labels() {
         for (const Label& label : figure_.labels) {
-            if (!finite(label.at)) {
+            if (!label.at.allFinite()) {
                 continue;
             }
             const std::string_view align = label.align == Label::Align::left     ? "left"
@@ -376,7 +372,7 @@ class ScriptWriter {
 
     void write_arrows() {
         for (const Arrow& arrow : figure_.arrows) {
-            if (finite(arrow.from) && finite(arrow.to)) {
+            if (arrow.from.allFinite() && arrow.to.allFinite()) {
                 script_ << "set arrow from " << arrow.from.x() << ',' << arrow.from.y() << " to " << arrow.to.x() << ','
                         << arrow.to.y() << (arrow.both_heads ? " heads" : " head")
                         << " filled size screen 0.02,18 front linewidth 1.5 linecolor rgb " << rgb(arrow.colour)
@@ -403,9 +399,9 @@ class ScriptWriter {
 
     const Figure& figure_;
     std::string_view name_;
-    std::ostringstream script_;
-    std::ostringstream data_;
-    std::ostringstream plot_;
+    std::ostringstream script_ = classic_stream(digits_of_data);
+    std::ostringstream data_ = classic_stream(digits_of_data);
+    std::ostringstream plot_ = classic_stream(digits_of_data);
     Extent x_extent_;
     Extent y_extent_;
     std::vector<LegendEntry> legend_;

@@ -1,6 +1,7 @@
 #include "plots/drawing/svg.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <utility>
 #include <vector>
@@ -152,27 +153,13 @@ std::string escape_html(std::string_view text) {
     std::string result;
     result.reserve(text.size());
     for (const char letter : text) {
-        switch (letter) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        case '"':
-            result += "&quot;";
-            break;
-        case '\'':
-            result += "&#39;";
-            break;
-        default: {
-            const bool control = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
-            result += control && letter != '\n' ? ' ' : letter;
+        if (const std::size_t special = std::string_view("&<>\"'").find(letter); special != std::string_view::npos) {
+            constexpr std::array entities{"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
+            result += entities[special];
+            continue;
         }
-        }
+        const bool control = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
+        result += control && letter != '\n' ? ' ' : letter;
     }
     return result;
 }

@@ -1,6 +1,8 @@
 // Plain UTF-8 text for pictures and pages.
 #pragma once
 
+#include "parameters/fields.hpp"
+
 #include <string>
 #include <string_view>
 
@@ -14,6 +16,13 @@ std::string wrapped(std::string_view text, std::size_t letters);
 
 // "strength.friction_angle" -> "strength: friction angle".
 std::string human_name(std::string_view name);
+
+// The words for a value of an enum, given for all of them in their order.
+template <class Enum, std::size_t count>
+std::string words_for(Enum value, const char* const (&words)[count]) {
+    static_assert(count == enum_names(Enum{}).size());
+    return words[static_cast<std::size_t>(value)];
+}
 
 // "kN/m3" -> "kN/m³".
 std::string human_unit(std::string_view unit);

@@ -30,7 +30,7 @@ std::vector<std::pair<double, std::string>> block_ticks(const Extent& blocks) {
 void shade_modes(const ForceAlongSlope& data, std::pair<double, double> height, Figure& figure) {
     const std::size_t count = std::min(data.block.size(), data.modes.size());
     for (const DrawnMode mode : drawn_modes) {
-        std::string legend = legend_of_mode(mode);
+        std::string legend(word_of(mode));
         for (std::size_t first = 0; first < count; ++first) {
             if (data.modes[first] != mode || mode == DrawnMode::plain) {
                 continue;
@@ -57,16 +57,14 @@ std::optional<Point> widest_place(const Polyline& outline, const Polyline& marks
     constexpr int steps = 40;
     // Lengths are in units of the text, which is a square of side 1 then.
     Polyline edge;
-    Extent x;
-    Extent y;
     for (const Point& corner : outline) {
         if (corner.allFinite()) {
             edge.emplace_back(corner.cwiseQuotient(text));
-            x.include(edge.back().x());
-            y.include(edge.back().y());
         }
     }
-    if (edge.size() < 3 || !(x.size() > 0 && y.size() > 0)) {
+    Frame frame;
+    frame.include(edge);
+    if (edge.size() < 3 || !(frame.size().minCoeff() > 0)) {
         return std::nullopt;
     }
     edge.push_back(edge.front());
@@ -74,7 +72,7 @@ std::optional<Point> widest_place(const Polyline& outline, const Polyline& marks
     std::optional<Point> best;
     for (int row = 1; row < steps; ++row) {
         for (int column = 1; column < steps; ++column) {
-            const Point at{x.lowest + x.size() * column / steps, y.lowest + y.size() * row / steps};
+            const Point at = frame.lowest() + frame.size().cwiseProduct(Point(column, row)) / steps;
             if (!inside(edge, at)) {
                 continue;
             }
@@ -104,7 +102,7 @@ void name_regions(const ModeChart& chart, Figure& figure) {
         marks.emplace_back(statement.at / unit);
     }
     for (const ModeRegion& region : chart.regions) {
-        const std::string name = legend_of_mode(region.mode);
+        const std::string name(word_of(region.mode));
         if (name.empty()) {
             continue;
         }
@@ -166,21 +164,15 @@ Figure force_along_slope_figure(const ForceAlongSlope& data) {
     shade_modes(data, height, figure);
     figure.series.emplace_back(
         Line{.points = {{blocks.lowest - 0.5, 0}, {blocks.highest + 0.5, 0}}, .colour = Colour::grey, .width = 1.2});
-    const auto add = [&](const Polyline& points, std::string legend, Colour colour, Dash dash, double width) {
-        if (!points.empty()) {
-            figure.series.emplace_back(
-                Line{.points = points, .legend = std::move(legend), .colour = colour, .dash = dash, .width = width});
-        }
-    };
     const auto mark = [&](const Polyline& points, std::string legend, Colour colour, Marker marker, double size) {
         if (!points.empty()) {
             figure.series.emplace_back(Points{
                 .points = points, .legend = std::move(legend), .colour = colour, .marker = marker, .size = size});
         }
     };
-    add(acting, "acting force", Colour::black, Dash::solid, 4);
-    add(toppling, "needed against toppling", Colour::vermilion, Dash::dashed, 2.5);
-    add(sliding, "needed against sliding", Colour::blue, Dash::dotted, 3);
+    add_line(figure, {acting, "acting force", Colour::black, Dash::solid, 4});
+    add_line(figure, {toppling, "needed against toppling", Colour::vermilion, Dash::dashed, 2.5});
+    add_line(figure, {sliding, "needed against sliding", Colour::blue, Dash::dotted, 3});
     mark(toppling, "", Colour::vermilion, Marker::filled_triangle, 1.2);
     mark(sliding, "", Colour::blue, Marker::filled_square, 1);
     mark(printed, data.printed_legend, Colour::black, Marker::circle, 2.2);
@@ -193,21 +185,17 @@ Figure mode_chart_figure(const ModeChart& chart) {
                   .x = axis_of(chart.x, Dimension::angle),
                   .y = axis_of(chart.y, Dimension::angle),
                   .height = 560};
-    Extent x;
-    Extent y;
+    Frame frame;
     const auto in_degrees = [&](Polyline line) {
         for (Point& point : line) {
             point /= unit;
-            if (point.allFinite()) {
-                x.include(point.x());
-                y.include(point.y());
-            }
         }
+        frame.include(line);
         return line;
     };
 
     for (const DrawnMode mode : drawn_modes) {
-        std::string legend = legend_of_mode(mode);
+        std::string legend(word_of(mode));
         for (const ModeRegion& region : chart.regions) {
             if (region.mode == mode) {
                 figure.series.emplace_back(Region{.outline = in_degrees(region.outline),
@@ -230,9 +218,9 @@ Figure mode_chart_figure(const ModeChart& chart) {
         in_degrees({statement.at});
     }
     mark_statements(chart.printed, unit, unit, figure);
-    if (!x.empty() && x.size() > 0 && y.size() > 0) {
-        figure.x.range = std::pair{x.lowest, x.highest};
-        figure.y.range = std::pair{y.lowest, y.highest};
+    if (!frame.empty() && frame.size().minCoeff() > 0) {
+        figure.x.range = std::pair{frame.x.lowest, frame.x.highest};
+        figure.y.range = std::pair{frame.y.lowest, frame.y.highest};
         name_regions(chart, figure);
     }
     return figure;

@@ -1,6 +1,7 @@
 #include "plots/figures/block_figures.hpp"
 #include "fitting/work/words.hpp"
 
+#include "plots/drawing/contour.hpp"
 #include "plots/drawing/extent.hpp"
 #include "plots/drawing/gnuplot_words.hpp"
 #include "plots/drawing/polygon.hpp"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 namespace delabole {
@@ -26,35 +26,15 @@ constexpr double shortest_arrow = 40;
 // The least length of an arrow: a shorter one would hide behind its head.
 constexpr double visible_arrow = 18;
 
-struct Frame {
-    Extent x;
-    Extent y;
-
-    void include(const Polyline& line) {
-        for (const Point& point : line) {
-            if (point.allFinite()) {
-                x.include(point.x());
-                y.include(point.y());
-            }
-        }
-    }
-    double metres_per_px() const { return std::max(x.size() / plot_width, y.size() / greatest_plot_height); }
-};
-
-Polyline finite_points(const Polyline& line) {
-    Polyline result;
-    std::copy_if(line.begin(), line.end(), std::back_inserter(result),
-                 [](const Point& point) { return point.allFinite(); });
-    return result;
+double metres_per_px(const Frame& frame) {
+    return std::max(frame.x.size() / plot_width, frame.y.size() / greatest_plot_height);
 }
 
 // Moves a drawing to its elevation and leaves out what cannot be drawn.
 BlockDrawing prepared(BlockDrawing drawing) {
     const auto prepare = [&](Polyline& line) {
-        line = finite_points(line);
-        for (Point& point : line) {
-            point.y() += drawing.toe_elevation;
-        }
+        std::erase_if(line, [](const Point& point) { return !point.allFinite(); });
+        line = raised(std::move(line), drawing.toe_elevation);
     };
     for (DrawnBlock& block : drawing.blocks) {
         prepare(block.outline);
@@ -101,9 +81,9 @@ class BlockPicture {
         place_force_key();
         add_rock();
         add_blocks();
-        add_line(drawing_.base, "", Colour::black, Dash::solid, 2.5);
-        add_line(drawing_.ground, "ground surface", Colour::black, Dash::solid, 2.5);
-        add_line(drawing_.tension_crack, "tension crack", Colour::purple, Dash::dashed, 4);
+        add_line(figure_, {.points = drawing_.base});
+        add_line(figure_, {.points = drawing_.ground, .legend = "ground surface"});
+        add_line(figure_, {drawing_.tension_crack, "tension crack", Colour::purple, Dash::dashed, 4});
         add_cracks(drawing_.open_joints, "open joint", Colour::blue, 2.5);
         add_cracks(drawing_.broken, "broken rock", Colour::vermilion, 4);
         add_water();
@@ -111,14 +91,12 @@ class BlockPicture {
         if (!drawing_.velocities.shafts.empty()) {
             figure_.series.emplace_back(drawing_.velocities);
         }
-        std::vector<Label> labels =
-            block_labels(drawing_.blocks,
-                         {drawing_.water,
-                          across_labels(),
-                          drawing_.velocities.shafts,
-                          {{frame_.x.lowest, frame_.y.lowest}, {frame_.x.highest, frame_.y.highest}}},
-                         metres_per_px_);
-        std::move(labels.begin(), labels.end(), std::back_inserter(figure_.labels));
+        std::ranges::move(
+            block_labels(
+                drawing_.blocks,
+                {drawing_.water, across_labels(), drawing_.velocities.shafts, {frame_.lowest(), frame_.highest()}},
+                metres_per_px_),
+            std::back_inserter(figure_.labels));
         figure_.x.range = std::pair{frame_.x.lowest, frame_.x.highest};
         figure_.y.range = std::pair{frame_.y.lowest, frame_.y.highest};
         // A title of two lines and the axis take about 165 px of the height.
@@ -164,25 +142,25 @@ class BlockPicture {
             frame_.include(*line);
         }
         for (const DrawnForce& force : drawing_.forces) {
-            frame_.include({force.at});
+            frame_.include(force.at);
             greatest_force_ = std::max(greatest_force_, force.force.norm());
         }
         if (!(std::max(frame_.x.size(), frame_.y.size()) > 0)) {
-            frame_.include(frame_.x.empty() ? Polyline{{0, 0}, {1, 1}}
-                                            : Polyline{{frame_.x.lowest - 1, frame_.y.lowest - 1},
-                                                       {frame_.x.lowest + 1, frame_.y.lowest + 1}});
+            const Point around(1, 1);
+            const Point only = frame_.lowest();
+            frame_.include(frame_.empty() ? Polyline{{0, 0}, around} : Polyline{only - around, only + around});
         }
         if (greatest_force_ > 0) {
             metres_per_newton_ = greatest_arrow() / greatest_force_;
-            least_arrow_ = std::min(visible_arrow * frame_.metres_per_px(), greatest_arrow());
+            least_arrow_ = std::min(visible_arrow * metres_per_px(frame_), greatest_arrow());
         }
         chains_ = as_chains();
         for (const DrawnForce& force : drawing_.forces) {
             const Arrows::Shaft shaft = shaft_of(force);
-            frame_.include({shaft.from, shaft.to});
+            frame_.include(Polyline{shaft.from, shaft.to});
         }
         for (const Arrows::Shaft& velocity : drawing_.velocities.shafts) {
-            frame_.include({velocity.from, velocity.to});
+            frame_.include(Polyline{velocity.from, velocity.to});
         }
         Extent surface;
         for (const Polyline* line : {&drawing_.base, &drawing_.ground}) {
@@ -200,7 +178,7 @@ class BlockPicture {
         if (widening > 0) {
             frame_.x = {frame_.x.lowest - widening, frame_.x.highest + widening};
         }
-        metres_per_px_ = frame_.metres_per_px();
+        metres_per_px_ = metres_per_px(frame_);
     }
 
     // Little more than the spacing of the blocks, m, so that the arrows of neighbours do not run into one chain.
@@ -210,11 +188,11 @@ class BlockPicture {
             spacing.push_back((centroid_of(drawing_.blocks[index]) - centroid_of(drawing_.blocks[index - 1])).norm());
         }
         if (spacing.empty()) {
-            return longest_arrow * frame_.metres_per_px();
+            return longest_arrow * metres_per_px(frame_);
         }
         std::sort(spacing.begin(), spacing.end());
-        return std::clamp(1.5 * spacing[spacing.size() / 2], shortest_arrow * frame_.metres_per_px(),
-                          longest_arrow * frame_.metres_per_px());
+        return std::clamp(1.5 * spacing[spacing.size() / 2], shortest_arrow * metres_per_px(frame_),
+                          longest_arrow * metres_per_px(frame_));
     }
 
     // Whether the heads of arrows would cover the blocks: with less than the square of a head and its surroundings for
@@ -229,7 +207,7 @@ class BlockPicture {
                 ++blocks;
             }
         }
-        const double px = frame_.metres_per_px();
+        const double px = metres_per_px(frame_);
         if (blocks == 0 || area >= least_area * px * px * static_cast<double>(drawing_.forces.size())) {
             return false;
         }
@@ -314,13 +292,6 @@ class BlockPicture {
         figure_.labels.push_back({.at = {key_.to.x() + gap, key_.to.y()}, .text = text, .boxed = false});
     }
 
-    void add_line(const Polyline& line, std::string legend, Colour colour, Dash dash, double width) {
-        if (!line.empty()) {
-            figure_.series.emplace_back(
-                Line{.points = line, .legend = std::move(legend), .colour = colour, .dash = dash, .width = width});
-        }
-    }
-
     void add_rock() {
         if (drawing_.base.size() >= 2) {
             Polyline rock = drawing_.base;
@@ -349,7 +320,7 @@ class BlockPicture {
     void add_blocks() {
         add_rocks();
         for (const DrawnMode mode : drawn_modes) {
-            std::string legend = legend_of_mode(mode);
+            std::string legend(word_of(mode));
             for (const DrawnBlock& block : drawing_.blocks) {
                 if (block.mode == mode && !block.rock) {
                     figure_.series.emplace_back(Region{.outline = block.outline,
@@ -359,37 +330,31 @@ class BlockPicture {
                 }
             }
         }
-        const Point gap = Point::Constant(std::numeric_limits<double>::quiet_NaN());
-        Polyline outlines;
-        Polyline displaced;
-        const auto append = [&](Polyline& all, const Polyline& outline) {
-            if (!outline.empty()) {
-                const Polyline edge = closed(outline);
-                all.insert(all.end(), edge.begin(), edge.end());
-                all.push_back(gap);
-            }
-        };
+        std::vector<Polyline> outlines;
+        std::vector<Polyline> displaced;
         for (const DrawnBlock& block : drawing_.blocks) {
-            append(outlines, block.outline);
-            append(displaced, block.displaced);
+            outlines.push_back(closed(block.outline));
+            displaced.push_back(closed(block.displaced));
         }
+        std::erase_if(displaced, [](const Polyline& outline) { return outline.empty(); });
         // Chains run along joints and are to be seen on them.
-        add_line(outlines, "", chains_ ? Colour::grey : Colour::black, Dash::solid, chains_ ? 0.6 : 1.2);
-        add_line(displaced, drawing_.displaced_legend, Colour::vermilion, Dash::dashed, 1.8);
+        add_line(figure_, {.points = broken_line(outlines),
+                           .colour = chains_ ? Colour::grey : Colour::black,
+                           .width = chains_ ? 0.6 : 1.2});
+        add_line(figure_, {broken_line(displaced), drawing_.displaced_legend, Colour::vermilion, Dash::dashed, 1.8});
     }
 
     void add_cracks(const std::vector<DrawnCrack>& cracks, const std::string& legend, Colour colour, double width) {
-        const Point gap = Point::Constant(std::numeric_limits<double>::quiet_NaN());
-        Polyline lines;
+        std::vector<Polyline> lines;
         for (const DrawnCrack& crack : cracks) {
-            lines.insert(lines.end(), {crack.from, crack.to, gap});
+            lines.push_back({crack.from, crack.to});
         }
-        add_line(lines, legend, colour, Dash::solid, width);
+        add_line(figure_, {broken_line(lines), legend, colour, Dash::solid, width});
     }
 
     void add_water() {
         const Polyline& water = drawing_.water;
-        add_line(water, "water level", Colour::blue, Dash::solid, 2.5);
+        add_line(figure_, {.points = water, .legend = "water level", .colour = Colour::blue});
         if (!water.empty()) {
             // The label stands in the middle, off the toe with its small blocks.
             const std::size_t index = (water.size() - 1) / 2;
@@ -420,7 +385,7 @@ class BlockPicture {
             return;
         }
         for (const auto& [kind, colour] : kinds) {
-            Arrows arrows{.legend = std::string(enum_names(kind)[static_cast<std::size_t>(kind)]), .colour = colour};
+            Arrows arrows{.legend = std::string(word_of(kind)), .colour = colour};
             for (const DrawnForce& force : drawing_.forces) {
                 if (force.kind == kind) {
                     arrows.shafts.push_back(shaft_of(force));
@@ -443,24 +408,24 @@ class BlockPicture {
     // A line has one width: forces are sorted into as many as the eye can tell apart.
     void add_chains(ForceKind kind, Colour colour) {
         constexpr std::size_t widths = 24;
-        const Point gap = Point::Constant(std::numeric_limits<double>::quiet_NaN());
-        std::array<Polyline, widths> links;
+        std::array<std::vector<Polyline>, widths> links;
         for (const DrawnForce& force : drawing_.forces) {
             if (force.kind == kind) {
                 const double share = force.force.norm() / greatest_force_;
-                Polyline& line = links[std::min(static_cast<std::size_t>(share * widths), widths - 1)];
                 const Arrows::Shaft shaft = shaft_of(force);
-                line.insert(line.end(), {shaft.from, shaft.to, gap});
+                links[std::min(static_cast<std::size_t>(share * widths), widths - 1)].push_back({shaft.from, shaft.to});
             }
         }
-        std::string legend(enum_names(kind)[static_cast<std::size_t>(kind)]);
         // The thickest last, which is the one that the legend shows.
         const auto thickest =
-            std::find_if(links.rbegin(), links.rend(), [](const Polyline& line) { return !line.empty(); });
+            std::find_if(links.rbegin(), links.rend(), [](const auto& lines) { return !lines.empty(); });
         for (std::size_t number = 0; number < widths; ++number) {
             const double force = greatest_force_ * (static_cast<double>(number) + 0.5) / widths;
             const bool last = thickest != links.rend() && &links[number] == &*thickest;
-            add_line(links[number], last ? legend : "", colour, Dash::solid, chain_width(force));
+            add_line(figure_, {.points = broken_line(links[number]),
+                               .legend = last ? std::string(word_of(kind)) : "",
+                               .colour = colour,
+                               .width = chain_width(force)});
         }
     }
 

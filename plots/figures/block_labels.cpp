@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
+#include <ranges>
 #include <utility>
 
 namespace delabole {
@@ -125,9 +127,7 @@ class BlockLabels {
         }
         std::ranges::stable_sort(places, {}, &std::pair<double, Point>::first);
         std::vector<Point> result;
-        for (const auto& [order, place] : places) {
-            result.push_back(place);
-        }
+        std::ranges::copy(places | std::views::values, std::back_inserter(result));
         return result;
     }
 
@@ -230,19 +230,14 @@ class BlockLabels {
         constexpr int steps = 16;
         const DrawnBlock& block = *numeral.block;
         const Point half = 0.5 * text_size(numeral);
-        Extent x;
-        Extent y;
-        for (const Point& corner : block.outline) {
-            x.include(corner.x());
-            y.include(corner.y());
-        }
-        const Point lowest{x.lowest, y.lowest};
-        const Point diagonal{x.size(), y.size()};
+        Frame frame;
+        frame.include(block.outline);
+        const Point diagonal = frame.size();
         Point best = numeral.at;
         double least = disturbance(block, {best - half, best + half});
         for (int row = 1; row < steps && least > 0; ++row) {
             for (int column = 1; column < steps; ++column) {
-                const Point place = lowest + Point(column, row).cwiseProduct(diagonal) / steps;
+                const Point place = frame.lowest() + Point(column, row).cwiseProduct(diagonal) / steps;
                 if (!inside(block.outline, place)) {
                     continue;
                 }

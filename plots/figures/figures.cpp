@@ -53,18 +53,6 @@ std::string unbroken(std::string_view text) {
     return result;
 }
 
-struct Bounds {
-    Extent x;
-    Extent y;
-
-    void include(const Polyline& line) {
-        for (const Point& point : line) {
-            x.include(point.x());
-            y.include(point.y());
-        }
-    }
-};
-
 }  // namespace
 
 Line level_line(double from, double to, double height, std::string legend, Colour colour) {
@@ -73,6 +61,13 @@ Line level_line(double from, double to, double height, std::string legend, Colou
             .colour = colour,
             .dash = Dash::dashed,
             .width = 2};
+}
+
+void set_rows(Figure& figure, std::size_t rows, int around, int height_of_row) {
+    figure.y.grid = false;
+    figure.y.range = std::pair{0.4, static_cast<double>(std::max<std::size_t>(rows, 1)) + 0.6};
+    figure.width = 720;
+    figure.height = around + height_of_row * static_cast<int>(std::max<std::size_t>(rows, 2));
 }
 
 Axis axis_of(std::string_view name, Dimension dimension) {
@@ -130,7 +125,7 @@ Figure failure_locus_figure(const FailureLoci& data) {
                   .y = axis_of("cohesion", Dimension::stress)};
 
     std::vector<Line> lines;
-    Bounds bounds;
+    Frame bounds;
     for (std::size_t index = 0; index < data.loci.size(); ++index) {
         lines.push_back(curve_line(data.loci[index], index, angle_unit, stress_unit));
         bounds.include(lines.back().points);
@@ -186,7 +181,7 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
     constexpr std::size_t most_bars = 8;
     bars.resize(std::min(bars.size(), most_bars));
 
-    Figure figure{.title = std::string(title), .x = {.title = "change of the factor of safety"}, .y = {.grid = false}};
+    Figure figure{.title = std::string(title), .x = {.title = "change of the factor of safety"}};
     Boxes raising{.legend = "makes it safer", .colour = Colour::blue};
     Boxes lowering{.legend = "makes it less safe", .colour = Colour::vermilion};
     Extent range;
@@ -210,10 +205,9 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
     }
     figure.series.emplace_back(std::move(raising));
     figure.series.emplace_back(std::move(lowering));
-    const double highest_bar = static_cast<double>(bars.size()) + 0.6;
+    set_rows(figure, bars.size(), 130, 74);
     if (!bars.empty()) {
-        figure.series.emplace_back(Line{.points = {{0, 0.4}, {0, highest_bar}}, .width = 1.5});
-        figure.y.range = std::pair{0.4, highest_bar};
+        figure.series.emplace_back(Line{.points = {{0, 0.4}, {0, figure.y.range->second}}, .width = 1.5});
         // Room for the numbers at the bars' ends; the names of the inputs leave the bars about so many pixels.
         constexpr double plot_width = 380;
         constexpr double letter_width = 13;
@@ -226,8 +220,6 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
         const double per_share = std::max(range.size(), 1e-12) / (1 - room[0] - room[1]);
         figure.x.range = std::pair{range.lowest - room[0] * per_share, range.highest + room[1] * per_share};
     }
-    figure.width = 720;
-    figure.height = 130 + 74 * static_cast<int>(std::max<std::size_t>(bars.size(), 2));
     return figure;
 }
 
@@ -235,7 +227,7 @@ Figure critical_figure(const CriticalSearchDrawing& drawing) {
     const double unit = display_unit(drawing.dimension).si_per_unit;
     Figure figure{
         .title = drawing.title, .x = axis_of(drawing.quantity, drawing.dimension), .y = {.title = "factor of safety"}};
-    Bounds bounds;
+    Frame bounds;
     for (std::size_t index = 0; index < drawing.curves.size(); ++index) {
         const Line line = curve_line(drawing.curves[index], index, unit, 1);
         bounds.include(line.points);

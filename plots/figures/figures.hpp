@@ -17,6 +17,9 @@ namespace delabole {
 // A dashed line at a height.
 Line level_line(double from, double to, double height, std::string legend, Colour colour);
 
+// Rows of bars on the vertical axis, the lowest at 1: a range for that many, and a height of the figure, px.
+void set_rows(Figure& figure, std::size_t rows, int around, int height_of_row);
+
 // "strength.friction_angle" and an angle give the axis "strength: friction angle (deg)".
 Axis axis_of(std::string_view name, Dimension dimension);
 

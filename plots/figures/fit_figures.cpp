@@ -2,6 +2,7 @@
 
 #include "fitting/probability/estimate.hpp"
 #include "plots/drawing/contour.hpp"
+#include "plots/drawing/polygon.hpp"
 #include "plots/drawing/text.hpp"
 #include "plots/figures/figures.hpp"
 
@@ -246,13 +247,6 @@ std::optional<Figure> profiles_figure(const FitProblem& problem, const FitResult
     if (!problem.profile) {
         return std::nullopt;
     }
-    const auto raised = [&](const Polyline& profile) {
-        Polyline points = profile;
-        for (Point& point : points) {
-            point.y() += toe_elevation;
-        }
-        return points;
-    };
     Figure figure;
     figure.title = "Profile left standing, observed and predicted";
     figure.x = {.title = "distance from the toe", .unit = "m"};
@@ -266,7 +260,7 @@ std::optional<Figure> profiles_figure(const FitProblem& problem, const FitResult
         if (fit.prediction.profile.empty()) {
             continue;
         }
-        Polyline points = raised(fit.prediction.profile);
+        Polyline points = raised(fit.prediction.profile, toe_elevation);
         // The level ground far behind tells nothing.
         while (points.size() > 2 && points[points.size() - 2].x() > 2 * end) {
             points.pop_back();
@@ -279,7 +273,7 @@ std::optional<Figure> profiles_figure(const FitProblem& problem, const FitResult
         if (fit.posterior && fit.posterior->profiles.size() > 1) {
             Polyline band = prediction_band(*fit.posterior, 2 * end);
             if (!band.empty()) {
-                figure.series.emplace_back(Region{.outline = raised(band),
+                figure.series.emplace_back(Region{.outline = raised(band, toe_elevation),
                                                   .legend = fit.name + ", 95 % of the posterior",
                                                   .colour = colours[count % colours.size()],
                                                   .opacity = 0.2});
@@ -295,7 +289,7 @@ std::optional<Figure> profiles_figure(const FitProblem& problem, const FitResult
     if (count == 0) {
         return std::nullopt;
     }
-    figure.series.emplace_back(Points{.points = raised(problem.profile->profile),
+    figure.series.emplace_back(Points{.points = raised(problem.profile->profile, toe_elevation),
                                       .legend = "observed",
                                       .colour = Colour::black,
                                       .marker = Marker::circle,

@@ -86,12 +86,8 @@ Figure information_figure(const std::vector<CandidateInformation>& candidates) {
         figure.y.ticks.emplace_back(static_cast<double>(order.size() - row),
                                     wrapped(order[row]->label, letters_of_candidate));
     }
-    figure.y.grid = false;
-    figure.y.range = std::pair{0.4, static_cast<double>(order.size()) + 0.6};
     figure.x.range = std::pair{0.0, std::min(1.05 * highest, 100.0)};
-    figure.width = 720;
-    figure.height = 170 + static_cast<int>(std::max<std::size_t>(order.size(), 2)) *
-                              std::max(60, 20 * static_cast<int>(parameters.size()));
+    set_rows(figure, order.size(), 170, std::max(60, 20 * static_cast<int>(parameters.size())));
     return figure;
 }
 
@@ -148,10 +144,7 @@ Figure coverage_figure(const MechanismRecovery& recovery) {
         figure.y.ticks.emplace_back(static_cast<double>(count - row),
                                     wrapped(human_name(recovery.parameters[row].name), letters_of_candidate));
     }
-    figure.y.grid = false;
-    figure.y.range = std::pair{0.4, top};
-    figure.width = 720;
-    figure.height = 190 + 70 * static_cast<int>(std::max<std::size_t>(count, 2));
+    set_rows(figure, count, 190, 70);
     return figure;
 }
 

@@ -3,7 +3,7 @@
 
 #include "plots/figures/block_figures.hpp"
 
-#include <string>
+#include <array>
 
 namespace delabole {
 
@@ -17,29 +17,15 @@ inline constexpr std::array drawn_modes{
     DrawnMode::moves, DrawnMode::held_by_corners, DrawnMode::fixed};
 
 constexpr ModeStyle style_of(DrawnMode mode) {
-    switch (mode) {
-    case DrawnMode::stays:
-        return {Colour::light_grey, 0.35};
-    case DrawnMode::slides:
-        return {Colour::blue, 0.45};
-    case DrawnMode::topples:
-        return {Colour::orange, 0.5};
-    case DrawnMode::slides_and_topples:
-        return {Colour::purple, 0.6};
-    case DrawnMode::moves:
-        return {Colour::green, 0.35};
-    case DrawnMode::held_by_corners:
-        return {Colour::vermilion, 0.4};
-    case DrawnMode::fixed:
-        return {Colour::grey, 0.6};
-    case DrawnMode::plain:
-        break;
-    }
-    return {Colour::rock, 0.3};
-}
-
-inline std::string legend_of_mode(DrawnMode mode) {
-    return std::string(enum_names(mode)[static_cast<std::size_t>(mode)]);
+    constexpr std::array<ModeStyle, drawn_modes.size()> styles{{{Colour::rock, 0.3},
+                                                                {Colour::light_grey, 0.35},
+                                                                {Colour::blue, 0.45},
+                                                                {Colour::orange, 0.5},
+                                                                {Colour::purple, 0.6},
+                                                                {Colour::green, 0.35},
+                                                                {Colour::vermilion, 0.4},
+                                                                {Colour::grey, 0.6}}};
+    return styles[static_cast<std::size_t>(mode)];
 }
 
 }  // namespace delabole

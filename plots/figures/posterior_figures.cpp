@@ -2,6 +2,7 @@
 
 #include "plots/drawing/extent.hpp"
 #include "plots/drawing/text.hpp"
+#include "plots/figures/figures.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,11 +40,9 @@ std::array<Part, 4> parts_of(const MechanismPosterior& posterior) {
 }  // namespace
 
 std::string variant_in_words(EvidenceVariant variant) {
-    static constexpr auto words = std::to_array<std::string_view>(
-        {"as given", "priors half as wide", "priors twice as wide", "flat priors", "prior means lower",
-         "prior means higher", "half the model error", "twice the model error"});
-    static_assert(words.size() == enum_names(EvidenceVariant{}).size());
-    return std::string(words[static_cast<std::size_t>(variant)]);
+    return words_for(variant,
+                     {"as given", "priors half as wide", "priors twice as wide", "flat priors", "prior means lower",
+                      "prior means higher", "half the model error", "twice the model error"});
 }
 
 std::optional<Figure> evidence_figure(const FitResult& result) {
@@ -88,10 +87,7 @@ std::optional<Figure> evidence_figure(const FitResult& result) {
     }
     figure.series.insert(figure.series.end(), errors.begin(), errors.end());
     figure.x.range = std::pair{1.22 * extent.lowest, 0.0};  // room for the number at the end of the longest
-    figure.y.range = std::pair{0.4, static_cast<double>(fits.size()) + 0.6};
-    figure.y.grid = false;
-    figure.width = 720;
-    figure.height = 130 + 70 * static_cast<int>(std::max<std::size_t>(fits.size(), 2));
+    set_rows(figure, fits.size(), 130, 70);
     return figure;
 }
 

@@ -1,32 +1,17 @@
 #include "plots/figures/figures.hpp"
 
 #include "fitting/work/words.hpp"
+#include "plots/drawing/extent.hpp"
+#include "plots/drawing/polygon.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace delabole {
 
 namespace {
-
-struct Frame {
-    Point lowest{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    Point highest{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-
-    void include(const Polyline& line) {
-        for (const Point& point : line) {
-            if (point.allFinite()) {
-                lowest = lowest.cwiseMin(point);
-                highest = highest.cwiseMax(point);
-            }
-        }
-    }
-    bool empty() const { return !(lowest.array() <= highest.array()).all(); }
-    Point size() const { return highest - lowest; }
-};
 
 // Outline between the surface and the ends of the pressure arrows. `metres_per_pascal` scales them.
 Polyline pressure_outline(const PressureDiagram& diagram, double metres_per_pascal) {
@@ -113,23 +98,21 @@ Frame frame_of(const SectionDrawing& drawing) {
         frame.include(*line);
     }
     if (frame.empty()) {
-        frame.include({{0, 0}, {1, 1}});
+        frame.include(Polyline{{0, 0}, {1, 1}});
     }
     for (const Polyline& bolt : drawing.bolts) {
         frame.include(bolt);
     }
     for (const LevelMark& level : drawing.levels) {
-        frame.include({{frame.lowest.x(), level.height}});
+        frame.include(Point(frame.x.lowest, level.height));
     }
     for (const Arrows::Shaft& shaft : force_shafts(drawing)) {
-        frame.include({shaft.from, shaft.to});
+        frame.include(Polyline{shaft.from, shaft.to});
     }
     // Above there is room for the text of the highest level. The ground is cut off at the sides of the frame.
     const double margin = 0.12 * std::max(frame.size().maxCoeff(), 1e-9);
     const double side = drawing.ground.empty() ? margin : 0;
-    frame.lowest -= Point(side, margin);
-    frame.highest += Point(side, margin);
-    return frame;
+    return {{frame.x.lowest - side, frame.x.highest + side}, {frame.y.lowest - margin, frame.y.highest + margin}};
 }
 
 void add_water(const SectionDrawing& drawing, double height, Figure& figure) {
@@ -138,11 +121,9 @@ void add_water(const SectionDrawing& drawing, double height, Figure& figure) {
     for (const PressureDiagram& diagram : drawing.water_pressure) {
         const Polyline outline = greatest > 0 ? pressure_outline(diagram, 0.12 * height / greatest) : Polyline{};
         if (!outline.empty()) {
-            Polyline edge = outline;
-            edge.push_back(outline.front());
             figure.series.emplace_back(Region{
                 .outline = outline, .legend = std::exchange(legend, ""), .colour = Colour::sky, .opacity = 0.55});
-            figure.series.emplace_back(Line{.points = edge, .colour = Colour::blue, .width = 1});
+            figure.series.emplace_back(Line{.points = closed(outline), .colour = Colour::blue, .width = 1});
         }
     }
 }
@@ -157,53 +138,41 @@ void add_measure(const Measure& measure, Figure& figure) {
 Figure section_figure(const SectionDrawing& drawing) {
     const Frame frame = frame_of(drawing);
     const Point size = frame.size();
-    const auto raised = [&](Polyline line) {
-        for (Point& point : line) {
-            point.y() += drawing.toe_elevation;
-        }
-        return line;
-    };
-
     Figure figure{.title = drawing.title,
                   .x = {.title = "distance from the toe", .unit = "m"},
                   .y = {.title = drawing.toe_elevation != 0 ? "elevation" : "height above the toe", .unit = "m"},
                   .equal_scales = true};
-    figure.x.range = std::pair{frame.lowest.x(), frame.highest.x()};
-    figure.y.range = std::pair{frame.lowest.y() + drawing.toe_elevation, frame.highest.y() + drawing.toe_elevation};
+    figure.x.range = std::pair{frame.x.lowest, frame.x.highest};
+    figure.y.range = std::pair{frame.y.lowest + drawing.toe_elevation, frame.y.highest + drawing.toe_elevation};
 
     Polyline rock = drawing.ground;
     if (rock.size() >= 2) {
-        rock.emplace_back(rock.back().x(), frame.lowest.y());
-        rock.emplace_back(drawing.ground.front().x(), frame.lowest.y());
+        rock.emplace_back(rock.back().x(), frame.y.lowest);
+        rock.emplace_back(drawing.ground.front().x(), frame.y.lowest);
         figure.series.emplace_back(Region{.outline = rock, .colour = Colour::rock, .opacity = 0.5});
     }
     for (const LevelMark& level : drawing.levels) {
-        figure.series.emplace_back(Line{.points = {{frame.lowest.x(), level.height}, {frame.highest.x(), level.height}},
+        figure.series.emplace_back(Line{.points = {{frame.x.lowest, level.height}, {frame.x.highest, level.height}},
                                         .colour = Colour::grey,
                                         .dash = Dash::dotted,
                                         .width = 1});
-        figure.labels.push_back({.at = {frame.lowest.x() + 0.015 * size.x(), level.height + drawing.toe_elevation},
+        figure.labels.push_back({.at = {frame.x.lowest + 0.015 * size.x(), level.height + drawing.toe_elevation},
                                  .text = level.text,
                                  .raise = 0.55,
                                  .boxed = false});
     }
     add_water(drawing, size.y(), figure);
-    const auto add_line = [&](const Polyline& line, std::string legend, Colour colour, Dash dash, double width) {
-        if (!line.empty()) {
-            figure.series.emplace_back(
-                Line{.points = line, .legend = std::move(legend), .colour = colour, .dash = dash, .width = width});
-        }
-    };
     const bool is_plain = drawing.predicted_profile.empty() && drawing.observed_profile.empty();
-    add_line(drawing.ground, is_plain ? "" : "ground before the failure", Colour::black, Dash::solid, 3);
-    add_line(drawing.predicted_profile, "predicted after the failure", Colour::green, Dash::solid, 6);
-    add_line(drawing.failure_plane, "failure plane", Colour::vermilion, Dash::dashed, 3);
-    add_line(drawing.tension_crack, "tension crack", Colour::purple, Dash::dashed, 3);
-    add_line(drawing.water_in_crack, "water in the crack", Colour::blue, Dash::solid, 5);
+    const std::string ground = is_plain ? "" : "ground before the failure";
+    add_line(figure, {drawing.ground, ground, Colour::black, Dash::solid, 3});
+    add_line(figure, {drawing.predicted_profile, "predicted after the failure", Colour::green, Dash::solid, 6});
+    add_line(figure, {drawing.failure_plane, "failure plane", Colour::vermilion, Dash::dashed, 3});
+    add_line(figure, {drawing.tension_crack, "tension crack", Colour::purple, Dash::dashed, 3});
+    add_line(figure, {drawing.water_in_crack, "water in the crack", Colour::blue, Dash::solid, 5});
     for (const Polyline& bolt : drawing.bolts) {
-        add_line(bolt, "", Colour::green, Dash::solid, 3);
+        add_line(figure, {bolt, "", Colour::green, Dash::solid, 3});
     }
-    add_line(drawing.observed_profile, "", Colour::black, Dash::dotted, 2);
+    add_line(figure, {drawing.observed_profile, "", Colour::black, Dash::dotted, 2});
     if (!drawing.observed_profile.empty()) {
         figure.series.emplace_back(Points{.points = drawing.observed_profile,
                                           .legend = "observed after the failure",
@@ -213,11 +182,11 @@ Figure section_figure(const SectionDrawing& drawing) {
 
     for (Series& series : figure.series) {
         if (auto* region = std::get_if<Region>(&series)) {
-            region->outline = raised(std::move(region->outline));
+            region->outline = raised(std::move(region->outline), drawing.toe_elevation);
         } else if (auto* line = std::get_if<Line>(&series)) {
-            line->points = raised(std::move(line->points));
+            line->points = raised(std::move(line->points), drawing.toe_elevation);
         } else if (auto* points = std::get_if<Points>(&series)) {
-            points->points = raised(std::move(points->points));
+            points->points = raised(std::move(points->points), drawing.toe_elevation);
         }
     }
     const Point raise(0, drawing.toe_elevation);

@@ -43,13 +43,6 @@ double row_position(std::size_t rows, std::size_t row) {
     return static_cast<double>(rows - row);
 }
 
-void set_rows(Figure& figure, std::size_t rows, int row_height) {
-    figure.y.grid = false;
-    figure.y.range = std::pair{0.4, static_cast<double>(std::max<std::size_t>(rows, 1)) + 0.6};
-    figure.width = 720;
-    figure.height = 130 + row_height * static_cast<int>(std::max<std::size_t>(rows, 2));
-}
-
 void include_interval(const Interval& interval, Extent& extent) {
     extent.include(interval.lower);
     extent.include(interval.upper);
@@ -121,7 +114,7 @@ Figure tornado_range_figure(const StudiedQuantity& quantity, const TornadoResult
                               letters_of_name));
     }
     constexpr int row_of_three_lines = 92;
-    set_rows(figure, order.size(), row_of_three_lines);
+    set_rows(figure, order.size(), 130, row_of_three_lines);
     figure.series.emplace_back(std::move(low));
     figure.series.emplace_back(std::move(high));
     if (!order.empty()) {
@@ -225,7 +218,7 @@ Figure sobol_indices_figure(const StudiedQuantity& quantity, const SobolIndicesR
         figure.y.ticks.emplace_back(position, wrapped(human_name(names[order[row]]), letters_of_name));
     }
     constexpr int row_of_two_lines = 74;
-    set_rows(figure, order.size(), row_of_two_lines);
+    set_rows(figure, order.size(), 130, row_of_two_lines);
     figure.series.emplace_back(std::move(first));
     figure.series.emplace_back(std::move(total));
     figure.series.insert(figure.series.end(), errors.begin(), errors.end());

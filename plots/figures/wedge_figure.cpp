@@ -103,17 +103,13 @@ std::array<std::vector<Direction>, 2> open_faces(const WedgeDrawing& drawing, co
 }
 
 void add_ranges(Figure& figure, const View& view, const Slope& slope, const std::vector<Direction>& further) {
-    Extent x;
-    Extent y;
+    Frame frame;
     for (const std::vector<Direction>* points : {&slope.face, &slope.upper, &further}) {
-        for (const Point& point : view.polyline(*points)) {
-            x.include(point.x());
-            y.include(point.y());
-        }
+        frame.include(view.polyline(*points));
     }
-    const double margin = 0.03 * std::max(x.size(), y.size());
-    figure.x = {.range = std::pair{x.lowest - margin, x.highest + margin}, .grid = false};
-    figure.y = {.range = std::pair{y.lowest - margin, y.highest + margin}, .grid = false};
+    const double margin = 0.03 * frame.size().maxCoeff();
+    figure.x = {.range = std::pair{frame.x.lowest - margin, frame.x.highest + margin}, .grid = false};
+    figure.y = {.range = std::pair{frame.y.lowest - margin, frame.y.highest + margin}, .grid = false};
 }
 
 }  // namespace

@@ -83,20 +83,9 @@ double finite_or_zero(double value) {
 }
 
 bool can_be_drawn(const AnimatedBlock& block) {
-    return block.outline.size() >= 3 && std::all_of(block.outline.begin(), block.outline.end(),
-                                                    [](const Point& corner) { return corner.allFinite(); });
+    return block.outline.size() >= 3 &&
+           std::ranges::all_of(block.outline, [](const Point& corner) { return corner.allFinite(); });
 }
-
-struct Box {
-    Extent x = {};
-    Extent y = {};
-
-    void include(const Point& point) {
-        x.include(point.x());
-        y.include(point.y());
-    }
-    bool empty() const { return x.empty() || y.empty(); }
-};
 
 void keep_within(Extent& extent, const Extent& limit, double room) {
     extent.lowest = std::max(extent.lowest, limit.lowest - room);
@@ -225,7 +214,7 @@ class Drawing {
     }
 
     // Corners as they are seen, with gravity down.
-    void include(Box& box, const AnimationFrame& frame, std::size_t block) const {
+    void include(Frame& box, const AnimationFrame& frame, std::size_t block) const {
         const BlockPose& pose = frame.poses[block];
         for (const Point& corner : animation_.blocks[block].outline) {
             const Point moved = centroid_[block] + pose.displacement + turned(corner - centroid_[block], pose.rotation);
@@ -236,7 +225,7 @@ class Drawing {
     // The way of all free blocks, but not beyond the neighbourhood of the start: one that flies off shall not make the
     // others specks.
     void frame_scene() {
-        Box all;
+        Frame all;
         for (const AnimationFrame& frame : animation_.frames) {
             for (std::size_t block = 0; block < animation_.blocks.size(); ++block) {
                 if (!is_shown(frame, block)) {
@@ -258,7 +247,7 @@ class Drawing {
         }
         keep_within(seen_.x, all.x, all.x.size() / 2);
         keep_within(seen_.y, all.y, all.y.size() / 2);
-        const double margin = 0.1 * std::max(seen_.x.size(), seen_.y.size());
+        const double margin = 0.1 * seen_.size().maxCoeff();
         for (Extent* extent : {&seen_.x, &seen_.y}) {
             extent->lowest -= margin;
             extent->highest += margin;
@@ -448,7 +437,7 @@ class Drawing {
     const BlockAnimation& animation_;
     std::vector<bool> drawn_ = {};
     Polyline centroid_ = {};
-    Box seen_ = {};           // m, gravity down
+    Frame seen_ = {};         // m, gravity down
     double scale_ = 1;        // px per m
     double height_ = 0;       // px, of the scene
     double length_unit_ = 1;  // m

@@ -7,8 +7,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <iterator>
+#include <functional>
 #include <limits>
+#include <numeric>
+#include <ranges>
 #include <type_traits>
 #include <utility>
 
@@ -59,12 +61,12 @@ constexpr std::string_view type_of<bool> = "UInt8";
 // One value per line; `value_of` gives that of an item.
 template <class Items, class ValueOf>
 std::string data_array(std::string_view name, const Items& items, ValueOf value_of) {
-    using Value = std::decay_t<decltype(value_of(*items.begin()))>;
+    using Value = std::decay_t<decltype(std::invoke(value_of, *items.begin()))>;
     std::string text = "<DataArray type=\"";
     text.append(type_of<Value>).append("\" Name=\"").append(name);
     text += std::is_same_v<Value, Point> ? "\" NumberOfComponents=\"3\" format=\"ascii\">\n" : "\" format=\"ascii\">\n";
     for (const auto& item : items) {
-        append(text, value_of(item));
+        append(text, std::invoke(value_of, item));
         text += '\n';
     }
     return text + "</DataArray>\n";
@@ -126,18 +128,13 @@ std::string poly_data(const std::string& field_data, const Piece& piece) {
 
 // Point n is corner n, whatever the cell.
 std::string connectivity(const std::vector<std::size_t>& ends) {
-    std::vector<std::size_t> numbers(ends.empty() ? 0 : ends.back());
-    for (std::size_t index = 0; index < numbers.size(); ++index) {
-        numbers[index] = index;
-    }
-    const auto itself = [](std::size_t number) { return number; };
-    return data_array("connectivity", numbers, itself) + data_array("offsets", ends, itself);
+    const auto numbers = std::views::iota(std::size_t{0}, ends.empty() ? 0 : ends.back());
+    return data_array("connectivity", numbers, std::identity{}) + data_array("offsets", ends, std::identity{});
 }
 
 bool drawable(const FrameBlock& block) {
     return block.outline.size() >= 3 &&
-           std::all_of(block.outline.begin(), block.outline.end(),
-                       [](const Point& corner) { return corner.allFinite(); }) &&
+           std::ranges::all_of(block.outline, [](const Point& corner) { return corner.allFinite(); }) &&
            block.displacement.allFinite() && std::isfinite(block.rotation) && block.velocity.allFinite() &&
            std::isfinite(block.velocity.norm());
 }
@@ -149,9 +146,8 @@ bool drawable(const FrameContact& contact) {
 
 template <class Item>
 std::vector<Item> drawable_of(const std::vector<Item>& items) {
-    std::vector<Item> result;
-    std::copy_if(items.begin(), items.end(), std::back_inserter(result),
-                 [](const Item& item) { return drawable(item); });
+    std::vector<Item> result = items;
+    std::erase_if(result, [](const Item& item) { return !drawable(item); });
     return result;
 }
 
@@ -174,37 +170,33 @@ std::string blocks_vtp(const BlockFrame& frame) {
     piece.points = corners.size();
     piece.cells = "Polys";
     piece.cell_count = blocks.size();
-    piece.coordinates = data_array("Points", corners, [](const Point& corner) { return corner; });
+    piece.coordinates = data_array("Points", corners, std::identity{});
     piece.connectivity = connectivity(ends);
-    piece.cell_data = data_array("block", blocks, [](const FrameBlock& block) { return block.number; }) +
-                      data_array("fixed", blocks, [](const FrameBlock& block) { return block.fixed; }) +
-                      data_array("movement", blocks, [](const FrameBlock& block) { return block.movement; }) +
-                      data_array("displacement", blocks, [](const FrameBlock& block) { return block.displacement; }) +
-                      data_array("rotation", blocks, [](const FrameBlock& block) { return block.rotation; }) +
-                      data_array("velocity", blocks, [](const FrameBlock& block) { return block.velocity; }) +
-                      data_array("speed", blocks, [](const FrameBlock& block) { return block.velocity.norm(); });
+    piece.cell_data =
+        data_array("block", blocks, &FrameBlock::number) + data_array("fixed", blocks, &FrameBlock::fixed) +
+        data_array("movement", blocks, &FrameBlock::movement) +
+        data_array("displacement", blocks, &FrameBlock::displacement) +
+        data_array("rotation", blocks, &FrameBlock::rotation) + data_array("velocity", blocks, &FrameBlock::velocity) +
+        data_array("speed", blocks, [](const FrameBlock& block) { return block.velocity.norm(); });
     return poly_data(moment_of(frame) + field_words("movement_words", frame.movements), piece);
 }
 
 std::string contacts_vtp(const BlockFrame& frame) {
     const std::vector<FrameContact> contacts = drawable_of(frame.contacts);
-    std::vector<std::size_t> ends;
-    for (std::size_t index = 0; index < contacts.size(); ++index) {
-        ends.push_back(index + 1);
-    }
+    std::vector<std::size_t> ends(contacts.size());
+    std::iota(ends.begin(), ends.end(), std::size_t{1});
     Piece piece;
     piece.points = contacts.size();
     piece.cells = "Verts";
     piece.cell_count = contacts.size();
-    piece.coordinates = data_array("Points", contacts, [](const FrameContact& contact) { return contact.at; });
+    piece.coordinates = data_array("Points", contacts, &FrameContact::at);
     piece.connectivity = connectivity(ends);
-    piece.point_data =
-        data_array("force", contacts, [](const FrameContact& contact) { return contact.force; }) +
-        data_array("normal_force", contacts, [](const FrameContact& contact) { return contact.normal_force; }) +
-        data_array("shear_force", contacts, [](const FrameContact& contact) { return contact.shear_force; }) +
-        data_array("sliding", contacts, [](const FrameContact& contact) { return contact.sliding; }) +
-        data_array("block", contacts, [](const FrameContact& contact) { return contact.block; }) +
-        data_array("other", contacts, [](const FrameContact& contact) { return contact.other; });
+    piece.point_data = data_array("force", contacts, &FrameContact::force) +
+                       data_array("normal_force", contacts, &FrameContact::normal_force) +
+                       data_array("shear_force", contacts, &FrameContact::shear_force) +
+                       data_array("sliding", contacts, &FrameContact::sliding) +
+                       data_array("block", contacts, &FrameContact::block) +
+                       data_array("other", contacts, &FrameContact::other);
     return poly_data(moment_of(frame), piece);
 }
 

@@ -1,9 +1,9 @@
 #include "plots/report/shown_units.hpp"
 
+#include "fitting/work/bare_number.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 
-#include <charconv>
 #include <optional>
 #include <string_view>
 
@@ -95,11 +95,9 @@ double convert(Axis& axis) {
 
 // A number by itself; words and ranges stay.
 void convert(std::string& cell, double factor) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (error == std::errc{} && end == cell.data() + cell.size() && !cell.empty()) {
+    if (const auto value = bare_number(cell)) {
         constexpr int digits = 5;
-        cell = human_number(factor * value, digits);
+        cell = human_number(factor * *value, digits);
     }
 }
 

@@ -1,6 +1,6 @@
 // What it costs to divide a slope into columns, and to search for its least stable base.
 #include "limit_equilibrium/stepped_base/critical_base.hpp"
-#include "tests/lib/reference_recursion.hpp"
+#include "tests/lib/limit_equilibrium/columns/reference_recursion.hpp"
 
 #include <benchmark/benchmark.h>
 

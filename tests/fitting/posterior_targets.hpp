@@ -3,8 +3,8 @@
 
 #include "fitting/posterior/evidence.hpp"
 
-#include "test_functions.hpp"
-#include "test_models.hpp"
+#include "tests/fitting/test_functions.hpp"
+#include "tests/fitting/test_models.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -74,6 +74,12 @@ for number in {1..26}; do
 done
 expect_house_broken "more sources than a reader takes in"
 build_house
+mkdir "$house/tests/lib"
+for number in {1..26}; do
+    printf '#include "water/water.hpp"\n' >"$house/tests/lib/water_${number}_test.cpp"
+done
+expect_house_broken "more tests in a folder than a reader takes in"
+build_house
 printf '#include "fitting/work/fit.hpp"\n' >"$house/fitting/search/other.cpp"
 expect_house_broken "a source without a header that declares what it defines"
 build_house

@@ -43,16 +43,6 @@ void read_schema(Section& root) {
     }
 }
 
-void read_report(Section& root, CaseFile& result) {
-    if (!root.contains("report")) {
-        root.allow("report");
-    } else if (const Node* table = as_table(root.reading(), *root.take("report"), "report")) {
-        Section section(root.reading(), *table, "report");
-        read_fields(section, result.report.emplace());
-        section.finish();
-    }
-}
-
 template <std::size_t... index>
 std::optional<CaseModel> model_of_index(std::size_t wanted, std::index_sequence<index...>) {
     std::optional<CaseModel> model;
@@ -177,22 +167,11 @@ CaseFile case_of_tree(Node tree, std::string_view name, const std::vector<Settin
     const ModelNames names = names_of(result.model, outputs_of, reading.inputs_known());
     result.expectations = read_expectations(root, names);
     result.sweeps = read_sweeps(root, names);
-    if (root.contains("fit")) {
-        result.fit = read_fit(root, result, outputs_of);
-    } else {
-        root.allow("fit");
-    }
-    if (root.contains("sensitivity")) {
-        result.sensitivity = read_sensitivity(root, result.model, outputs_of);
-    } else {
-        root.allow("sensitivity");
-    }
-    if (root.contains("support_design")) {
-        result.support_design = read_support_design(root, result.model, outputs_of);
-    } else {
-        root.allow("support_design");
-    }
-    read_report(root, result);
+    for_table(root, "fit", [&](Section& section) { result.fit = read_fit(section, result, outputs_of); });
+    for_table(root, "sensitivity", [&](Section& section) { result.sensitivity = read_sensitivity(section, names); });
+    for_table(root, "support_design",
+              [&](Section& section) { result.support_design = read_support_design(section, result.model, names); });
+    for_table(root, "report", [&](Section& section) { read_fields(section, result.report.emplace()); });
     root.finish(models_that_have);
     check_sources(reading, result.sources);
     reading.finish();

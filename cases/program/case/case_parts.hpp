@@ -60,9 +60,10 @@ void write_sweep(std::string& text, const CaseSweep& sweep);
 std::vector<Expectation> read_expectations(Section& root, const ModelNames& names);
 // Puts what mechanisms have from those that they are `like` in their place in the tree.
 void copy_alike_mechanisms(Node& tree, Reading& reading);
-CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outputs_of);
-SupportDesign read_support_design(Section& root, const CaseModel& model, const OutputsOf& outputs_of);
-SensitivityStudy read_sensitivity(Section& root, const CaseModel& model, const OutputsOf& outputs_of);
+// Each reads its own section.
+CaseFit read_fit(Section& section, const CaseFile& case_file, const OutputsOf& outputs_of);
+SupportDesign read_support_design(Section& section, const CaseModel& model, const ModelNames& names);
+SensitivityStudy read_sensitivity(Section& section, const ModelNames& names);
 // The keys that need not exist are checked after everything else was read.
 std::map<std::string, std::string> read_sources(Section& root);
 void check_sources(Reading& reading, const std::map<std::string, std::string>& sources);

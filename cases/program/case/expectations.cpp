@@ -9,11 +9,6 @@
 namespace delabole {
 namespace {
 
-const Node* take_table(Section& section, std::string_view key) {
-    const Node* node = section.take(key);
-    return node == nullptr ? nullptr : as_table(section.reading(), *node, section.path_of(key));
-}
-
 void check_written(Section& section, std::string_view key, const WrittenValue& value, Dimension dimension) {
     const ParsedQuantity parsed = parse_value(value, dimension);
     if (parsed.status != QuantityStatus::ok) {

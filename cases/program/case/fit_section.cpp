@@ -3,7 +3,6 @@
 #include "cases/program/reader/described_reader.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace delabole {
 namespace {
@@ -105,19 +104,6 @@ void check_fit(Section& section, const CaseFit& fit) {
     }
 }
 
-void read_coarse(Section& mechanism, const std::filesystem::path& case_path, FitMechanism& read) {
-    const Node* node = mechanism.take("coarse");
-    const Node* table = node == nullptr ? nullptr : as_table(mechanism.reading(), *node, mechanism.path_of("coarse"));
-    if (table == nullptr) {
-        return;
-    }
-    Section section(mechanism.reading(), *table, mechanism.path_of("coarse"));
-    read.coarse = read.model;
-    replace_in_model(section, *read.coarse);
-    section.finish();
-    complete_model(section.reading(), *read.coarse, case_path, section.path() + ".");
-}
-
 FitMechanism read_mechanism(Section& section, const CaseFile& case_file, const OutputsOf& outputs_of,
                             std::vector<ModelNames>& names) {
     FitMechanism mechanism{};
@@ -135,7 +121,11 @@ FitMechanism read_mechanism(Section& section, const CaseFile& case_file, const O
         replace_in_model(section, mechanism.model);
     }
     complete_model(section.reading(), mechanism.model, case_file.name, section.path() + ".");
-    read_coarse(section, case_file.name, mechanism);
+    for_table(section, "coarse", [&](Section& coarse) {
+        mechanism.coarse = mechanism.model;
+        replace_in_model(coarse, *mechanism.coarse);
+        complete_model(coarse.reading(), *mechanism.coarse, case_file.name, coarse.path() + ".");
+    });
     names.push_back(names_of(mechanism.model, outputs_of, section.reading().inputs_known()));
     section.refer_to({std::span(&names.back(), 1), "an output of the mechanism"});
     read_fields(section, mechanism);
@@ -192,19 +182,13 @@ void check_file_name(Reading& reading, const std::string& key, const std::string
     }
 }
 
-CaseFit read_fit(Section& root, const CaseFile& case_file, const OutputsOf& outputs_of) {
+CaseFit read_fit(Section& section, const CaseFile& case_file, const OutputsOf& outputs_of) {
     CaseFit fit;
-    const Node* table = as_table(root.reading(), *root.take("fit"), "fit");
-    if (table == nullptr) {
-        return fit;
-    }
-    Section section(root.reading(), *table, "fit");
     std::vector<ModelNames> names;
     fit.mechanisms = read_mechanisms(section, case_file, outputs_of, names);
     section.refer_to({names, "an output of any mechanism"});
     read_fields(section, fit);
     check_fit(section, fit);
-    section.finish();
     return fit;
 }
 

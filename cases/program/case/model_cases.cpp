@@ -23,6 +23,14 @@ void check_whole(Checker& checker, const std::string& key, const std::optional<d
     }
 }
 
+void check_bounds(Checker& checker, const std::string& search, const std::string& input,
+                  const std::optional<double>& lower, const std::optional<double>& upper) {
+    if (lower && upper && !(*lower < *upper)) {
+        checker.complain(search + ".lower_" + input,
+                         "bounds are reversed: must be less than " + search + ".upper_" + input);
+    }
+}
+
 void check_strength(Checker& checker, const std::string& section, const StrengthLaw<>& strength) {
     if (!friction_below_90_degrees(strength)) {
         checker.complain(section + ".roughness_angle", "friction_angle + roughness_angle must not exceed 89.9 deg");

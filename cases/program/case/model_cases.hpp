@@ -5,11 +5,13 @@
 #include "cases/program/case/model_list.hpp"
 #include "cases/program/reader/section.hpp"
 #include "parameters/model_interface.hpp"
+#include "water/water.hpp"
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace delabole {
@@ -30,6 +32,10 @@ class Checker {
 // Complains about a number that is there and not whole.
 void check_whole(Checker& checker, const std::string& key, const std::optional<double>& number);
 
+// Complains where a search's lower_<input> is not below its upper_<input>; `search` is its key.
+void check_bounds(Checker& checker, const std::string& search, const std::string& input,
+                  const std::optional<double>& lower, const std::optional<double>& upper);
+
 // Complains about the first point whose coordinate does not exceed the one before.
 template <class Point, class Coordinate>
 void check_increasing(Checker& checker, const std::vector<Point>& points, Coordinate coordinate, const std::string& key,
@@ -38,6 +44,31 @@ void check_increasing(Checker& checker, const std::vector<Point>& points, Coordi
         if (!(points[index].*coordinate > points[index - 1].*coordinate)) {
             checker.complain(indexed(key, index) + "." + name, "must be more than that of the point before");
             return;
+        }
+    }
+}
+
+// Complains about a water level that is given as an elevation where the toe has none.
+template <class Water>
+void check_water_level(Checker& checker, const Water& water, bool toe_has_elevation) {
+    std::visit(
+        [&](const auto& form) {
+            if constexpr (requires { form.level; }) {
+                if (std::holds_alternative<WaterElevation<>>(form.level) && !toe_has_elevation) {
+                    checker.complain("water.water_elevation",
+                                     "is an elevation, so slope.toe_elevation is required too");
+                }
+            }
+        },
+        water);
+}
+
+// Complains about surcharges that end where they begin or before.
+template <class Surcharge>
+void check_surcharges(Checker& checker, const std::vector<Surcharge>& surcharges) {
+    for (std::size_t index = 0; index < surcharges.size(); ++index) {
+        if (!(surcharges[index].from_distance < surcharges[index].to_distance)) {
+            checker.complain(indexed("surcharge", index) + ".from_distance", "must be less than to_distance");
         }
     }
 }

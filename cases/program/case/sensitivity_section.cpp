@@ -31,14 +31,8 @@ void check_sensitivity(Reading& reading, const SensitivityStudy& study) {
 
 }  // namespace
 
-SensitivityStudy read_sensitivity(Section& root, const CaseModel& model, const OutputsOf& outputs_of) {
+SensitivityStudy read_sensitivity(Section& section, const ModelNames& names) {
     SensitivityStudy study;
-    const Node* table = as_table(root.reading(), *root.take("sensitivity"), "sensitivity");
-    if (table == nullptr) {
-        return study;
-    }
-    Section section(root.reading(), *table, "sensitivity");
-    const ModelNames names = names_of(model, outputs_of, root.reading().inputs_known());
     section.refer_to({std::span(&names, 1), "a number that this model answers"});
     read_fields(section, study);
     if (!section.contains("parameter")) {
@@ -53,7 +47,6 @@ SensitivityStudy read_sensitivity(Section& root, const CaseModel& model, const O
         }
     }
     check_sensitivity(section.reading(), study);
-    section.finish();
     return study;
 }
 

@@ -31,14 +31,8 @@ void check_support_design(Reading& reading, const SupportDesign& design, const C
 
 }  // namespace
 
-SupportDesign read_support_design(Section& root, const CaseModel& model, const OutputsOf& outputs_of) {
+SupportDesign read_support_design(Section& section, const CaseModel& model, const ModelNames& names) {
     SupportDesign design{};
-    const Node* table = as_table(root.reading(), *root.take("support_design"), "support_design");
-    if (table == nullptr) {
-        return design;
-    }
-    Section section(root.reading(), *table, "support_design");
-    const ModelNames names = names_of(model, outputs_of, root.reading().inputs_known());
     section.refer_to({std::span(&names, 1), "a number that this model answers"});
     read_fields(section, design);
     if (!section.contains("choose")) {
@@ -48,7 +42,6 @@ SupportDesign read_support_design(Section& root, const CaseModel& model, const O
     if (section.reading().clean()) {
         check_support_design(section.reading(), design, model);
     }
-    section.finish();
     return design;
 }
 

@@ -25,13 +25,13 @@ namespace {
 struct Compared {
     std::string name;
     Dimension dimension = Dimension::ratio;
-    std::optional<std::variant<double, std::string>> first = {};
-    std::optional<std::variant<double, std::string>> second = {};
+    std::optional<Cell> first = {};
+    std::optional<Cell> second = {};
 
     bool differs() const { return first != second; }
 };
 
-std::string shown(const std::optional<std::variant<double, std::string>>& value, Dimension dimension) {
+std::string shown(const std::optional<Cell>& value, Dimension dimension) {
     if (!value) {
         return "-";
     }
@@ -67,7 +67,7 @@ std::vector<Compared> pair_up(const List& first, const List& second, const Value
 struct CaseInput {
     std::string name;
     Dimension dimension;
-    std::variant<double, std::string> value;
+    Cell value;
 };
 
 // Texts and switches of a tree that are no numbers with a unit.

@@ -69,8 +69,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     CaseFile file = read_case(path, settings_of(options));
     show_units_of(file);
     if (!file.fit) {
-        throw CaseError(
-            {{file.name, 0, 0, "fit", {}, "the case has no [fit] section: there is nothing to back-analyse"}});
+        throw CaseError({problem_at(file, "fit", "the case has no [fit] section: there is nothing to back-analyse")});
     }
     const std::vector<std::string> left_out = choose_mechanisms(*file.fit, options);
     FitProblem problem = fit_problem_of(file, options.threads, options.seed);
@@ -124,8 +123,7 @@ ExitCode fit_command(const std::filesystem::path& path, const Options& options) 
     source["seed"] = problem.settings.seed;
     kept.enter(source);
     documents.json["provenance"] = source;
-    report.blocks.emplace_back(Heading{"Inputs"});
-    report.blocks.emplace_back(inputs_table(file));
+    append_inputs(file, report);
     report.blocks.emplace_back(evidence_table(problem));
     const ExitCode code = write_study({file, documents.json, '\n' + documents.screen + kept.summary(), reserved},
                                       folder, options, report);

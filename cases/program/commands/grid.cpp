@@ -5,10 +5,10 @@
 #include "cases/program/results/study_output.hpp"
 #include "cases/program/sweeps/sweep_report.hpp"
 #include "cases/program/terminal/progress.hpp"
+#include "fitting/work/bare_number.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 #include <vector>
 
@@ -32,9 +32,7 @@ std::vector<std::string> split(std::string_view text, char separator) {
 
 // A number by itself, anything else in quotes.
 std::string toml_value(const std::string& text) {
-    double number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc{} && end == text.data() + text.size() ? text : in_quotes(text);
+    return bare_number(text) ? text : in_quotes(text);
 }
 
 // input=from:to[:points] or input=value,value,... as an element of sweep.vary.
@@ -98,8 +96,7 @@ ExitCode grid_command(const std::filesystem::path& path, const Options& options)
     }();
     Report report{title_of(file, options), file.description, {}};
     document_sweep(run, folder, report);
-    report.blocks.emplace_back(Heading{"Inputs"});
-    report.blocks.emplace_back(inputs_table(file));
+    append_inputs(file, report);
     Json json;
     json["status"] = "ok";
     json["title"] = file.title;

@@ -7,6 +7,7 @@
 #include "cases/program/reader/names.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/terminal/plain_output.hpp"
+#include "fitting/work/bare_number.hpp"
 #include "fitting/work/evaluation_store.hpp"
 #include "fitting/work/ranks.hpp"
 #include "plots/drawing/atomic_file.hpp"
@@ -18,7 +19,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -26,7 +26,6 @@
 #include <functional>
 #include <iostream>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -43,10 +42,7 @@ int code(ExitCode exit_code) {
 
 // CLI11 takes -1 for the largest number there is, and anything too large as well. Empty where all is well.
 std::string is_seed(const std::string& text) {
-    std::uint64_t seed = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-    return error == std::errc{} && end == text.data() + text.size() ? ""
-                                                                    : text + " is not an integer from 0 to 2^64 - 1";
+    return delabole::bare_number<std::uint64_t>(text) ? "" : text + " is not an integer from 0 to 2^64 - 1";
 }
 
 // Before the parser, which has no words for it: no command, or one that is mistyped. Empty where there is a command.

@@ -87,7 +87,7 @@ ExitCode recover_command(const std::filesystem::path& path, const Options& optio
     CaseFile file = read_case(path, settings_of(options));
     show_units_of(file);
     if (!file.fit) {
-        throw CaseError({{file.name, 0, 0, "fit", {}, "the case has no [fit] section: there is nothing to recover"}});
+        throw CaseError({problem_at(file, "fit", "the case has no [fit] section: there is nothing to recover")});
     }
     leave_out_costly(*file.fit);
     FitProblem problem = fit_problem_of(file, options.threads, options.seed);
@@ -123,8 +123,7 @@ ExitCode recover_command(const std::filesystem::path& path, const Options& optio
     source["seed"] = problem.settings.seed;
     kept.enter(source);
     json["provenance"] = source;
-    report.blocks.emplace_back(Heading{"Inputs"});
-    report.blocks.emplace_back(inputs_table(file));
+    append_inputs(file, report);
     return write_study({file, json, documents.screen + kept.summary(), reserved}, folder, options, report);
 }
 

@@ -179,8 +179,7 @@ ExitCode run_one(CaseFile file, const Options& options, Overview& overview) {
         json["support_design"] = document_support(*support, folder, report);
     }
     append_sweeps(file, folder, options, json, report);
-    report.blocks.emplace_back(Heading{"Inputs"});
-    report.blocks.emplace_back(inputs_table(file));
+    append_inputs(file, report);
     report.blocks.emplace_back(Folded{"Provenance", {provenance_block(source)}});
 
     folder.write("resolved.toml", resolved_toml(file));

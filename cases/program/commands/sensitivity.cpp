@@ -11,6 +11,7 @@
 #include "cases/program/sweeps/support_report.hpp"
 #include "cases/program/terminal/interrupt.hpp"
 #include "cases/program/terminal/progress.hpp"
+#include "plots/drawing/text.hpp"
 
 namespace delabole {
 
@@ -25,18 +26,11 @@ SensitivityResult study_with_progress(const SensitivityProblem& problem, const O
 
 // The reason why a result is not the answer; empty where it is.
 std::string reservation(SensitivityStatus status) {
-    switch (status) {
-    case SensitivityStatus::finished:
-        break;
-    case SensitivityStatus::interrupted:
-        return "interrupted: the study was stopped early; what it had finished is shown";
-    case SensitivityStatus::no_answer:
-        return "not converged: a method found no value of the quantity anywhere; the causes are in the report";
-    case SensitivityStatus::not_converged:
-        return "not converged: the search for the design point ended before its tolerance; try "
-               "sensitivity.reliability.step and .tolerance";
-    }
-    return {};
+    return words_for(status,
+                     {"", "interrupted: the study was stopped early; what it had finished is shown",
+                      "not converged: a method found no value of the quantity anywhere; the causes are in the report",
+                      "not converged: the search for the design point ended before its tolerance; try "
+                      "sensitivity.reliability.step and .tolerance"});
 }
 
 }  // namespace
@@ -46,7 +40,7 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
     CaseFile file = read_case(path, settings_of(options));
     show_units_of(file);
     if (!file.sensitivity) {
-        throw CaseError({{file.name, 0, 0, "sensitivity", {}, "the case has no [sensitivity] section"}});
+        throw CaseError({problem_at(file, "sensitivity", "the case has no [sensitivity] section")});
     }
     const std::optional<DesignedSupport> support = design_support_of(file, [](double) { return !interrupt_flag(); });
     stop_if_interrupted();
@@ -83,8 +77,7 @@ ExitCode sensitivity_command(const std::filesystem::path& path, const Options& o
     source["seed"] = problem.study.seed;
     kept.enter(source);
     json["provenance"] = source;
-    report.blocks.emplace_back(Heading{"Inputs"});
-    report.blocks.emplace_back(inputs_table(file));
+    append_inputs(file, report);
     const ExitCode code =
         write_study({file, json, documents.screen + kept.summary(), reserved}, folder, options, report);
     if (result.status == SensitivityStatus::interrupted) {

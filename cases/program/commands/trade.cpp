@@ -22,13 +22,9 @@ const RelaxationStudy& study_of(const CaseFile& file) {
                                         ": only a relaxation has numerical settings to trade accuracy for cost")});
     }
     if (!study->critical) {
-        throw CaseError({{file.name,
-                          0,
-                          0,
-                          "critical",
-                          {},
-                          "the case has no [critical] section: there is no value "
-                          "whose accuracy could be measured"}});
+        throw CaseError(
+            {problem_at(file, "critical",
+                        "the case has no [critical] section: there is no value whose accuracy could be measured")});
     }
     const RelaxationScene scene = relaxation_scene(*study);
     SceneFault fault = check_scene(scene);
@@ -113,8 +109,7 @@ ExitCode trade_command(const std::filesystem::path& path, const Options& options
     json.update(documents.json);
     json["warnings"] = remarks;
     json["provenance"] = source;
-    report.blocks.emplace_back(Heading{"Inputs"});
-    report.blocks.emplace_back(inputs_table(file));
+    append_inputs(file, report);
     for (const std::string& remark : remarks) {
         documents.screen += "warning: " + remark + '\n';
     }

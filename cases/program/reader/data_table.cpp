@@ -1,7 +1,8 @@
 #include "cases/program/reader/data_table.hpp"
 
+#include "fitting/work/bare_number.hpp"
+
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 namespace delabole {
@@ -204,10 +205,9 @@ Node node_of(const Cell& cell, const TableColumn& column) {
     node.kind = Node::Kind::text;
     node.text = column.unit.empty() ? cell.text : cell.text + " " + column.unit;
     if (column.field->kind == TableColumnField::Kind::number && !has_unit(*column.field)) {
-        const char* const end = cell.text.data() + cell.text.size();
-        const auto read = std::from_chars(cell.text.data(), end, node.real);
-        if (read.ec == std::errc{} && read.ptr == end) {
+        if (const auto number = bare_number(cell.text)) {
             node.kind = Node::Kind::real;
+            node.real = *number;
         }
     }
     return node;

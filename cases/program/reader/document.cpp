@@ -2,11 +2,11 @@
 
 #include "cases/program/reader/nesting.hpp"
 #include "cases/program/reader/units.hpp"
+#include "fitting/work/bare_number.hpp"
 
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 namespace delabole {
@@ -137,13 +137,11 @@ std::vector<PathPart> split_path(std::string_view path) {
             if (open == std::string_view::npos) {
                 return {};
             }
-            std::size_t index = 0;
-            const char* const last = part.data() + part.size() - 1;
-            const auto [stop, error] = std::from_chars(part.data() + open + 1, last, index);
-            if (error != std::errc{} || stop != last || index == 0) {
+            const auto index = bare_number<std::size_t>(part.substr(open + 1, part.size() - open - 2));
+            if (index.value_or(0) == 0) {
                 return {};
             }
-            result.indices.insert(result.indices.begin(), index);
+            result.indices.insert(result.indices.begin(), *index);
             part = part.substr(0, open);
         }
         if (part.empty()) {

@@ -229,8 +229,7 @@ void read_names(Section& section, std::string_view key, NameOf what, std::string
 
 std::vector<Condition> read_conditions(Section& section, std::string_view key) {
     std::vector<Condition> conditions;
-    const Node* node = section.take(key);
-    const Node* table = node == nullptr ? nullptr : as_table(section.reading(), *node, section.path_of(key));
+    const Node* table = take_table(section, key);
     if (table == nullptr) {
         return conditions;
     }

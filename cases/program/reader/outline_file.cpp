@@ -2,16 +2,15 @@
 
 #include "cases/program/reader/names.hpp"
 #include "cases/program/reader/ordinary_file.hpp"
+#include "fitting/work/bare_number.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <set>
-#include <system_error>
 #include <utility>
 
 namespace delabole {
@@ -29,17 +28,8 @@ std::optional<Number> number_of(std::string_view text) {
     if (text.starts_with('+')) {
         text.remove_prefix(1);
     }
-    Number number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size()) {
-        return std::nullopt;
-    }
-    if constexpr (std::is_floating_point_v<Number>) {
-        if (!std::isfinite(number)) {
-            return std::nullopt;
-        }
-    }
-    return number;
+    const auto number = bare_number<Number>(text);
+    return number && std::isfinite(static_cast<double>(*number)) ? number : std::nullopt;
 }
 
 std::string_view next_line(std::string_view& text) {

@@ -280,6 +280,11 @@ const Node* as_table(Reading& reading, const Node& node, const std::string& path
     return &node;
 }
 
+const Node* take_table(Section& section, std::string_view key) {
+    const Node* node = section.take(key);
+    return node == nullptr ? nullptr : as_table(section.reading(), *node, section.path_of(key));
+}
+
 const std::vector<Node>* as_tables(Reading& reading, const Node& node, const std::string& path) {
     const bool tables = node.kind == Node::Kind::array && std::ranges::all_of(node.elements, [](const Node& element) {
                             return element.kind == Node::Kind::table;

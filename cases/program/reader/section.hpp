@@ -158,6 +158,18 @@ std::array<std::string, 2> read_pair(Reading& reading, const Node& node, const s
 
 // The table of a key, or nullptr with a complaint when its value is something else.
 const Node* as_table(Reading& reading, const Node& node, const std::string& path);
+// The same of a key that may be absent.
+const Node* take_table(Section& section, std::string_view key);
+
+// Calls read(section) for the table of a key, which may be absent.
+template <class Read>
+void for_table(Section& around, std::string_view key, Read&& read) {
+    if (const Node* table = take_table(around, key)) {
+        Section section(around.reading(), *table, around.path_of(key));
+        read(section);
+        section.finish();
+    }
+}
 
 // Calls read(element section) for each table of an array of tables; absent is empty.
 template <class Read>

@@ -67,8 +67,8 @@ Json json_of(const ConclusionTest& test, const TestFinding& finding) {
     json["verdict"] = word_of(finding.verdict);
     json["relation"] = word_of(test.relation);
     json["unit"] = display_unit(test.dimension).symbol;
-    json["limit"] = json_number(in_display_unit(test.limit, test.dimension));
-    json["value"] = json_number(in_display_unit(finding.value, test.dimension));
+    json["limit"] = json_of(test.limit, test.dimension);
+    json["value"] = json_of(finding.value, test.dimension);
     if (is_probability(test)) {
         json["standard_error"] = json_number(finding.standard_error);
     } else {

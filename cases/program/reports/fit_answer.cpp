@@ -4,11 +4,12 @@
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace delabole {
 
 const ProfileLikelihood* profile_of(const MechanismFit& fit, const std::string& parameter, bool with_priors) {
-    const auto found = std::find_if(fit.profiles.begin(), fit.profiles.end(), [&](const ProfileLikelihood& profile) {
+    const auto found = std::ranges::find_if(fit.profiles, [&](const ProfileLikelihood& profile) {
         return profile.parameter == parameter && profile.with_priors == with_priors;
     });
     return found == fit.profiles.end() ? nullptr : &*found;
@@ -26,6 +27,15 @@ std::string interval_in_words(const ProfileLikelihood* profile, const FreeParame
 
 std::string title_of(const MechanismFit& fit) {
     return fit.title.empty() ? fit.name : fit.title;
+}
+
+std::string screen_of(const Table& table, std::vector<std::string> titles) {
+    std::vector<std::vector<std::string>> rows = {std::move(titles)};
+    rows.insert(rows.end(), table.rows.begin(), table.rows.end());
+    for (std::vector<std::string>& row : rows) {
+        row.front().insert(0, "  ");
+    }
+    return table.rows.empty() ? "" : text_table(rows);
 }
 
 namespace {

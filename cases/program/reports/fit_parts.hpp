@@ -6,6 +6,7 @@
 #include "plots/report/report.hpp"
 
 #include <string>
+#include <vector>
 
 namespace delabole {
 
@@ -19,6 +20,9 @@ const ProfileLikelihood* profile_of(const MechanismFit& fit, const std::string& 
 
 // The 95 % interval, its ends marked where they are bounds of the search: those are no evidence.
 std::string interval_in_words(const ProfileLikelihood* profile, const FreeParameter& parameter, Dimension dimension);
+
+// A table of the report on the terminal, indented, under shorter titles; nothing where it has no rows.
+std::string screen_of(const Table& table, std::vector<std::string> titles);
 
 // Folded, for the end of what the report says of the mechanism.
 Folded knowledge_of(const MechanismFit& fit, const ResultFolder& folder);

@@ -19,22 +19,10 @@ namespace delabole {
 namespace {
 
 std::string determination_in_words(const ProfileLikelihood* profile) {
-    if (profile == nullptr) {
-        return "";
-    }
-    switch (profile->determination) {
-    case Determination::determined:
-        return "determined";
-    case Determination::bounded_below:
-        return "only a lower limit";
-    case Determination::bounded_above:
-        return "only an upper limit";
-    case Determination::doubtful:
-        return "doubtful: see the verdict";
-    case Determination::undetermined:
-        break;
-    }
-    return "not identifiable";
+    return profile == nullptr
+               ? ""
+               : words_for(profile->determination, {"determined", "only a lower limit", "only an upper limit",
+                                                    "not identifiable", "doubtful: see the verdict"});
 }
 
 std::string data_misfit_in_words(const MechanismFit& fit) {
@@ -110,11 +98,7 @@ Json json_of(const MechanismFit& fit) {
     json["identifiability"] = word_of(fit.identifiability.status);
     json["rank"] = fit.identifiability.rank;
     json["singular_values"] = fit.identifiability.singular_values;
-    json["directions"] = Json::array();
-    for (Eigen::Index column = 0; column < fit.identifiability.directions.cols(); ++column) {
-        const auto direction = fit.identifiability.directions.col(column);
-        json["directions"].push_back(std::vector<double>(direction.begin(), direction.end()));
-    }
+    json["directions"] = json_of_matrix(fit.identifiability.directions.transpose());
     json["ranking_score"] = json_number(fit.ranking_score);
     json["data_misfit"] = json_number(fit.data_misfit);
     json["prior_misfit"] = json_number(fit.prior_misfit);
@@ -123,7 +107,7 @@ Json json_of(const MechanismFit& fit) {
         const std::string& name = fit.parameters[index].name;
         const Dimension dimension = fit.dimensions[index];
         Json& entry = json["parameters"][column_name(name, dimension)];
-        entry["best"] = json_number(in_display_unit(fit.best[index], dimension));
+        entry["best"] = json_of(fit.best[index], dimension);
         for (const bool with_priors : {true, false}) {
             if (const ProfileLikelihood* profile = profile_of(fit, name, with_priors)) {
                 Json& part = entry[with_priors ? "with_priors" : "data_only"];
@@ -136,16 +120,14 @@ Json json_of(const MechanismFit& fit) {
     json["rank_with_priors"] = fit.identifiability.rank_with_priors;
     json["observations"] = Json::array();
     for (const ObservationFit& row : fit.observations) {
-        Json entry;
-        entry["label"] = row.label;
-        entry["quantity"] = column_name(row.quantity, row.dimension);
-        entry["relation"] = word_of(row.relation);
-        entry["observed"] = json_number(in_display_unit(row.observed, row.dimension));
-        entry["predicted"] =
-            row.predicted ? Json(json_number(in_display_unit(*row.predicted, row.dimension))) : Json(nullptr);
-        entry["scatter"] = json_number(in_display_unit(row.scatter, row.dimension));
-        entry["pull"] = json_number(row.pull);
-        json["observations"].push_back(std::move(entry));
+        json["observations"].push_back(
+            {{"label", row.label},
+             {"quantity", column_name(row.quantity, row.dimension)},
+             {"relation", word_of(row.relation)},
+             {"observed", json_of(row.observed, row.dimension)},
+             {"predicted", row.predicted ? json_of(*row.predicted, row.dimension) : Json(nullptr)},
+             {"scatter", json_of(row.scatter, row.dimension)},
+             {"pull", json_number(row.pull)}});
     }
     if (fit.profile_fit) {
         json["profile_rms_m"] = fit.profile_fit->rms;
@@ -159,17 +141,12 @@ Json json_of(const MechanismFit& fit) {
         entry["starts"] = minimum.hits;
         for (std::size_t index = 0; index < minimum.parameters.size(); ++index) {
             entry[column_name(fit.parameters[index].name, fit.dimensions[index])] =
-                json_number(in_display_unit(minimum.parameters[index], fit.dimensions[index]));
+                json_of(minimum.parameters[index], fit.dimensions[index]);
         }
         json["minima"].push_back(std::move(entry));
     }
     if (fit.identifiability.correlation) {
-        const Eigen::MatrixXd& correlation = *fit.identifiability.correlation;
-        json["correlation_with_priors"] = Json::array();
-        for (Eigen::Index row = 0; row < correlation.rows(); ++row) {
-            json["correlation_with_priors"].push_back(
-                std::vector<double>(correlation.row(row).begin(), correlation.row(row).end()));
-        }
+        json["correlation_with_priors"] = json_of_matrix(*fit.identifiability.correlation);
     }
     if (fit.surrogate) {
         json["surrogate"] = json_of_surrogate(fit);
@@ -205,10 +182,7 @@ void write_tables(const MechanismFit& fit, const ResultFolder& folder) {
     CsvTable observations(
         {"label", "quantity", "relation", "observed", "predicted", "standard_deviation", "unit", "pull"});
     for (const ObservationFit& row : fit.observations) {
-        std::variant<double, std::string> predicted = std::string();
-        if (row.predicted) {
-            predicted = in_display_unit(*row.predicted, row.dimension);
-        }
+        const Cell predicted = row.predicted ? Cell(in_display_unit(*row.predicted, row.dimension)) : Cell("");
         observations.add_row({row.label, row.quantity, std::string(word_of(row.relation)),
                               in_display_unit(row.observed, row.dimension), predicted,
                               in_display_unit(row.standard_deviation, row.dimension),
@@ -313,15 +287,7 @@ void append_mechanism(Report& report, const ResultFolder& folder, const Mechanis
 std::string screen_of(const MechanismFit& fit) {
     std::string text = (title_of(fit)) + " [" + fit.name + "]\n";
     text += "  What the data determine: " + fit.identifiability.verdict + "\n";
-    std::vector<std::vector<std::string>> rows = {{"  parameter", "best", "95 % with priors", "95 % data alone", ""}};
-    const Table table = parameter_table(fit);
-    for (const auto& row : table.rows) {
-        rows.push_back(row);
-        rows.back().front().insert(0, "  ");
-    }
-    if (!table.rows.empty()) {
-        text += text_table(rows);
-    }
+    text += screen_of(parameter_table(fit), {"parameter", "best", "95 % with priors", "95 % data alone", ""});
     text += screen_of_posterior(fit);
     if (fit.surrogate && !fit.best.empty()) {
         text += "  " + surrogate_in_words(fit) + "\n";
@@ -345,10 +311,7 @@ double toe_elevation_of(const CaseModel& model) {
 }
 
 const CaseModel& model_of(const CaseFile& file, const std::string& mechanism) {
-    const auto& mechanisms = file.fit->mechanisms;
-    return std::find_if(mechanisms.begin(), mechanisms.end(),
-                        [&](const FitMechanism& candidate) { return candidate.name == mechanism; })
-        ->model;
+    return std::ranges::find(file.fit->mechanisms, mechanism, &FitMechanism::name)->model;
 }
 
 }  // namespace

@@ -214,7 +214,7 @@ void write_draws(const MechanismFit& fit, const ResultFolder& folder) {
     columns.emplace_back("data_misfit");
     CsvTable csv(std::move(columns));
     for (const Draw& draw : fit.posterior->posterior.draws) {
-        std::vector<std::variant<double, std::string>> row = {static_cast<double>(draw.chain + 1)};
+        std::vector<Cell> row = {static_cast<double>(draw.chain + 1)};
         for (std::size_t index = 0; index < draw.parameters.size(); ++index) {
             row.emplace_back(in_display_unit(draw.parameters[index], fit.dimensions[index]));
         }
@@ -293,9 +293,8 @@ Json json_of_evidence(const FitResult& result) {
         entry["probability"] = json_number(all.with_field_evidence[index].probability);
         entry["probability_error"] = json_number(all.with_field_evidence[index].standard_error);
         entry["probability_without_field_evidence"] = json_number(all.data_alone[index].probability);
-        entry["ln_occam_factor"] = evidence.status == EvidenceStatus::estimated
-                                       ? Json(json_number(posterior.log_occam_factor()))
-                                       : Json(nullptr);
+        const bool estimated = evidence.status == EvidenceStatus::estimated;
+        entry["ln_occam_factor"] = estimated ? json_number(posterior.log_occam_factor()) : Json(nullptr);
         entry["prior_without_answer"] = json_number(evidence.failed_share);
         for (const VariantEvidence& variant : posterior.evidences) {
             Json& part = entry["variants"][std::string(word_of(variant.variant))];
@@ -362,20 +361,16 @@ Json json_of_posterior(const MechanismFit& fit) {
     for (const ParameterPosterior& parameter : posterior.parameters) {
         const Dimension dimension = fit.dimension_of(parameter.name);
         Json& entry = json["parameters"][column_name(parameter.name, dimension)];
-        entry["mean"] = json_number(in_display_unit(parameter.mean, dimension));
-        entry["standard_deviation"] = json_number(in_display_unit(parameter.standard_deviation, dimension));
-        entry["median"] = json_number(in_display_unit(parameter.median, dimension));
+        entry["mean"] = json_of(parameter.mean, dimension);
+        entry["standard_deviation"] = json_of(parameter.standard_deviation, dimension);
+        entry["median"] = json_of(parameter.median, dimension);
         entry["interval_68"] = json_of(parameter.interval_68, dimension);
         entry["interval_95"] = json_of(parameter.interval_95, dimension);
         entry["r_hat"] = json_number(parameter.diagnostics.r_hat);
         entry["effective_size_bulk"] = json_number(parameter.diagnostics.bulk_size);
         entry["effective_size_tails"] = json_number(parameter.diagnostics.tail_size);
     }
-    json["correlation"] = Json::array();
-    for (Eigen::Index row = 0; row < posterior.correlation.rows(); ++row) {
-        json["correlation"].push_back(
-            std::vector<double>(posterior.correlation.row(row).begin(), posterior.correlation.row(row).end()));
-    }
+    json["correlation"] = json_of_matrix(posterior.correlation);
     json["steps_of_each_chain"] = posterior.steps;
     json["acceptance"] = json_number(posterior.acceptance);
     return json;
@@ -389,17 +384,8 @@ std::string screen_of_posterior(const MechanismFit& fit) {
     for (const std::string& warning : fit.posterior->warnings) {
         text += "  warning: " + warning + "\n";
     }
-    const Table table = posterior_table(fit);
-    if (table.rows.empty()) {
-        return text;
-    }
-    std::vector<std::vector<std::string>> rows = {
-        {"  posterior", "median", "68 %", "95 %", "R-hat", "size, bulk", "size, tails"}};
-    for (const auto& row : table.rows) {
-        rows.push_back(row);
-        rows.back().front().insert(0, "  ");
-    }
-    return text + text_table(rows);
+    return text + screen_of(posterior_table(fit),
+                            {"posterior", "median", "68 %", "95 %", "R-hat", "size, bulk", "size, tails"});
 }
 
 }  // namespace delabole

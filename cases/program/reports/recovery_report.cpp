@@ -36,8 +36,7 @@ Json json_of(const ParameterRecovery& parameter) {
     json["coverage_68"] = delabole::json_of(parameter.coverage_68, 1);
     json["coverage_95"] = delabole::json_of(parameter.coverage_95, 1);
     json["bias"] = delabole::json_of(parameter.bias, 1);
-    json[column_name("mean_standard_deviation", parameter.dimension)] =
-        json_number(in_display_unit(parameter.spread, parameter.dimension));
+    json[column_name("mean_standard_deviation", parameter.dimension)] = json_of(parameter.spread, parameter.dimension);
     json["rank_histogram"] = parameter.histogram;
     json["uniform_ranks_differ_by_as_much"] = json_number(parameter.uniformity);
     return json;

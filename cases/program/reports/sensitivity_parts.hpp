@@ -7,13 +7,9 @@
 
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace delabole {
-
-// One cell of a CSV file.
-using Cell = std::variant<double, std::string>;
 
 // The study as all parts of its report need it.
 struct StudySubject {

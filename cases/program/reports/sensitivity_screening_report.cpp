@@ -54,9 +54,9 @@ std::string method_in_words(const SweepSettings& settings) {
 }
 
 Json json_of(const SweepChange& change, Dimension quantity, Dimension parameter) {
-    return {{"from", json_number(in_display_unit(change.from, parameter))},
-            {"to", json_number(in_display_unit(change.to, parameter))},
-            {"change", json_number(in_display_unit(change.change, quantity))}};
+    return {{"from", json_of(change.from, parameter)},
+            {"to", json_of(change.to, parameter)},
+            {"change", json_of(change.change, quantity)}};
 }
 
 std::string end_in_words(const StudySubject& subject, const Evaluation& answer) {
@@ -187,7 +187,7 @@ void document_sweeps(const StudySubject& subject, const std::vector<SweepResult>
                                   sweep.scatter > 0 ? value_in_words(sweep.scatter, dimension) : "none",
                                   course_in_words(sweep, dimension, along)});
             if (sweep.course != SweepCourse::too_few_answers) {
-                entry["scatter"] = json_number(in_display_unit(sweep.scatter, dimension));
+                entry["scatter"] = json_of(sweep.scatter, dimension);
                 entry["main"] = json_of(sweep.main, dimension, along);
                 entry["reversal"] = sweep.reversal.change != 0 ? json_of(sweep.reversal, dimension, along) : Json();
             }

@@ -91,7 +91,7 @@ Json json_of_surrogate(const MechanismFit& fit) {
         Json& jump = json["jump"];
         for (std::size_t index = 0; index < fit.parameters.size(); ++index) {
             jump["at"][column_name(fit.parameters[index].name, fit.dimensions[index])] =
-                json_number(in_display_unit(surrogate.jump->at[index], fit.dimensions[index]));
+                json_of(surrogate.jump->at[index], fit.dimensions[index]);
         }
         jump["share_of_ranges"] = surrogate.jump->distance;
         jump["standard_deviations"] = surrogate.jump->difference;
@@ -108,7 +108,7 @@ void write_runs(const MechanismFit& fit, const ResultFolder& folder) {
     CsvTable table(columns);
     for (std::size_t number = 0; number < fit.surrogate->runs.size(); ++number) {
         const SurrogateFit::Run& run = fit.surrogate->runs[number];
-        std::vector<std::variant<double, std::string>> row = {static_cast<double>(number + 1)};
+        std::vector<Cell> row = {static_cast<double>(number + 1)};
         for (std::size_t index = 0; index < run.parameters.size(); ++index) {
             row.emplace_back(in_display_unit(run.parameters[index], fit.dimensions[index]));
         }

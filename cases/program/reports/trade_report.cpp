@@ -7,14 +7,14 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace delabole {
 
 namespace {
 
 bool is_quality(const std::string& group) {
-    const auto names = enum_names(RelaxationQuality{});
-    return std::find(names.begin(), names.end(), group) != names.end();
+    return value_of<RelaxationQuality>(group).has_value();
 }
 
 std::string setting_in_words(const std::vector<TradeKnob>& knobs, const TradeSetting& setting) {
@@ -63,31 +63,23 @@ std::string csv_of(const TradeTruth& truth, const std::vector<TradeKnob>& knobs,
     for (const TradeKnob& knob : knobs) {
         columns.push_back(knob.name);
     }
-    for (const std::string& name : {std::string("stands"), std::string("fails"), truth.quantity, std::string("error"),
-                                    std::string("error_at_most")}) {
+    columns.emplace_back("status");
+    for (const std::string_view name :
+         {std::string_view("stands"), std::string_view("fails"), std::string_view(truth.quantity),
+          std::string_view("error"), std::string_view("error_at_most")}) {
         columns.push_back(column_name(name, dimension));
     }
-    columns.insert(columns.begin() + 1 + static_cast<std::ptrdiff_t>(knobs.size()), "status");
-    for (const char* name : {"contacts_evaluated", "steps", "runs", "on_front", "wall_seconds"}) {
-        columns.emplace_back(name);
-    }
+    columns.insert(columns.end(), {"contacts_evaluated", "steps", "runs", "on_front", "wall_seconds"});
     CsvTable csv(columns);
     for (const TradeRow& row : result.rows) {
-        std::vector<std::variant<double, std::string>> cells = {row.setting.group};
+        std::vector<Cell> cells = {row.setting.group};
         for (std::size_t index = 0; index < knobs.size(); ++index) {
             const double value = row.setting.values[index];
-            if (knobs[index].words.empty()) {
-                cells.emplace_back(value);
-            } else {
-                cells.emplace_back(level_in_words(knobs[index], value));
-            }
+            cells.push_back(knobs[index].words.empty() ? Cell(value) : Cell(level_in_words(knobs[index], value)));
         }
         cells.emplace_back(status_of(row));
         const auto value_cell = [&](bool known, double value) {
-            cells.emplace_back(std::string());
-            if (known) {
-                cells.back() = in_display_unit(value, dimension);
-            }
+            cells.push_back(known ? Cell(in_display_unit(value, dimension)) : Cell(""));
         };
         const bool found = row.answer.failure.empty();
         value_cell(found, row.answer.stands);
@@ -95,11 +87,8 @@ std::string csv_of(const TradeTruth& truth, const std::vector<TradeKnob>& knobs,
         value_cell(found, middle(row.answer));
         value_cell(row.error.has_value(), row.error.value_or(0));
         value_cell(row.error.has_value(), row.error_bound);
-        cells.emplace_back(row.answer.cost);
-        cells.emplace_back(row.answer.steps);
-        cells.emplace_back(row.answer.runs);
-        cells.emplace_back(std::string(row.on_front ? "yes" : "no"));
-        cells.emplace_back(row.answer.wall_seconds);
+        cells.insert(cells.end(), {row.answer.cost, row.answer.steps, row.answer.runs, row.on_front ? "yes" : "no",
+                                   row.answer.wall_seconds});
         csv.add_row(cells);
     }
     return csv.text();
@@ -179,9 +168,7 @@ TradeDrawing drawing_of(const TradeResult& result, const TradeTruth& truth) {
 
 std::vector<std::size_t> all_rows(const TradeResult& result) {
     std::vector<std::size_t> rows(result.rows.size());
-    for (std::size_t index = 0; index < rows.size(); ++index) {
-        rows[index] = index;
-    }
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
     return rows;
 }
 

@@ -17,6 +17,38 @@ const AnswerTo<Study>& own_answer(const Study&, const CaseAnswer& answer) {
     return std::get<AnswerTo<Study>>(answer);
 }
 
+void append_required_value(Analysis& analysis, const std::string& parameter, double target, const Required& required) {
+    const std::string name = "required." + parameter;
+    const std::string meaning = parameter + " at a factor of safety of " + number_in_words(target);
+    switch (required.status) {
+    case RequiredStatus::several:
+        analysis.warnings.push_back(name + ": several values give this factor of safety; the smallest is shown");
+        [[fallthrough]];
+    case RequiredStatus::found:
+        analysis.outputs.push_back({name, meaning, required.dimension, required.value});
+        break;
+    case RequiredStatus::never_reached:
+        analysis.outputs.push_back({name, meaning, required.dimension, std::string("never_reached")});
+        analysis.warnings.push_back(
+            name +
+            (required.lowest_factor_of_safety < target && required.highest_factor_of_safety > target
+                 ? ": the factor of safety jumps over it, between "
+                 : ": the factor of safety stays between ") +
+            number_in_words(required.lowest_factor_of_safety) + " and " +
+            number_in_words(required.highest_factor_of_safety) + " over the allowed range of " + parameter +
+            ": ask for less, or change another input as well");
+        break;
+    case RequiredStatus::always_exceeded:
+        analysis.outputs.push_back({name, meaning, required.dimension, std::string("always_exceeded")});
+        analysis.warnings.push_back(name + ": the factor of safety is at least " +
+                                    number_in_words(required.lowest_factor_of_safety) +
+                                    " whatever its value: nothing is required of it");
+        break;
+    case RequiredStatus::unknown_parameter:
+        throw std::invalid_argument("required: the case has no input '" + parameter + "'");
+    }
+}
+
 }  // namespace
 
 const NamedOutput* Analysis::find(std::string_view name) const {
@@ -56,35 +88,10 @@ std::vector<std::string> questions_about(const CaseModel& model) {
     return questions;
 }
 
-void append_required_value(Analysis& analysis, const std::string& parameter, double target, const Required& required) {
-    const std::string name = "required." + parameter;
-    const std::string meaning = parameter + " at a factor of safety of " + number_in_words(target);
-    switch (required.status) {
-    case RequiredStatus::several:
-        analysis.warnings.push_back(name + ": several values give this factor of safety; the smallest is shown");
-        [[fallthrough]];
-    case RequiredStatus::found:
-        analysis.outputs.push_back({name, meaning, required.dimension, required.value});
-        break;
-    case RequiredStatus::never_reached:
-        analysis.outputs.push_back({name, meaning, required.dimension, std::string("never_reached")});
-        analysis.warnings.push_back(
-            name +
-            (required.lowest_factor_of_safety < target && required.highest_factor_of_safety > target
-                 ? ": the factor of safety jumps over it, between "
-                 : ": the factor of safety stays between ") +
-            number_in_words(required.lowest_factor_of_safety) + " and " +
-            number_in_words(required.highest_factor_of_safety) + " over the allowed range of " + parameter +
-            ": ask for less, or change another input as well");
-        break;
-    case RequiredStatus::always_exceeded:
-        analysis.outputs.push_back({name, meaning, required.dimension, std::string("always_exceeded")});
-        analysis.warnings.push_back(name + ": the factor of safety is at least " +
-                                    number_in_words(required.lowest_factor_of_safety) +
-                                    " whatever its value: nothing is required of it");
-        break;
-    case RequiredStatus::unknown_parameter:
-        throw std::invalid_argument("required: the case has no input '" + parameter + "'");
+void append_required_values(Analysis& analysis, const std::vector<RequiredValue<>>& requests,
+                            const std::vector<Required>& values) {
+    for (std::size_t index = 0; index < requests.size(); ++index) {
+        append_required_value(analysis, requests[index].parameter, requests[index].factor_of_safety, values[index]);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "cases/program/case/case_file.hpp"
 #include "numerics/required_value.hpp"
 #include "parameters/model_interface.hpp"
+#include "plane_failure/study.hpp"
 #include "support/bolt_pattern.hpp"
 
 #include <chrono>
@@ -48,8 +49,19 @@ void mark_none(Analysis& analysis, std::string_view prefix);
 // the warnings of an analysis.
 std::vector<std::string> questions_about(const CaseModel& model);
 
-// The value of a named input at which the factor of safety takes a given value, as "required.<input>".
-void append_required_value(Analysis& analysis, const std::string& parameter, double target, const Required& required);
+// The values that are asked for, in their order. Each is computed by the problem's own required_value.
+template <class Problem>
+std::vector<Required> required_values(const Problem& problem, const std::vector<RequiredValue<>>& requests) {
+    std::vector<Required> values;
+    for (const RequiredValue<>& request : requests) {
+        values.push_back(required_value(problem, request.parameter, request.factor_of_safety, request.also));
+    }
+    return values;
+}
+
+// The values of named inputs at which the factor of safety takes a given value, as "required.<input>".
+void append_required_values(Analysis& analysis, const std::vector<RequiredValue<>>& requests,
+                            const std::vector<Required>& values);
 
 // The same in a sentence.
 std::string required_in_words(const std::string& parameter, double target, const Required& required);

@@ -5,7 +5,7 @@
 
 namespace delabole {
 
-Table inputs_table(const CaseFile& file) {
+void append_inputs(const CaseFile& file, Report& report) {
     Table table{"Inputs of the case", {"input", "value"_number, "meaning", "source"}};
     for (const Quantity& input : named_inputs(file.model)) {
         const auto source = file.sources.find(input.name);
@@ -15,7 +15,8 @@ Table inputs_table(const CaseFile& file) {
              is_metric ? readable_quantity(input.value, input.dimension) : in_six_digits(input.value, input.dimension),
              input.meaning, source == file.sources.end() ? "" : source->second});
     }
-    return table;
+    report.blocks.emplace_back(Heading{"Inputs"});
+    report.blocks.emplace_back(std::move(table));
 }
 
 Table evidence_table(const FitProblem& problem) {

@@ -7,7 +7,7 @@
 
 namespace delabole {
 
-Table inputs_table(const CaseFile& file);
+void append_inputs(const CaseFile& file, Report& report);
 Table evidence_table(const FitProblem& problem);
 
 }  // namespace delabole

@@ -2,6 +2,7 @@
 
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/terminal/interrupt.hpp"
+#include "fitting/work/bare_number.hpp"
 #include "fitting/work/ranks.hpp"
 #include "plots/drawing/atomic_file.hpp"
 #include "plots/drawing/text.hpp"
@@ -27,16 +28,9 @@ std::string shortest(double value) {
     return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
 
-bool is_number(std::string_view text) {
-    text.remove_prefix(text.starts_with('+') ? 1 : 0);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc{} && end == text.data() + text.size();
-}
-
 bool may_be_formula(std::string_view text) {
     return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos &&
-           !is_number(text);
+           !bare_number(text.substr(text.starts_with('+') ? 1 : 0));
 }
 
 std::string quoted(const std::string& text) {
@@ -111,11 +105,23 @@ Json json_number(double value) {
     return std::isnan(value) ? "undefined" : value > 0 ? "infinite" : "-infinite";
 }
 
+Json json_of(double value, Dimension dimension) {
+    return json_number(in_display_unit(value, dimension));
+}
+
+Json json_of_matrix(const Eigen::MatrixXd& matrix) {
+    Json json = Json::array();
+    for (const auto row : matrix.rowwise()) {
+        json.push_back(std::vector<double>(row.begin(), row.end()));
+    }
+    return json;
+}
+
 Json json_of(const std::vector<NamedOutput>& outputs) {
     Json json = Json::object();
     for (const NamedOutput& output : outputs) {
         if (const auto* number = std::get_if<double>(&output.value)) {
-            json[column_name(output.name, output.dimension)] = json_number(in_display_unit(*number, output.dimension));
+            json[column_name(output.name, output.dimension)] = json_of(*number, output.dimension);
         } else {
             json[output.name] = std::get<std::string>(output.value);
         }
@@ -134,8 +140,7 @@ Json json_of(const CaseFile& file, const Analysis& analysis) {
 }
 
 Json json_of(const Interval& interval, Dimension dimension) {
-    return Json::array({json_number(in_display_unit(interval.lower, dimension)),
-                        json_number(in_display_unit(interval.upper, dimension))});
+    return Json::array({json_of(interval.lower, dimension), json_of(interval.upper, dimension)});
 }
 
 std::string json_text(const Json& json) {
@@ -146,7 +151,7 @@ CsvTable::CsvTable(std::vector<std::string> columns) {
     add_row({columns.begin(), columns.end()});
 }
 
-void CsvTable::add_row(const std::vector<std::variant<double, std::string>>& row) {
+void CsvTable::add_row(const std::vector<Cell>& row) {
     for (std::size_t index = 0; index < row.size(); ++index) {
         text_ += index == 0 ? "" : ",";
         if (const auto* number = std::get_if<double>(&row[index])) {

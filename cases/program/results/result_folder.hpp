@@ -9,6 +9,7 @@
 #include "plots/drawing/figure.hpp"
 #include "plots/report/report.hpp"
 
+#include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -47,10 +48,17 @@ Json json_of(const std::vector<NamedOutput>& outputs);
 // result.json of `delabole run`, but for its provenance.
 Json json_of(const CaseFile& file, const Analysis& analysis);
 Json json_number(double value);
+// In its display unit.
+Json json_of(double value, Dimension dimension);
+// One list for each row.
+Json json_of_matrix(const Eigen::MatrixXd& matrix);
 // [lower, upper], in display units.
 Json json_of(const Interval& interval, Dimension dimension);
 // Indented, with a line end. Bytes that are not UTF-8, as a file name may contain, are replaced.
 std::string json_text(const Json& json);
+
+// Of a CSV file.
+using Cell = std::variant<double, std::string>;
 
 // Comma-separated, with a header; texts are quoted where they need it, numbers in full precision. A text that a
 // spreadsheet would take for a formula, because it begins with =, +, -, @, a tab or a line break and is no number,
@@ -58,12 +66,26 @@ std::string json_text(const Json& json);
 class CsvTable {
   public:
     explicit CsvTable(std::vector<std::string> columns);
-    void add_row(const std::vector<std::variant<double, std::string>>& row);
+    void add_row(const std::vector<Cell>& row);
     const std::string& text() const { return text_; }
 
   private:
     std::string text_;
 };
+
+// Titles of the numbers of a described struct, and the numbers below them.
+template <Described Row>
+void append_titles(std::vector<std::string>& titles) {
+    const Row names{};
+    for_each_named_number(names, [&](const std::string& name, const FieldInfo& info, double) {
+        titles.push_back(column_name(name, info.dimension));
+    });
+}
+template <Described Row>
+void append_cells(std::vector<Cell>& cells, const Row& row) {
+    for_each_number(
+        row, [&](double value, const FieldInfo& info) { cells.emplace_back(in_display_unit(value, info.dimension)); });
+}
 
 // Version, revision, case, hash, settings, wall time: what a result was made from.
 Json provenance(const CaseFile& file, const std::string& command, const Options& options, double wall_seconds);

@@ -77,30 +77,24 @@ std::string sentence_of(const SupportDesign& design, const SupportDesignResult& 
 }
 
 Figure cost_figure(const DesignedSupport& support, const TriedSupport& answer) {
-    Figure figure;
-    figure.title = "Support by its cost";
-    figure.x = {.title = "cost" + per_length_of_slope()};
-    figure.y = {.title = "factor of safety"};
-    Points tried;
-    tried.legend = "patterns that were tried";
-    tried.colour = Colour::grey;
-    tried.size = 0.6;
+    Points tried{.legend = "patterns that were tried", .colour = Colour::grey, .size = 0.6};
     for (const TriedSupport& pattern : support.found.tried) {
         if (pattern.factor_of_safety) {
             tried.points.emplace_back(shown_cost(pattern.cost), *pattern.factor_of_safety);
         }
     }
-    Line required;
-    required.legend = "required";
-    required.dash = Dash::dashed;
-    required.points = {{shown_cost(support.found.tried.front().cost), support.design.factor_of_safety},
-                       {shown_cost(support.found.tried.back().cost), support.design.factor_of_safety}};
-    Points chosen;
-    chosen.legend = support.found.cheapest ? "cheapest that suffices" : "strongest";
-    chosen.colour = Colour::vermilion;
-    chosen.points = {{shown_cost(answer.cost), *answer.factor_of_safety}};
-    figure.series = {tried, required, chosen};
-    return figure;
+    const double factor = support.design.factor_of_safety;
+    const Line required{.points = {{shown_cost(support.found.tried.front().cost), factor},
+                                   {shown_cost(support.found.tried.back().cost), factor}},
+                        .legend = "required",
+                        .dash = Dash::dashed};
+    const Points chosen{.points = {{shown_cost(answer.cost), *answer.factor_of_safety}},
+                        .legend = support.found.cheapest ? "cheapest that suffices" : "strongest",
+                        .colour = Colour::vermilion};
+    return {.title = "Support by its cost",
+            .x = {.title = "cost" + per_length_of_slope()},
+            .y = {.title = "factor of safety"},
+            .series = {tried, required, chosen}};
 }
 
 std::string support_csv(const DesignedSupport& support) {
@@ -111,13 +105,12 @@ std::string support_csv(const DesignedSupport& support) {
     titles.insert(titles.end(), {"cost_per_metre_of_slope", "factor_of_safety", "no_answer_because"});
     CsvTable csv(titles);
     for (const TriedSupport& pattern : support.found.tried) {
-        std::vector<std::variant<double, std::string>> row;
+        std::vector<Cell> row;
         for (std::size_t index = 0; index < pattern.values.size(); ++index) {
             row.emplace_back(in_display_unit(pattern.values[index], support.design.choices[index].dimension));
         }
         row.emplace_back(pattern.cost);
-        row.emplace_back(pattern.factor_of_safety ? std::variant<double, std::string>(*pattern.factor_of_safety)
-                                                  : std::variant<double, std::string>(std::string()));
+        row.push_back(pattern.factor_of_safety ? Cell(*pattern.factor_of_safety) : Cell(""));
         row.emplace_back(pattern.failure);
         csv.add_row(row);
     }
@@ -178,8 +171,7 @@ Json document_support(const DesignedSupport& support, const ResultFolder& folder
     }
     for (std::size_t index = 0; index < answer->values.size(); ++index) {
         const SupportChoice& choice = support.design.choices[index];
-        json[column_name(choice.input, choice.dimension)] =
-            json_number(in_display_unit(answer->values[index], choice.dimension));
+        json[column_name(choice.input, choice.dimension)] = json_of(answer->values[index], choice.dimension);
     }
     json["cost_per_metre_of_slope"] = json_number(answer->cost);
     json["factor_of_safety"] = json_number(*answer->factor_of_safety);

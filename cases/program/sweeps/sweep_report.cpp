@@ -202,8 +202,6 @@ Table curves_table(const std::string& caption, const SweptInput& input, const st
     return table;
 }
 
-using Cell = std::variant<double, std::string>;
-
 // A header and rows, for CSV, JSON and the terminal.
 struct SweepRows {
     std::vector<std::string> columns;

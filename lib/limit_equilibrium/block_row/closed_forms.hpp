@@ -8,7 +8,7 @@
 //
 // Printed against derived:
 //     (7) (8) (9) (10) (11)  right
-//     (12) (13)  right: thrust per block weight in the forward and backward mode
+//     (12) (13)  right: the thrusts above, per block weight, of one block in the forward and backward mode
 //     (14)  printed equal to (8). FFP gives b (1 + m) / [a (1 - m) + 2 b mu], which exceeds (8) wherever c > b / a:
 //     their
 //           difference has the sign of mu (1 - m)(c a - b). Equal to (8) is F P with the third block standing apart,
@@ -56,18 +56,6 @@ template <class T>
 T two_blocks_equal_thrusts(const T& w1, const T& w2, const T& mu, const T& c) {
     const T m = mu * c;
     return (w1 * c * (1 + m) - w2 * c * (1 - m)) / (w1 * (1 + m) + w2 * (1 - m));
-}
-
-// (12): thrust over W_1 cos(tilt) in the forward mode, at t = tan(tilt). Infinite or of no meaning at m = 1.
-template <class T>
-T thrust_forward(const T& mu, const T& c, const T& t) {
-    return (c - t) / (1 - mu * c);
-}
-
-// (13): thrust over W_2 cos(tilt) in the backward mode.
-template <class T>
-T thrust_backward(const T& mu, const T& c, const T& t) {
-    return (t + c) / (1 + mu * c);
 }
 
 // Derived, N equal blocks: `forward` toes slide forward, one pivots, `backward` ones slide backward. It contains (8),

@@ -130,6 +130,35 @@ struct ColumnResult {
     double reaction_position;   // of R, share of the width from the toe corner; 0 for a toppling column
     bool reaction_inside_base;  // no: the column would turn as well, which the recursion does not see
     bool base_friction_holds;   // S within the base's strength in either direction, and R no tension
+
+    static constexpr auto fields() {
+        using C = ColumnResult;
+        using D = Dimension;
+        using delabole::number;  // and not the member
+        constexpr Interval any = any_number();
+        return std::tuple{
+            section("mode", &C::mode, "what it does with the strength as given"),
+            number("width", &C::width, D::length, any, "width of its base"),
+            number("height", &C::height, D::length, any, "height of its middle line"),
+            number("weight", &C::weight, D::force_per_length, any, "weight"),
+            number("upper_force", &C::upper_force, D::force_per_length, any, "normal force of the column above"),
+            number("upper_force_height", &C::upper_force_height, D::length, any,
+                   "height above the base at which that acts"),
+            number("lower_force", &C::lower_force, D::force_per_length, any,
+                   "normal force needed from the column below"),
+            number("lower_force_height", &C::lower_force_height, D::length, any,
+                   "height above the base at which that acts"),
+            number("against_toppling", &C::against_toppling, D::force_per_length, any,
+                   "force from below that prevents toppling"),
+            number("against_sliding", &C::against_sliding, D::force_per_length, any,
+                   "force from below that prevents sliding"),
+            number("normal_reaction", &C::normal_reaction, D::force_per_length, any,
+                   "effective normal force of the base"),
+            number("shear_reaction", &C::shear_reaction, D::force_per_length, any, "shear force of the base, up-dip"),
+            number("friction_ratio", &C::friction_ratio, D::ratio, any, "shear force of the base over normal force"),
+            number("reaction_position", &C::reaction_position, D::ratio, any,
+                   "share of the width, from the toe corner, where they act")};
+    }
 };
 
 // From the toe up, at the strength divided by a factor. Where no push holds a column, that on the toe column is

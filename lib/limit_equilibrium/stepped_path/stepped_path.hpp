@@ -10,7 +10,7 @@
 //
 // Limits: rigid parts, surfaces within the three sets, water at rest, no loads but weight and water. A wedge does not
 // turn; nor does a sliding mass, whose moments are not asked for. The least factor of safety is exact on the lattice
-// (path_search.hpp); finer steps lower it, see tests/lib/stepped_path_test.cpp.
+// (path_search.hpp); finer steps lower it: stepped_path_test.cpp of the tests.
 #pragma once
 
 #include "limit_equilibrium/stepped_path/path_search.hpp"

@@ -62,12 +62,12 @@ Table mode_table(const std::vector<RowModeSummary>& modes) {
 }
 
 // 90 deg stands for none.
-std::variant<double, std::string> tilt_or_none(double tilt) {
-    return tilt < degrees(90) ? std::variant<double, std::string>(tilt) : "none";
+Cell tilt_or_none(double tilt) {
+    return tilt < degrees(90) ? Cell(tilt) : "none";
 }
 
-std::variant<double, std::string> tilt_in_csv(double tilt) {
-    return tilt < degrees(90) ? std::variant<double, std::string>(tilt / degrees(1)) : "none";
+Cell tilt_in_csv(double tilt) {
+    return tilt < degrees(90) ? Cell(tilt / degrees(1)) : "none";
 }
 
 std::string modes_csv(const std::vector<RowModeSummary>& modes) {
@@ -113,17 +113,11 @@ Table block_table(const BlockRowResult& result) {
 
 std::string blocks_csv(const BlockRowResult& result) {
     std::vector<std::string> titles{"block", "role"};
-    const RowBlockForces names{};
-    for_each_named_number(names, [&](const std::string& name, const FieldInfo& info, double) {
-        titles.push_back(column_name(name, info.dimension));
-    });
+    append_titles<RowBlockForces>(titles);
     CsvTable csv(titles);
     for (std::size_t index = 0; index < result.block.size(); ++index) {
-        std::vector<std::variant<double, std::string>> row{static_cast<double>(index + 1),
-                                                           std::string(1, role_of(result, index))};
-        for_each_number(result.block[index], [&](double value, const FieldInfo& info) {
-            row.emplace_back(in_display_unit(value, info.dimension));
-        });
+        std::vector<Cell> row{static_cast<double>(index + 1), std::string(1, role_of(result, index))};
+        append_cells(row, result.block[index]);
         csv.add_row(row);
     }
     return csv.text();

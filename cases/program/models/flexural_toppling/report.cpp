@@ -12,16 +12,9 @@ namespace delabole {
 namespace {
 
 DrawnMode drawn(FlexuralMode mode) {
-    switch (mode) {
-    case FlexuralMode::stands:
-        return DrawnMode::stays;
-    case FlexuralMode::shears:
-        return DrawnMode::slides;
-    case FlexuralMode::bends:
-    case FlexuralMode::topples:
-        break;
-    }
-    return DrawnMode::topples;
+    return mode == FlexuralMode::stands   ? DrawnMode::stays
+           : mode == FlexuralMode::shears ? DrawnMode::slides
+                                          : DrawnMode::topples;
 }
 
 // Feet on their plane, with the pushes that columns need from below.

@@ -2,11 +2,11 @@
 
 #include "cases/program/case/model_cases.hpp"
 #include "cases/program/reader/data_table.hpp"
+#include "fitting/work/bare_number.hpp"
 #include "kinematics/kinematics.hpp"
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -154,15 +154,14 @@ class PoleReader {
             return std::nullopt;
         }
         const std::string_view text = cells[column].text;
-        double value = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc{} || end != text.data() + text.size() || !(value >= lowest && value <= highest)) {
+        const auto value = bare_number(text);
+        if (!value || !(*value >= lowest && *value <= highest)) {
             reading_.complain({.line = line, .column = cells[column].column}, what, shown(text),
                               "must be a number of degrees from " + std::to_string(static_cast<int>(lowest)) + " to " +
                                   std::to_string(static_cast<int>(highest)));
             return std::nullopt;
         }
-        return degrees(value);
+        return degrees(*value);
     }
 
     Reading reading_;

@@ -8,40 +8,25 @@
 namespace delabole {
 namespace {
 
-void check_elevation(Checker& checker, const PlaneFailure<>& model, const std::string& key) {
-    if (!model.slope.toe_elevation) {
-        checker.complain(key, "is an elevation, so slope.toe_elevation is required too");
+void check_water(Checker& checker, const PlaneFailure<>& model) {
+    check_water_level(checker, model.water, model.slope.toe_elevation.has_value());
+    if (const auto* line = std::get_if<PiezometricLineWater<>>(&model.water)) {
+        if (line->point.empty()) {
+            checker.complain("water", "needs at least one [[water.point]]");
+        }
+        check_increasing(checker, line->point, &PiezometricPoint<>::x, "water.point", "x");
+    } else if (const auto* custom = std::get_if<CustomWater<>>(&model.water)) {
+        check_increasing(checker, custom->crack, &PressurePoint<>::position, "water.crack", "position");
+        check_increasing(checker, custom->base, &PressurePoint<>::position, "water.base", "position");
     }
 }
 
-struct WaterChecks {
-    Checker& checker;
-    const PlaneFailure<>& model;
-
-    void operator()(const Dry&) const {}
-    void operator()(const PiezometricLineWater<>& water) const {
-        if (water.point.empty()) {
-            checker.complain("water", "needs at least one [[water.point]]");
-        }
-        check_increasing(checker, water.point, &PiezometricPoint<>::x, "water.point", "x");
-    }
-    void operator()(const CustomWater<>& water) const {
-        check_increasing(checker, water.crack, &PressurePoint<>::position, "water.crack", "position");
-        check_increasing(checker, water.base, &PressurePoint<>::position, "water.base", "position");
-    }
-    template <class WithLevel>
-    void operator()(const WithLevel& water) const {
-        if (std::holds_alternative<WaterElevation<>>(water.level)) {
-            check_elevation(checker, model, "water.water_elevation");
-        }
-    }
-};
-
 void check_slope(Checker& checker, const PlaneFailure<>& model) {
-    if (model.tension_crack && std::holds_alternative<CrackBaseElevation<>>(model.tension_crack->position)) {
-        check_elevation(checker, model, "tension_crack.base_elevation");
+    if (model.tension_crack && std::holds_alternative<CrackBaseElevation<>>(model.tension_crack->position) &&
+        !model.slope.toe_elevation) {
+        checker.complain("tension_crack.base_elevation", "is an elevation, so slope.toe_elevation is required too");
     }
-    std::visit(WaterChecks{checker, model}, model.water);
+    check_water(checker, model);
     check_strength(checker, "strength", model.strength);
     if (model.pond && model.pond->depth > model.slope.height) {
         checker.complain("pond.depth",
@@ -51,11 +36,7 @@ void check_slope(Checker& checker, const PlaneFailure<>& model) {
         checker.complain("failure_plane.daylight_height", "must be less than slope.height = " +
                                                               readable_quantity(model.slope.height, Dimension::length));
     }
-    for (std::size_t index = 0; index < model.surcharge.size(); ++index) {
-        if (!(model.surcharge[index].from_distance < model.surcharge[index].to_distance)) {
-            checker.complain(indexed("surcharge", index) + ".from_distance", "must be less than to_distance");
-        }
-    }
+    check_surcharges(checker, model.surcharge);
     for (std::size_t index = 0; index < model.support.size(); ++index) {
         check_support(checker, indexed("support", index), model.support[index].pattern, model.slope.height);
     }
@@ -72,9 +53,8 @@ void check_slope(Checker& checker, const PlaneFailure<>& model) {
 
 void check_case(Checker& checker, const PlaneFailureStudy<>& study) {
     check_slope(checker, study.model);
-    if (study.critical && study.critical->lower_dip && study.critical->upper_dip &&
-        !(*study.critical->lower_dip < *study.critical->upper_dip)) {
-        checker.complain("critical.lower_dip", "bounds are reversed: must be less than critical.upper_dip");
+    if (study.critical) {
+        check_bounds(checker, "critical", "dip", study.critical->lower_dip, study.critical->upper_dip);
     }
     check_required(checker, study.required, study);
 }

@@ -2,6 +2,7 @@
 #include "cases/program/models/plane_failure/figures.hpp"
 #include "cases/program/results/model_reports.hpp"
 #include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,19 +76,8 @@ std::string required_in_words(const PlaneFailure<>& problem, const RequiredValue
 }
 
 std::string outcome_in_words(PlaneFailureOutcome outcome) {
-    switch (outcome) {
-    case PlaneFailureOutcome::stable:
-        return "stands";
-    case PlaneFailureOutcome::slides:
-        return "fails by sliding";
-    case PlaneFailureOutcome::overturns:
-        return "overturns before it slides";
-    case PlaneFailureOutcome::slides_and_overturns:
-        return "fails by sliding and overturning";
-    case PlaneFailureOutcome::lifts_off:
-        break;
-    }
-    return "the loads lift the mass off its base";
+    return words_for(outcome, {"stands", "fails by sliding", "overturns before it slides",
+                               "fails by sliding and overturning", "the loads lift the mass off its base"});
 }
 
 // Friction and cohesion within two standard deviations of their priors, the friction that of the mean plane.
@@ -123,9 +113,7 @@ PlaneFailureAnswer analyse_case(const PlaneFailureStudy<>& study, const Analysis
     if (answer.result.check != PlaneFailureCheck::valid) {
         return answer;
     }
-    for (const RequiredValue<>& request : study.required) {
-        answer.required.push_back(required_value(problem, request.parameter, request.factor_of_safety, request.also));
-    }
+    answer.required = required_values(problem, study.required);
     if (!problem.bolt.empty()) {
         answer.optimum_bolt = optimum_bolt_plunge(problem);
     }
@@ -135,10 +123,7 @@ PlaneFailureAnswer analyse_case(const PlaneFailureStudy<>& study, const Analysis
 Analysis named_outputs(const PlaneFailureStudy<>& study, const PlaneFailureAnswer& answer) {
     Analysis analysis;
     append_outputs(analysis, answer.result);
-    for (std::size_t index = 0; index < study.required.size(); ++index) {
-        append_required_value(analysis, study.required[index].parameter, study.required[index].factor_of_safety,
-                              answer.required[index]);
-    }
+    append_required_values(analysis, study.required, answer.required);
     append_support(analysis, support_rows(answer.resolved.problem));
     if (answer.optimum_bolt) {
         append_optimum_bolt(analysis, *answer.optimum_bolt, answer.resolved.problem.bolt.front().force);

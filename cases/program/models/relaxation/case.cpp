@@ -180,11 +180,8 @@ void check_settings(Checker& checker, const RelaxationNumerics& settings, const 
     if (settings.watch && (settings.stop || settings.duration)) {
         checker.complain("settings.watch", "takes the place of settings.stop and settings.duration: leave those out");
     }
-    bool held = false;
-    for (const RelaxationBlock& block : scene.block) {
-        held = held || block.held_at_first;
-    }
-    if (!held && settings.consolidation_time.value_or(0) > 0) {
+    if (settings.consolidation_time.value_or(0) > 0 &&
+        std::ranges::none_of(scene.block, &RelaxationBlock::held_at_first)) {
         checker.complain("settings.consolidation_time", "no block has hold = \"held_at_first\"");
     }
 }

@@ -3,6 +3,7 @@
 #include "cases/program/reader/ordinary_file.hpp"
 #include "dynamic_relaxation/checkpoint/study_checkpoint.hpp"
 #include "plots/drawing/atomic_file.hpp"
+#include "plots/drawing/text.hpp"
 
 #include <string>
 #include <string_view>
@@ -15,27 +16,15 @@ namespace {
 
 constexpr std::size_t largest_checkpoint = std::size_t{64} << 30U;
 
-std::string_view fault_of(CheckpointCheck check) {
-    switch (check) {
-    case CheckpointCheck::ok:
-        break;
-    case CheckpointCheck::not_a_checkpoint:
-        return "is not a checkpoint of dynamic relaxation";
-    case CheckpointCheck::other_version:
-        return "was written by another version of delabole";
-    case CheckpointCheck::other_scene:
-        return "belongs to another case, or to this one with other values";
-    case CheckpointCheck::damaged:
-        return "is damaged";
-    }
-    return "";
+std::string fault_of(CheckpointCheck check) {
+    return words_for(check,
+                     {"", "is not a checkpoint of dynamic relaxation", "was written by another version of delabole",
+                      "belongs to another case, or to this one with other values", "is damaged"});
 }
 
 KeptProgress refused(CheckpointCheck check) {
-    return {{},
-            false,
-            std::string(fault_of(check)),
-            check == CheckpointCheck::other_scene || check == CheckpointCheck::other_version};
+    return {
+        {}, false, fault_of(check), check == CheckpointCheck::other_scene || check == CheckpointCheck::other_version};
 }
 
 }  // namespace

@@ -16,17 +16,10 @@ namespace delabole {
 namespace {
 
 std::string meaning_of(CriticalParameter parameter) {
-    switch (parameter) {
-    case CriticalParameter::tilt:
-        return "tilt at which the blocks begin to fail";
-    case CriticalParameter::friction:
-        return "friction angle of all joints below which the blocks fail";
-    case CriticalParameter::strength_reduction:
-        return "factor by which strength has to be divided for the blocks to fail";
-    case CriticalParameter::weight:
-        break;
-    }
-    return "factor on gravity at which the blocks begin to fail";
+    return words_for(parameter, {"tilt at which the blocks begin to fail",
+                                 "friction angle of all joints below which the blocks fail",
+                                 "factor by which strength has to be divided for the blocks to fail",
+                                 "factor on gravity at which the blocks begin to fail"});
 }
 
 // "stands", "fails" and what came of them on one path.
@@ -56,7 +49,7 @@ std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
     return {};
 }
 
-std::variant<double, std::string> value_or_status(const PathValue& value) {
+Cell value_or_status(const PathValue& value) {
     if (value.status == CriticalStatus::found) {
         return value.value();
     }
@@ -136,8 +129,7 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
                               in_six_digits(value.stands, dimension), in_six_digits(value.fails, dimension),
                               human_number(failing, 6), std::to_string(value.runs)});
         csv.add_row({std::string(word_of(value.path)), std::string(word_of(value.status)),
-                     found ? std::variant<double, std::string>(in_display_unit(value.value(), dimension))
-                           : std::variant<double, std::string>(std::string()),
+                     found ? Cell(in_display_unit(value.value(), dimension)) : Cell(std::string()),
                      in_display_unit(value.stands, dimension), in_display_unit(value.fails, dimension), failing,
                      static_cast<double>(value.runs)});
     };

@@ -6,6 +6,7 @@
 #include "plots/figures/block_figures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace delabole {
@@ -17,28 +18,12 @@ constexpr std::size_t most_rows = 60;
 constexpr std::size_t most_numbered_blocks = 300;
 
 DrawnMode drawn(BlockMovement movement) {
-    switch (movement) {
-    case BlockMovement::stays:
-        return DrawnMode::stays;
-    case BlockMovement::slides_forward:
-    case BlockMovement::slides_backward:
-        return DrawnMode::slides;
-    case BlockMovement::rotates:
-        return DrawnMode::topples;
-    case BlockMovement::slides_forward_and_rotates:
-    case BlockMovement::slides_backward_and_rotates:
-        return DrawnMode::slides_and_topples;
-    case BlockMovement::moves:
-        return DrawnMode::moves;
-    case BlockMovement::held_by_corners:
-        return DrawnMode::held_by_corners;
-    case BlockMovement::fixed:
-        return DrawnMode::fixed;
-    case BlockMovement::removed:
-    case BlockMovement::left:
-        break;
-    }
-    return DrawnMode::plain;
+    using enum DrawnMode;
+    // By movement; what was removed or has left is plain.
+    constexpr std::array modes{stays,           slides, slides, topples, slides_and_topples, slides_and_topples, moves,
+                               held_by_corners, fixed,  plain,  plain};
+    static_assert(modes.size() == enum_names(BlockMovement{}).size());
+    return modes[static_cast<std::size_t>(movement)];
 }
 
 BlockDrawing drawing_of(const RelaxationRun& made, const std::vector<Motion>& motion, const Bodies& bodies, double tilt,

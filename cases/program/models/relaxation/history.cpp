@@ -84,7 +84,7 @@ std::string history_csv(const HistoryRequest& request, const RelaxationHistory& 
     }
     CsvTable csv(titles);
     for (const HistoryLine& line : history) {
-        std::vector<std::variant<double, std::string>> row;
+        std::vector<Cell> row;
         for (const Column& column : columns) {
             row.emplace_back(in_display_unit(column.value(line), column.dimension));
         }
@@ -121,7 +121,7 @@ std::string movements_csv(const RelaxationRun& made) {
     }
     CsvTable csv(titles);
     for (std::size_t index = 1; index < made.history.size(); ++index) {
-        std::vector<std::variant<double, std::string>> row{made.history[index].time};
+        std::vector<Cell> row{made.history[index].time};
         for (const std::size_t block : blocks) {
             const double slip = made.history[index].base_slip[block] - made.history[index - 1].base_slip[block];
             row.emplace_back(movement_word(slip, bodies.radius[block]));
@@ -207,9 +207,7 @@ std::vector<Column> rotations(const RelaxationScene& scene) {
 
 void append_bolt_forces(const RelaxationRun& made, const ResultFolder& folder, Report& report) {
     RelaxationHistory lines = made.history;
-    Points yields;
-    yields.legend = "begins to yield";
-    yields.colour = Colour::vermilion;
+    Points yields{.legend = "begins to yield", .colour = Colour::vermilion};
     std::vector<char> yielded;
     for (const MotionFrame& frame : made.frames) {
         HistoryLine line;

@@ -4,6 +4,7 @@
 #include "dynamic_relaxation/scene/slope_scene.hpp"
 #include "dynamic_relaxation/study/relaxation_study.hpp"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -35,17 +36,12 @@ std::string area_key(const RelaxationSlope& slope, std::size_t index) {
                                       : indexed("scene.stage", index - slope.fixed.size());
 }
 
-// The key of a cut whose name of a rock or joint is not known.
 template <class List>
 bool known(const List& list, const std::string& name) {
-    for (const auto& entry : list) {
-        if (entry.name == name) {
-            return true;
-        }
-    }
-    return false;
+    return std::ranges::any_of(list, [&](const auto& entry) { return entry.name == name; });
 }
 
+// The key of what names a joint that is not known.
 std::string unknown_joint_key(const RelaxationSlope& slope) {
     for (std::size_t index = 0; index < slope.geometry.cut.size(); ++index) {
         if (!known(slope.joint, slope.geometry.cut[index].joint)) {

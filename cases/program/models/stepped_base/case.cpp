@@ -55,28 +55,14 @@ void check_scene(Checker& checker, const ColumnScene<>& scene) {
     if (blocks == nullptr && !scene.slope) {
         checker.complain("columns.kind", "cuts the columns out of a slope, so [slope] is required");
     }
-    std::visit(
-        [&](const auto& water) {
-            if constexpr (requires { water.level; }) {
-                if (std::holds_alternative<WaterElevation<>>(water.level) &&
-                    !(scene.slope && scene.slope->toe_elevation)) {
-                    checker.complain("water.water_elevation",
-                                     "is an elevation, so slope.toe_elevation is required too");
-                }
-            }
-        },
-        scene.water);
+    check_water_level(checker, scene.water, scene.slope && scene.slope->toe_elevation);
     if (const auto* line = std::get_if<PiezometricLineWater<>>(&scene.water)) {
         if (line->point.size() < 2) {
             checker.complain("water", "needs at least two [[water.point]]");
         }
         check_increasing(checker, line->point, &PiezometricPoint<>::x, "water.point", "x");
     }
-    for (std::size_t index = 0; index < scene.surcharge.size(); ++index) {
-        if (!(scene.surcharge[index].from_distance < scene.surcharge[index].to_distance)) {
-            checker.complain(indexed("surcharge", index) + ".from_distance", "must be less than to_distance");
-        }
-    }
+    check_surcharges(checker, scene.surcharge);
     check_blocks(checker, scene, scene.point_load, "point_load");
     check_blocks(checker, scene, scene.bolt, "bolt");
     for (std::size_t index = 0; index < scene.support.size(); ++index) {
@@ -137,16 +123,8 @@ void check_case(Checker& checker, const SteppedBaseStudy<>& study) {
         if (std::holds_alternative<BlockColumns<>>(study.model.scene.columns)) {
             checker.complain("critical", "needs columns cut out of a slope: columns.kind = \"continuous\"");
         }
-        if (search.lower_inclination && search.upper_inclination &&
-            !(*search.lower_inclination < *search.upper_inclination)) {
-            checker.complain("critical.lower_inclination",
-                             "bounds are reversed: must be less than critical.upper_inclination");
-        }
-        if (search.lower_end_height && search.upper_end_height &&
-            !(*search.lower_end_height < *search.upper_end_height)) {
-            checker.complain("critical.lower_end_height",
-                             "bounds are reversed: must be less than critical.upper_end_height");
-        }
+        check_bounds(checker, "critical", "inclination", search.lower_inclination, search.upper_inclination);
+        check_bounds(checker, "critical", "end_height", search.lower_end_height, search.upper_end_height);
     }
     check_required(checker, study.required, study);
     check_blocks(checker, study.model.scene, study.required_cable, "required_cable");

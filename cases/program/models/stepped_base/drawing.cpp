@@ -1,10 +1,10 @@
 #include "cases/program/models/stepped_base/drawing.hpp"
 
 #include "limit_equilibrium/columns/base_profile.hpp"
+#include "plots/drawing/polygon.hpp"
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace delabole {
@@ -13,38 +13,6 @@ namespace {
 
 constexpr std::size_t most_named_columns = 200;
 constexpr std::size_t most_rows = 60;
-
-struct ColumnNumber {
-    std::string_view name;
-    Dimension dimension;
-    std::string_view meaning;
-    double ColumnResult::*member;
-};
-
-constexpr std::array column_numbers{
-    ColumnNumber{"width", Dimension::length, "width of its base", &ColumnResult::width},
-    ColumnNumber{"height", Dimension::length, "height of its middle line", &ColumnResult::height},
-    ColumnNumber{"weight", Dimension::force_per_length, "weight", &ColumnResult::weight},
-    ColumnNumber{"upper_force", Dimension::force_per_length, "normal force of the column above",
-                 &ColumnResult::upper_force},
-    ColumnNumber{"upper_force_height", Dimension::length, "height above the base at which that acts",
-                 &ColumnResult::upper_force_height},
-    ColumnNumber{"lower_force", Dimension::force_per_length, "normal force needed from the column below",
-                 &ColumnResult::lower_force},
-    ColumnNumber{"lower_force_height", Dimension::length, "height above the base at which that acts",
-                 &ColumnResult::lower_force_height},
-    ColumnNumber{"against_toppling", Dimension::force_per_length, "force from below that prevents toppling",
-                 &ColumnResult::against_toppling},
-    ColumnNumber{"against_sliding", Dimension::force_per_length, "force from below that prevents sliding",
-                 &ColumnResult::against_sliding},
-    ColumnNumber{"normal_reaction", Dimension::force_per_length, "effective normal force of the base",
-                 &ColumnResult::normal_reaction},
-    ColumnNumber{"shear_reaction", Dimension::force_per_length, "shear force of the base, up-dip",
-                 &ColumnResult::shear_reaction},
-    ColumnNumber{"friction_ratio", Dimension::ratio, "shear force of the base over normal force",
-                 &ColumnResult::friction_ratio},
-    ColumnNumber{"reaction_position", Dimension::ratio, "share of the width, from the toe corner, where they act",
-                 &ColumnResult::reaction_position}};
 
 std::string in_cell(double value, Dimension dimension) {
     return std::isfinite(value) ? human_number(in_display_unit(value, dimension), 5) : "infinite";
@@ -69,13 +37,7 @@ void append_column_outputs(Analysis& analysis, const std::vector<ColumnResult>& 
         return;
     }
     for (const ColumnResult& column : columns) {
-        const std::string name = "column[" + std::to_string(column.number) + "].";
-        analysis.outputs.push_back({name + "mode", "what it does with the strength as given", Dimension::ratio,
-                                    std::string(word_of(column.mode)), true});
-        for (const ColumnNumber& number : column_numbers) {
-            analysis.outputs.push_back({name + std::string(number.name), std::string(number.meaning), number.dimension,
-                                        column.*number.member, true});
-        }
+        append_outputs(analysis, column, "column[" + std::to_string(column.number) + "]", true);
     }
 }
 
@@ -118,19 +80,14 @@ Table column_table(const std::string& caption, const std::vector<ColumnResult>& 
 
 std::string columns_csv(const std::vector<ColumnResult>& as_given, const std::vector<ColumnResult>& limiting) {
     std::vector<std::string> titles{"strength", "column", "mode"};
-    for (const ColumnNumber& number : column_numbers) {
-        titles.push_back(column_name(number.name, number.dimension));
-    }
+    append_titles<ColumnResult>(titles);
     titles.emplace_back("reaction_inside_base");
     titles.emplace_back("base_friction_holds");
     CsvTable csv(titles);
     const auto add = [&](const std::string& strength, const std::vector<ColumnResult>& columns) {
         for (const ColumnResult& column : columns) {
-            std::vector<std::variant<double, std::string>> row{strength, static_cast<double>(column.number),
-                                                               std::string(word_of(column.mode))};
-            for (const ColumnNumber& number : column_numbers) {
-                row.emplace_back(in_display_unit(column.*number.member, number.dimension));
-            }
+            std::vector<Cell> row{strength, static_cast<double>(column.number), std::string(word_of(column.mode))};
+            append_cells(row, column);
             row.emplace_back(column.reaction_inside_base ? "yes" : "no");
             row.emplace_back(column.base_friction_holds ? "yes" : "no");
             csv.add_row(row);
@@ -288,15 +245,9 @@ void add_forces(BlockDrawing& drawing, const SteppedBase<>& problem, const Colum
 }  // namespace
 
 DrawnMode drawn(ColumnMode mode) {
-    switch (mode) {
-    case ColumnMode::slides:
-        return DrawnMode::slides;
-    case ColumnMode::topples:
-        return DrawnMode::topples;
-    case ColumnMode::stays:
-        break;
-    }
-    return DrawnMode::stays;
+    return mode == ColumnMode::slides    ? DrawnMode::slides
+           : mode == ColumnMode::topples ? DrawnMode::topples
+                                         : DrawnMode::stays;
 }
 
 BlockDrawing column_drawing(const SteppedBase<>& problem, const ColumnSlope<>& slope,
@@ -363,22 +314,15 @@ ForceAlongSlope force_along_columns(const std::vector<ColumnResult>& columns, co
 }
 
 void add_profiles(Figure& figure, const Polyline& observed, const Polyline& predicted, double toe_elevation) {
-    const auto raised = [&](Polyline line) {
-        for (Point& point : line) {
-            point.y() += toe_elevation;
-        }
-        return line;
-    };
-    if (!predicted.empty()) {
-        Line line{
-            .points = raised(predicted), .legend = "predicted after the failure", .colour = Colour::green, .width = 6};
-        figure.series.emplace_back(line);
-    }
-    if (!observed.empty()) {
-        Line line{.points = raised(observed), .colour = Colour::black, .dash = Dash::dotted};
-        figure.series.emplace_back(line);
-        Points points{.points = raised(observed), .legend = "observed after the failure", .marker = Marker::circle};
-        figure.series.emplace_back(points);
+    add_line(figure, {.points = raised(predicted, toe_elevation),
+                      .legend = "predicted after the failure",
+                      .colour = Colour::green,
+                      .width = 6});
+    const Polyline seen = raised(observed, toe_elevation);
+    add_line(figure, {.points = seen, .dash = Dash::dotted});
+    if (!seen.empty()) {
+        figure.series.emplace_back(
+            Points{.points = seen, .legend = "observed after the failure", .marker = Marker::circle});
     }
 }
 

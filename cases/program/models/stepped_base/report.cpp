@@ -21,10 +21,7 @@ double friction_product_at_limit(const SteppedBase<>& problem, double factor) {
 }
 
 void append_required(Analysis& analysis, const SteppedBaseStudy<>& study, const SteppedBaseAnswer& answer) {
-    for (std::size_t index = 0; index < study.required.size(); ++index) {
-        append_required_value(analysis, study.required[index].parameter, study.required[index].factor_of_safety,
-                              answer.required[index]);
-    }
+    append_required_values(analysis, study.required, answer.required);
     for (std::size_t index = 0; index < study.required_cable.size(); ++index) {
         const RequiredCable<>& request = study.required_cable[index];
         const CableForce& cable = answer.required_cable[index];
@@ -226,9 +223,7 @@ SteppedBaseAnswer analyse_case(const SteppedBaseStudy<>& study, const AnalysisWo
     if (result.check != ColumnCheck::valid) {
         return answer;
     }
-    for (const RequiredValue<>& request : study.required) {
-        answer.required.push_back(required_value(problem, request.parameter, request.factor_of_safety, request.also));
-    }
+    answer.required = required_values(problem, study.required);
     for (const RequiredCable<>& request : study.required_cable) {
         answer.required_cable.push_back(required_cable(problem, request));
         if (answer.required_cable.back().state == CableState::no_such_place) {

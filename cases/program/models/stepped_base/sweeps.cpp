@@ -120,12 +120,8 @@ Line curve(SteppedBase<> problem, const std::string& input, Dimension x, const I
 }
 
 void mark_given(Figure& figure, double x, double y) {
-    Points given{.points = {Point(x, y)}};
-    given.legend = "as given";
-    given.colour = Colour::black;
-    given.marker = Marker::circle;
-    given.size = 1.8;
-    figure.series.emplace_back(given);
+    figure.series.emplace_back(
+        Points{.points = {Point(x, y)}, .legend = "as given", .marker = Marker::circle, .size = 1.8});
 }
 
 struct Varied {

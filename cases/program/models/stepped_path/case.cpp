@@ -2,8 +2,6 @@
 #include "cases/program/case/model_cases.hpp"
 #include "limit_equilibrium/stepped_path/stepped_path.hpp"
 
-#include <variant>
-
 namespace delabole {
 void check_case(Checker& checker, const SteppedPath& path) {
     const bool slides = path.search.mechanism == SteppedPathMechanism::sliding;
@@ -20,16 +18,7 @@ void check_case(Checker& checker, const SteppedPath& path) {
         !(*path.search.least_width < *path.search.greatest_retreat)) {
         checker.complain("search.least_width", "must be less than search.greatest_retreat");
     }
-    std::visit(
-        [&](const auto& water) {
-            if constexpr (requires { water.level; }) {
-                if (std::holds_alternative<WaterElevation<>>(water.level) && !path.slope.toe_elevation) {
-                    checker.complain("water.water_elevation",
-                                     "is an elevation, so slope.toe_elevation is required too");
-                }
-            }
-        },
-        path.water);
+    check_water_level(checker, path.water, path.slope.toe_elevation.has_value());
 }
 
 }  // namespace delabole

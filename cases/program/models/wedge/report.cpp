@@ -50,10 +50,7 @@ void append_drawings(const WedgeFailure<>& problem, const WedgeFailureResult& re
 WedgeFailureAnswer analyse_case(const WedgeFailureStudy<>& study, const AnalysisWork&) {
     WedgeFailureAnswer answer{analyse(study.model)};
     if (answer.result.check == WedgeFailureCheck::valid) {
-        for (const RequiredValue<>& request : study.required) {
-            answer.required.push_back(
-                required_value(study.model, request.parameter, request.factor_of_safety, request.also));
-        }
+        answer.required = required_values(study.model, study.required);
     }
     return answer;
 }
@@ -67,10 +64,7 @@ Analysis named_outputs(const WedgeFailureStudy<>& study, const WedgeFailureAnswe
     if (!study.model.tension_crack) {
         mark_none(analysis, "crack_");
     }
-    for (std::size_t index = 0; index < study.required.size(); ++index) {
-        append_required_value(analysis, study.required[index].parameter, study.required[index].factor_of_safety,
-                              answer.required[index]);
-    }
+    append_required_values(analysis, study.required, answer.required);
     warn(analysis, answer.result);
     return analysis;
 }

@@ -1,0 +1,227 @@
+// What `delabole reproduce chapter5` says of the thesis's dynamic relaxation.
+#include "tests/cases/thesis/reproduction_fixture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace delabole {
+namespace {
+
+class Chapter5 : public testing::ReproductionTest {
+  protected:
+    Chapter5() : ReproductionTest(chapter_5()) {}
+};
+
+bool all_agree(const Json& outcomes) {
+    return std::ranges::all_of(outcomes, [](const Json& one) { return one["agrees"].get<bool>(); });
+}
+
+TEST_F(Chapter5, SingleBlocks) {
+    const Json json = reproduce("single_blocks").json;
+    EXPECT_TRUE(all_agree(json["outcomes"]["single block"]));
+    EXPECT_TRUE(all_agree(json["outcomes"]["single block, base turned"]));
+    // Counts of 800 to 5000 cycles, read off prints 100 cycles apart.
+    EXPECT_LE(json["largest_difference_of_settled_cycles"].get<int>(), 300);
+    // "Almost twice" for the period; the amplitude grows less.
+    EXPECT_NEAR(json["period_ratio_18.15_to_18.1"].get<double>(), 2, 0.25);
+    EXPECT_GT(json["amplitude_ratio_18.15_to_18.1"].get<double>(), 1.3);
+    // The clean engine: dropped, it rocks past its limit from 18.12 deg on, so that only the run at 18.15 deg differs
+    // from the printed; preloaded, it stands below 18.43 deg, whatever fails there in the thesis.
+    const Json& dropped = json["outcomes_by_scheme"]["clean engine, dropped"]["single block"];
+    for (const auto& [name, outcome] : dropped.items()) {
+        EXPECT_EQ(outcome["agrees"].get<bool>(), name != "18.15 deg") << name;
+    }
+    for (const Json& outcome : json["outcomes_by_scheme"]["clean engine, preloaded"]["single block"]) {
+        EXPECT_EQ(outcome["computed"].get<std::string>(), "stands");
+    }
+    // The base turned, which lifts the block: every printed outcome.
+    EXPECT_TRUE(all_agree(json["outcomes_by_scheme"]["clean engine, preloaded"]["single block, base turned"]));
+}
+
+TEST_F(Chapter5, CleanThresholds) {
+    const Json json = reproduce("thresholds").json;
+    // Bisected to 0.002 deg.
+    EXPECT_LT(json["farthest_from_law_deg"].get<double>(), 0.002);
+    // No knob of the integration changes where a preloaded block fails; the step does not where it is dropped.
+    EXPECT_LT(json["preloaded_spread_deg"].get<double>(), 0.002);
+    EXPECT_LT(json["dropped_spread_by_step_deg"].get<double>(), 0.004);
+    const Json& by_stiffness = json["threshold_deg"];
+    // What is lost by dropping falls with the root of the stiffness: 10 from 1e6 to 100e6 N/m; each is bisected to
+    // 0.002 deg of 0.08 deg.
+    const auto lost = [&](const std::string& stiffness) {
+        return std::atan(1.0 / 3) * 180 / std::numbers::pi - by_stiffness[stiffness]["one_dropped"].get<double>();
+    };
+    EXPECT_NEAR(lost("1e6") / lost("100e6"), 10, 0.5);
+    // Two blocks help each other only on stiff joints: 18.629 deg by equilibrium.
+    EXPECT_NEAR(by_stiffness["6e6"]["two_preloaded"].get<double>(), by_stiffness["6e6"]["law"].get<double>(), 0.01);
+    EXPECT_NEAR(by_stiffness["1000e6"]["two_preloaded"].get<double>(), 18.629, 0.03);
+    double last = 0;
+    for (const Json& one : by_stiffness) {
+        EXPECT_GT(one["two_dropped"].get<double>(), last);  // stiffer stands longer
+        last = one["two_dropped"].get<double>();
+    }
+}
+
+TEST_F(Chapter5, TwoBlocks) {
+    const Json json = reproduce("double_blocks").json;
+    EXPECT_TRUE(all_agree(json["outcomes"]["two blocks"]));
+    // All but the last, which no start gives.
+    const Json tilted = json["outcomes"]["two blocks, base turned"];
+    ASSERT_EQ(tilted.size(), 6U);
+    const std::string last = "18 deg to 18.3 deg, every 10 cycles";
+    for (const auto& [run, outcome] : tilted.items()) {
+        EXPECT_EQ(outcome["agrees"].get<bool>(), run != last) << run;
+    }
+    EXPECT_EQ(json["shifted"]["two blocks, base turned"][last]["agree"].get<int>(), 0);
+    // "A micro crack was discovered": closed to a thousandth of what it was, and the blocks part all the same.
+    const Json gap = json["closed_gap"];
+    EXPECT_LT(std::abs(gap["opening_after_in"].get<double>()), 0.01 * gap["opening_before_in"].get<double>());
+    EXPECT_GT(gap["parted_in"].get<double>(), gap["opening_before_in"].get<double>());
+}
+
+// What the remarks to the tilted runs say.
+TEST_F(Chapter5, TheThicknessOfTheBaseDecidesTiltedRuns) {
+    const Json json = reproduce("tilted_blocks").json;
+    EXPECT_EQ(json["complete"]["base turned"], (Json{"base 1.1 in thick", "base 1.15 in thick"}));
+    EXPECT_TRUE(json["complete"]["gravity turned"].empty());
+    const Json& base = json["base turned"];
+    EXPECT_EQ(base["as chosen"]["one"].get<int>(), 5);
+    EXPECT_EQ(base["as chosen"]["two"].get<int>(), 5);
+    for (const std::string thickness : {"1.1", "1.15", "1.2", "2"}) {
+        EXPECT_EQ(base["base " + thickness + " in thick"]["last_of_two"].get<std::string>(), "fails") << thickness;
+    }
+    EXPECT_LT(base["base 2 in thick"]["one"].get<int>(), 5) << "thicker: one block fails too early";
+    for (const auto& [ingredient, counts] : json["gravity turned"].items()) {
+        EXPECT_LT(counts["one"].get<int>(), 5) << ingredient;
+        EXPECT_EQ(counts["last_of_two"].get<std::string>() == "fails", ingredient == "stiffness 2e6 N/m") << ingredient;
+    }
+    // Printed: 700, 1800 and 1500 cycles.
+    for (const auto& [ingredient, counts] : base.items()) {
+        EXPECT_LE(counts["x_behind_y"].get<int>(), 900) << ingredient;
+    }
+    const Json& exact = json["gravity turned"]["exact coordinates"];
+    EXPECT_EQ(exact["every_10"].get<std::string>(), "fails");
+    EXPECT_EQ(exact["every_20"].get<std::string>(), "stands");
+    const Json& gap = json["gravity turned"]["gap 0.01 mm"];
+    EXPECT_EQ(gap["every_10"].get<std::string>(), "fails");
+    EXPECT_EQ(gap["every_20"].get<std::string>(), "fails");
+}
+
+TEST_F(Chapter5, ObservationsOnTwoBlocks) {
+    const Json json = reproduce("observations").json;
+    EXPECT_TRUE(all_agree(json["outcomes"]["stiffness at 18.3 deg"]));
+    const Json shifted = json["shifted"];
+    for (const Json& one : shifted) {
+        EXPECT_GE(one["usable"].get<int>(), 10);
+    }
+    // Half the step takes more than twice the cycles from most starts; the order of the dampings comes from none.
+    EXPECT_GT(2 * shifted["half_step"]["held"].get<int>(), shifted["half_step"]["usable"].get<int>());
+    EXPECT_EQ(shifted["damping"]["held"].get<int>(), 0);
+    // 7000 cycles are far outside what starts give.
+    EXPECT_LT(json["spread"]["6e6 N/m, step 1e-4 s"][1].get<int>(), 3500);
+}
+
+TEST_F(Chapter5, BlowOut) {
+    const Json json = reproduce("fig5.13").json;
+    // The blocks pass their critical inclination then; the start moves it by some cycles.
+    EXPECT_NEAR(json["cycle"].get<double>(), 677, 10);
+    // Half of 7 in less 1 in, but for the rise of the foot, 0.002 in at 0.13 deg.
+    EXPECT_NEAR(std::abs(json["jump_in"].get<double>()), 3, 0.005);
+    EXPECT_TRUE(json["blows_out"]["as listed"].get<bool>());
+    EXPECT_FALSE(json["blows_out"]["without the guard"].get<bool>());
+    EXPECT_FALSE(json["blows_out"]["slots per face"].get<bool>());
+    for (const Json& starts : json["shifted_starts"]) {
+        EXPECT_GT(starts["as listed"].get<int>(), 0);
+        EXPECT_EQ(starts["without the guard"].get<int>(), 0);
+        EXPECT_EQ(starts["slots per face"].get<int>(), 0);
+    }
+    for (const Json& count : json["over_inclinations"]["slots per face"]) {
+        EXPECT_EQ(count.get<int>(), 0);
+    }
+    ASSERT_EQ(json["random_starts"].size(), 4U);
+    for (const Json& starts : json["random_starts"]) {
+        EXPECT_GT(starts["re-created"].get<int>(), 0);
+        EXPECT_EQ(starts["clean"].get<int>(), 0);
+        // Issue 4 asks for 2 %.
+        EXPECT_LT(starts["energy_error"].get<double>(), 0.02);
+        EXPECT_LT(starts["largest_speed_m_per_s"].get<double>(), starts["speed_of_fall_m_per_s"].get<double>());
+    }
+}
+
+TEST_F(Chapter5, FourBlocks) {
+    const Json json = reproduce("quadruple_blocks").json;
+    EXPECT_EQ(json["printed_totals"].get<int>(), 60);
+    // Forty starts do not span all that a chaotic history can do.
+    EXPECT_GE(json["printed_totals_within_range"].get<int>(), 55);
+    EXPECT_GE(json["senses_as_printed"].get<int>(), 16);
+    for (const Json& cycle : json["first_different_print"]) {
+        EXPECT_GT(cycle.get<int>(), 0);
+    }
+    // The clean engine's histories do not hang on the last bit, so the senses are its answer: nineteen of twenty.
+    for (const Json& cycle : json["first_different_print_of_clean"]) {
+        EXPECT_EQ(cycle.get<int>(), 0);
+    }
+    EXPECT_GE(json["clean_senses_as_printed"].get<int>(), 18);
+}
+
+TEST_F(Chapter5, ThreeBlocksByTheCleanEngine) {
+    const Json json = reproduce("triple_blocks").json["clean"];
+    ASSERT_EQ(json.size(), 4U);
+    for (const Json& run : json) {
+        // "Block (1) always slid forward. Block (3) preferred backward sliding."
+        EXPECT_GT(run[0]["forward"].get<int>(), 0);
+        EXPECT_EQ(run[0]["backward"].get<int>(), 0);
+        EXPECT_GT(run[2]["backward"].get<int>(), run[2]["forward"].get<int>());
+    }
+}
+
+TEST_F(Chapter5, Slopes) {
+    const Json plane = reproduce("fig5.16").json;
+    EXPECT_TRUE(plane["as_printed"].get<bool>());
+    EXPECT_TRUE(plane["crack_at_16_deg"].get<bool>());
+    const Json stepped = reproduce("fig5.17").json;
+    EXPECT_TRUE(all_agree(stepped["outcomes"]["stepped base, friction"]));
+    EXPECT_TRUE(std::ranges::all_of(stepped["behaves_as_printed"], [](const Json& one) { return one.get<bool>(); }));
+    ASSERT_EQ(stepped["crack"].size(), 5U);
+    for (const auto& [friction, crack] : stepped["crack"].items()) {
+        EXPECT_TRUE(crack["as_printed"].get<bool>()) << friction;
+        EXPECT_TRUE(crack["clean_as_printed"].get<bool>()) << friction;
+        // "A slight opening" where the columns stand; there the joint is a tenth of that of those that fail.
+        EXPECT_EQ(crack["width_in"].get<double>() < 0.05, friction == "44 deg" || friction == "46 deg") << friction;
+    }
+    EXPECT_TRUE(plane["clean_as_printed"].get<bool>());
+    EXPECT_TRUE(plane["clean_crack_at_16_deg"].get<bool>());
+    // All five printed outcomes where columns are dropped; none thrown off the steps as they climb the risers.
+    EXPECT_TRUE(all_agree(stepped["outcomes_by_scheme"]["clean engine, dropped"]["stepped base, friction"]));
+    for (const Json& one : stepped["clean_behaves_as_printed"]) {
+        EXPECT_TRUE(one.get<bool>());
+    }
+}
+
+TEST_F(Chapter5, OnsetConvergesToEquilibrium) {
+    const Json json = reproduce("onset").json;
+    const Json& onset = json["onset_deg"];
+    for (std::size_t index = 1; index < onset.size(); ++index) {
+        EXPECT_LE(onset[index].get<double>(), onset[index - 1].get<double>() + 0.005);  // bisected to 0.005 deg
+    }
+    // Appendix A: 41.14 deg. At k b/W = 1e7 compliance is left with some hundredths of a degree.
+    EXPECT_NEAR(onset.back().get<double>(), 41.14, 0.05);
+    // The thesis's soft blocks: its bracket where they are dropped, lower where preloaded.
+    EXPECT_GT(json["inches_dropped_deg"].get<double>(), 42);
+    EXPECT_LT(json["inches_dropped_deg"].get<double>(), 44);
+    EXPECT_LT(json["inches_preloaded_deg"].get<double>(), 42);
+}
+
+TEST_F(Chapter5, BackwardSlidingBeginsEarlierInTallColumns) {
+    const Json shares = reproduce("fig5.12").json["rotation_over_slenderness_angle"];
+    ASSERT_EQ(shares.size(), 3U);
+    EXPECT_GT(shares[0].get<double>(), shares[1].get<double>());
+    EXPECT_GT(shares[1].get<double>(), shares[2].get<double>());
+}
+
+}  // namespace
+}  // namespace delabole

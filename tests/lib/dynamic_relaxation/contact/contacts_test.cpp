@@ -1,0 +1,81 @@
+// Which edge a corner bears on.
+#include "dynamic_relaxation/contact/contacts.hpp"
+
+#include "dynamic_relaxation/contact/contact_law.hpp"
+#include "tests/lib/dynamic_relaxation/relaxation_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace delabole {
+namespace {
+
+using relaxation_scenes::density;
+using relaxation_scenes::fixed_block;
+using relaxation_scenes::joint;
+
+// A tip of 21 deg that points upwards, its right side short, and a corner that stands on the left side, beside the
+// middle of the right one and a tenth of a millimetre deep.
+RelaxationScene corner_beside_tip(double level) {
+    RelaxationScene scene;
+    const PlanePoint<> on_left(level * 0.3 + 1e-4, level);
+    scene.block.push_back({{on_left, on_left + PlanePoint<>(0.2, 1.98), on_left + PlanePoint<>(-0.6, 1.9)}, density});
+    scene.block.push_back(fixed_block({{0, 0}, {-0.9, -3}, {0.2, -3}, {0.02, -0.23}}));
+    scene.material = {joint(1e9, degrees(30))};
+    return scene;
+}
+
+double weight_on(const RelaxationScene& scene, std::uint32_t corner, std::uint32_t edge) {
+    const Bodies bodies = make_bodies(scene);
+    const std::vector<Motion> motion(bodies.size());
+    const ContactList list =
+        find_contacts(scene, bodies, motion, std::vector<char>(bodies.size(), 0), {0.002, 0.2, false, {}}, {});
+    for (std::size_t index = 0; index < list.contact.size(); ++index) {
+        const RelaxationContact contact = list.contact[index];
+        if (contact.corner == corner && contact.edge == edge) {
+            return list.memory[index].yields
+                       ? 0
+                       : contact_weight(list.law_of(contact), contact, locate(contact, motion[0], motion[1]), false);
+        }
+    }
+    return 0;
+}
+
+TEST(Contacts, CornerBearsOnTheSideOfATipThatItIsLessDeepInWhicheverEndIsNearer) {
+    // The tip is 4 cm thick there: on the far side the corner would be four hundred times as deep.
+    for (const double level : {-0.11, -0.114, -0.116, -0.12}) {
+        const RelaxationScene scene = corner_beside_tip(level);
+        EXPECT_EQ(weight_on(scene, 0, 3), 1) << level;
+        EXPECT_LE(weight_on(scene, 0, 6), 0) << level;
+    }
+}
+
+// A corner that begins to bear, half its weight on the twin's, on a joint with cohesion.
+double shear_energy_of_new_contact(const PlanePoint<>& velocity) {
+    RelaxationContact contact{};
+    contact.along_x = -1;
+    contact.from_start = contact.to_end = 1;
+    ContactLaw law{};
+    law.start_weight = law.end_weight = 0.5;
+    law.inverse_blend = 100;
+    law.normal_stiffness = law.shear_stiffness = 1e9;
+    law.cohesion = law.residual_cohesion = 1e6;
+    constexpr double step = 1e-4;
+    Motion block;
+    block.y = -1e-9;
+    block.vx = velocity.x();
+    block.vy = velocity.y();
+    ContactMemory memory{};
+    double open_by = 0;
+    advance_contact(law, contact, TwinThatTouches{1e-9, 1e-5}, block, Motion{}, step, memory, open_by);
+    EXPECT_TRUE(memory.touching);
+    return elastic_energy(law, contact, memory, block, Motion{});
+}
+
+TEST(Contacts, TakeOverTheShearOfATwinWhereTheyComeAlongTheEdgeAlone) {
+    const double of_twin = 1e9 * 1e-5 * 1e-5 / 2;
+    EXPECT_NEAR(shear_energy_of_new_contact({0.01, 0}), of_twin, 1e-6 * of_twin);
+    EXPECT_LT(shear_energy_of_new_contact({0, -1e-4}), 1e-6 * of_twin);
+}
+
+}  // namespace
+}  // namespace delabole

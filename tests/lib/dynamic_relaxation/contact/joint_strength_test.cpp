@@ -1,0 +1,339 @@
+// Cohesion and tensile strength of joints without rock across them: spread over the face, not at its two corners.
+#include "tests/lib/dynamic_relaxation/relaxation_scenes.hpp"
+
+#include "dynamic_relaxation/checkpoint/checkpoint.hpp"
+#include "dynamic_relaxation/contact/bonds.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
+
+#include "tests/support/jointed_slopes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+
+namespace delabole {
+namespace {
+
+using namespace relaxation_scenes;
+
+// Root of an increasing function between 0 and 89 deg.
+double root(const std::function<double(double)>& function) {
+    double low = 0;
+    double high = degrees(89);
+    for (int round = 0; round < 60; ++round) {
+        const double middle = (low + high) / 2;
+        (function(middle) < 0 ? low : high) = middle;
+    }
+    return low;
+}
+
+struct Strength {
+    double cohesion;  // Pa
+    double tension;   // Pa
+};
+
+// Numbers of extra vertices on the base of the block and on the ground below it.
+struct Vertices {
+    int of_block = 0;
+    int of_ground = 0;
+};
+
+RelaxationScene scene_of(const OnPlane& plane, const Strength& strength, const Vertices& vertices = {}) {
+    RelaxationScene scene = relaxation_scenes::scene_of(plane);
+    scene.material[0].cohesion = strength.cohesion;
+    scene.material[0].tensile_strength = strength.tension;
+    Polygon<>& block = scene.block[0].outline;
+    for (int vertex = 1; vertex <= vertices.of_block; ++vertex) {
+        block.insert(block.begin() + vertex, {plane.width * vertex / (vertices.of_block + 1), 0});
+    }
+    Polygon<>& ground = scene.block[1].outline;
+    for (int vertex = 1; vertex <= vertices.of_ground; ++vertex) {
+        ground.insert(ground.begin() + 2 + vertex, {plane.width * (1 - (vertex - 0.4) / vertices.of_ground), 0});
+    }
+    scene.bond = find_bonds(scene);
+    return scene;
+}
+
+// Stands at 0.998 of the tilt, fails at 1.002: of 20 deg that is 0.04 deg.
+void expect_limit(const OnPlane& plane, const Strength& strength, double limit, const std::string& what,
+                  const Vertices& vertices = {}) {
+    for (const double part : {0.998, 1.002}) {
+        OnPlane tilted = plane;
+        tilted.tilt = part * limit;
+        const RelaxationResult result = relax(scene_of(tilted, strength, vertices), until_onset());
+        EXPECT_EQ(result.outcome, part < 1 ? RelaxationOutcome::equilibrium : RelaxationOutcome::onset)
+            << what << ", part " << part << " of " << limit;
+        EXPECT_LT(energy_error(result, 1e-6 * density * gravity), 0.02) << what;
+        EXPECT_EQ(result.broken_bonds, 0U) << "no rock";
+    }
+}
+
+double sliding_limit(const OnPlane& plane, double cohesion) {
+    const double share = cohesion * plane.width / plane.weight();
+    return root([&](double tilt) { return std::sin(tilt) - std::cos(tilt) * std::tan(plane.friction) - share; });
+}
+
+// At two corners the heel of the tallest, with less weight on it, slips first: at 27.9 instead of 36.0 deg.
+TEST(JointStrength, CohesionHoldsUpToLimitEquilibrium) {
+    const double unit = density * gravity;
+    for (const double slenderness : {0.2, 0.5, 0.9}) {
+        for (const double friction : {0.0, 20.0}) {
+            for (const double tension : {0.0, 2e4}) {
+                OnPlane plane;
+                plane.height_to_width = slenderness;
+                plane.friction = degrees(friction);
+                const double cohesion = 0.3 * unit * slenderness;
+                expect_limit(plane, {cohesion, tension}, sliding_limit(plane, cohesion),
+                             "a/b " + std::to_string(slenderness) + ", friction " + std::to_string(friction) +
+                                 ", tension " + std::to_string(tension));
+            }
+        }
+    }
+}
+
+// (W sin a / 2 - W cos b / 6) = t b^2 / 6, where that is more than the weight alone holds.
+TEST(JointStrength, TensionHoldsTheMomentOfTheElasticSection) {
+    OnPlane plane;
+    plane.friction = degrees(40);
+    for (const double slenderness : {2.0, 4.04}) {
+        for (const double limit : {30.0, 50.0}) {
+            plane.height_to_width = slenderness;
+            const double tension =
+                plane.weight() * (3 * slenderness * std::sin(degrees(limit)) - std::cos(degrees(limit)));
+            expect_limit(plane, {100 * tension, tension}, degrees(limit),
+                         "a/b " + std::to_string(slenderness) + ", " + std::to_string(limit) + " deg");
+        }
+    }
+}
+
+// The elastic section of a column of 4.04 m with 53 kPa parts at 7.1 deg: below atan(b / a) = 13.9 deg, up to which its
+// weight alone holds it. At two corners it stood to 20.7 deg.
+TEST(JointStrength, TensionOfLittleUseDoesNotHoldAColumn) {
+    OnPlane plane;
+    plane.height_to_width = 4.04;
+    plane.friction = degrees(40);
+    for (const double tension : {0.0, 1.0, 53e3, 100e3}) {
+        expect_limit(plane, {530e3, tension}, std::atan(1 / 4.04), std::to_string(tension));
+    }
+}
+
+TEST(JointStrength, CarriesAHangingBlockByItsWholeFace) {
+    for (const double part : {0.998, 1.002}) {
+        OnPlane plane;
+        RelaxationScene scene;
+        // Over half of its width.
+        scene.block = {{rectangle(0, -1, 1, 1), density},
+                       fixed_block(rectangle(-0.75, 0, 1, 1)),
+                       fixed_block(rectangle(0.75, 0, 1, 1))};
+        scene.material = {joint(plane.stiffness(), degrees(30))};
+        scene.material[0].tensile_strength = plane.weight() / 0.5 / part;
+        scene.bond = find_bonds(scene);
+        EXPECT_EQ(relax(scene, until_onset()).outcome,
+                  part < 1 ? RelaxationOutcome::equilibrium : RelaxationOutcome::onset);
+    }
+}
+
+TEST(JointStrength, IsThatOfTheFaceHoweverManyVerticesItHas) {
+    OnPlane plane;
+    plane.height_to_width = 0.9;
+    plane.friction = degrees(20);
+    const double cohesion = 0.3 * density * gravity * 0.9;
+    OnPlane column;
+    column.height_to_width = 4.04;
+    column.friction = degrees(40);
+    const double tension = column.weight() * (3 * 4.04 * std::sin(degrees(30)) - std::cos(degrees(30)));
+    for (const Vertices& vertices : {Vertices{1, 0}, Vertices{3, 0}, Vertices{0, 2}, Vertices{2, 3}}) {
+        const std::string what = std::to_string(vertices.of_block) + ", " + std::to_string(vertices.of_ground);
+        EXPECT_EQ(scene_of(plane, {cohesion, 0}, vertices).bond.size(), 1U);
+        expect_limit(plane, {cohesion, 0}, sliding_limit(plane, cohesion), "slides, " + what, vertices);
+        expect_limit(column, {100 * tension, tension}, degrees(30), "bends, " + what, vertices);
+        expect_limit(column, {530e3, 0}, std::atan(1 / 4.04), "overturns, " + what, vertices);
+    }
+}
+
+// A base on the ground with one joint at both ends and another without strength between: W sin = c l + W cos tan(phi).
+TEST(JointStrength, IsThatOfTheLengthItRunsAlong) {
+    OnPlane plane;
+    plane.height_to_width = 0.2;
+    plane.friction = degrees(20);
+    const double cohesion = 0.3 * density * gravity * 0.2;
+    const double limit = sliding_limit(plane, 0.75 * cohesion);
+    for (const double part : {0.998, 1.002}) {
+        OnPlane tilted = plane;
+        tilted.tilt = part * limit;
+        RelaxationScene scene = scene_of(tilted, {cohesion, 0}, {3, 0});
+        scene.material.push_back(joint(scene.material[0].normal_stiffness, plane.friction - 1e-9));
+        scene.block[0].joint = {0, 1, 0, 0, 0, 0, 0};
+        scene.bond = find_bonds(scene);
+        ASSERT_EQ(scene.bond.size(), 1U);
+        EXPECT_EQ(relax(scene, until_onset()).outcome,
+                  part < 1 ? RelaxationOutcome::equilibrium : RelaxationOutcome::onset);
+    }
+}
+
+TEST(JointStrength, IsSpreadWhereItCanBeLost) {
+    const auto bonds = [](const std::function<void(JointMaterial&)>& change) {
+        RelaxationScene scene = relaxation_scenes::scene_of(OnPlane{});
+        change(scene.material[0]);
+        return find_bonds(scene).size();
+    };
+    EXPECT_EQ(bonds([](JointMaterial&) {}), 0U);
+    EXPECT_EQ(bonds([](JointMaterial& one) { one.cohesion = 1; }), 1U);
+    EXPECT_EQ(bonds([](JointMaterial& one) { one.tensile_strength = 1; }), 1U);
+    // Perfectly plastic corners add up to limit equilibrium themselves.
+    EXPECT_EQ(bonds([](JointMaterial& one) { one.cohesion = one.residual_cohesion = 1; }), 0U);
+    // Of two joints in contact that with less friction counts.
+    RelaxationScene scene = relaxation_scenes::scene_of(OnPlane{});
+    scene.material.push_back(joint(scene.material[0].normal_stiffness, degrees(50)));
+    scene.block[1].joint = {1, 1, 1, 1};
+    scene.material[1].cohesion = 1;
+    EXPECT_TRUE(find_bonds(scene).empty());
+    scene.material[0].cohesion = 1;
+    ASSERT_EQ(find_bonds(scene).size(), 1U);
+    EXPECT_FALSE(find_bonds(scene)[0].material);
+}
+
+// Squares that hold together by their joints alone, and fall apart on a slope.
+RelaxationScene weak_wall(std::size_t columns, std::size_t rows, double tension) {
+    RelaxationScene scene;
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
+            scene.block.push_back({rectangle(static_cast<double>(column), static_cast<double>(row), 1, 1), density});
+        }
+    }
+    scene.block.push_back(fixed_block(rectangle(-2, -1, static_cast<double>(columns) + 4, 1)));
+    scene.material = {joint(1e9, degrees(20))};
+    scene.material[0].cohesion = 4e4;
+    scene.material[0].tensile_strength = tension;
+    scene.gravity.tilt = scene.gravity.final_tilt = degrees(40);
+    scene.bond = find_bonds(scene);
+    return scene;
+}
+
+std::ptrdiff_t broken(const Simulation& simulation) {
+    return std::ranges::count_if(simulation.state().bond,
+                                 [](const BondMemory& memory) { return is_broken(memory.state); });
+}
+
+TEST(JointStrength, GoesOnFromCheckpointsAndForAnyNumberOfThreads) {
+    for (const double tension : {0.0, 2e4}) {
+        const RelaxationScene scene = weak_wall(18, 16, tension);
+        ASSERT_GT(scene.bond.size(), 512U);
+        RelaxationSettings settings;
+        settings.start = RelaxationStart::dropped;
+        Simulation whole(scene, settings);
+        settings.threads = 2;
+        Simulation divided(scene, settings);
+        constexpr int steps = 500;
+        std::string middle;
+        for (int step = 0; step < steps; ++step) {
+            if (step == steps / 2) {
+                middle = checkpoint_of(scene, whole.settings(), whole.state());
+            }
+            whole.step();
+            divided.step();
+        }
+        const std::string end = checkpoint_of(scene, whole.settings(), whole.state());
+        EXPECT_GT(broken(whole), 0);
+        EXPECT_LT(broken(whole), static_cast<std::ptrdiff_t>(scene.bond.size()));
+        EXPECT_TRUE(checkpoint_of(scene, divided.settings(), divided.state()) == end);
+        RestoredState restored = restore_checkpoint(middle, scene, whole.settings());
+        ASSERT_EQ(restored.check, CheckpointCheck::ok);
+        Simulation rest(scene, whole.settings(), std::move(restored.state));
+        for (int step = steps / 2; step < steps; ++step) {
+            rest.step();
+        }
+        EXPECT_TRUE(checkpoint_of(scene, rest.settings(), rest.state()) == end);
+    }
+}
+
+TEST(JointStrength, BooksOfAWallThatFallsApartBalance) {
+    RelaxationSettings settings;
+    settings.start = RelaxationStart::dropped;
+    settings.local_damping = 0;
+    settings.duration = 0.4;
+    for (const double tension : {0.0, 2e4}) {
+        // What explicit steps of 0.6 of the stable one leave over in any run of blocks that bump.
+        EXPECT_LT(energy_error(relax(weak_wall(4, 4, tension), settings), 0), 0.02) << tension;
+    }
+}
+
+RelaxationStudy block_in_a_row(double height, const RelaxationJoint& base, const CriticalRequest& critical) {
+    RelaxationRow row{};
+    row.tilt = degrees(25);
+    row.density = density;
+    row.interface.friction_angle = degrees(40);
+    row.base = base;
+    row.block = {{1, height, {}}};
+    RelaxationStudy study{};
+    study.model.scene = row;
+    study.settings = RelaxationNumerics{};
+    study.settings->stop = RelaxationStop::onset;
+    study.critical = critical;
+    return study;
+}
+
+// As cases have it: (c b + W cos tan(phi)) / (W sin), W / b = 0.9 m of rock.
+TEST(JointStrength, DividedIsAFactorOfSafety) {
+    RelaxationJoint base{};
+    base.friction_angle = degrees(20);
+    base.cohesion = 7e3;
+    const double weight = density * gravity * 0.9;
+    const double expected =
+        (7e3 + weight * std::cos(degrees(25)) * std::tan(degrees(20))) / (weight * std::sin(degrees(25)));
+    const CriticalAnswer found = find_critical(block_in_a_row(0.9, base, ReductionSearch{}));
+    ASSERT_EQ(found.status, CriticalStatus::found);
+    EXPECT_NEAR(found.value(), expected, 0.0025 + 0.001) << "half the bracket, and the springs";
+}
+
+TEST(JointStrength, OfAColumnInACase) {
+    RelaxationJoint base{};
+    base.friction_angle = degrees(40);
+    base.cohesion = 8e6;
+    base.tensile_strength = 800e3;
+    TiltSearch search{};
+    search.lower = degrees(1);
+    search.upper = degrees(80);
+    const double limit = root(
+        [&](double tilt) { return density * gravity * 4.04 * (3 * 4.04 * std::sin(tilt) - std::cos(tilt)) - 800e3; });
+    const CriticalAnswer found = find_critical(block_in_a_row(4.04, base, search));
+    ASSERT_EQ(found.status, CriticalStatus::found);
+    EXPECT_NEAR(found.value(), limit, degrees(0.0025 + 0.001));
+}
+
+// One plane of 35 deg in a slope of 12 m, cohesive from end to end.
+TEST(JointStrength, OfAPlaneInASlope) {
+    const double dip = degrees(35);
+    const PlanePoint<> toe(0.5 / std::tan(degrees(60)), 0.5);
+    const PlanePoint<> top(toe.x() + 11.5 / std::tan(dip), 12);
+    const double crest = 12 / std::tan(degrees(60));
+    for (const double cohesion : {5e3, 20e3}) {
+        RelaxationSlope slope{};
+        slope.geometry = testing::section({{-10, -6}, {30, -6}, {30, 12}, {crest, 12}, {0, 0}, {-10, 0}},
+                                          {testing::cut("plane", testing::line({{toe.x(), toe.y()}, {top.x(), 12}}))});
+        slope.geometry.intact_joint = "joint";
+        slope.rock = {{"rock", density}};
+        RelaxationJoint plane{};
+        plane.friction_angle = degrees(30);
+        plane.cohesion = cohesion;
+        slope.joint = {{"joint", {}, plane}};
+        slope.frame = SlopeFrame{FrameSides::all_around, 3, {}, "joint"};
+        slope.fixed = {{{{-11, -7}, {31, -7}, {31, 13}, {top.x(), 13}, {top.x(), 12}, {toe.x(), toe.y()}, {-11, 0.5}}}};
+        RelaxationStudy study{};
+        study.model.scene = slope;
+        study.settings = RelaxationNumerics{};
+        study.settings->stop = RelaxationStop::onset;
+        study.critical = ReductionSearch{};
+        const double weight = density * gravity * area_properties(Polygon<>{toe, top, {crest, 12}}).area;
+        const double expected =
+            (cohesion * (top - toe).norm() + weight * std::cos(dip) * std::tan(degrees(30))) / (weight * std::sin(dip));
+        const CriticalAnswer found = find_critical(study);
+        ASSERT_EQ(found.status, CriticalStatus::found) << cohesion;
+        EXPECT_NEAR(found.value(), expected, 0.0025 + 0.001) << cohesion;
+    }
+}
+
+}  // namespace
+}  // namespace delabole

@@ -1,0 +1,105 @@
+// Slopes with so few joints that every stepped surface can be tried, and all of these surfaces.
+#pragma once
+
+#include "limit_equilibrium/stepped_path/path_search.hpp"
+#include "tests/lib/limit_equilibrium/stepped_path/west_face.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace delabole {
+
+inline SteppedPath random_path(std::mt19937& random, SteppedPathMechanism mechanism) {
+    const auto between = [&](double lower, double upper) {
+        return std::uniform_real_distribution<>(lower, upper)(random);
+    };
+    SteppedPath path = west_face(mechanism);
+    path.slope = {between(20, 40), degrees(between(50, 89)), degrees(between(-10, 10)), std::nullopt, std::nullopt};
+    path.steps = {degrees(between(-10, 25)), between(6, 12), degrees(between(10, 45)), between(0, 100e3)};
+    path.risers = PathRisers{degrees(between(50, 88)), between(4, 8), degrees(between(10, 45)), between(0, 50e3)};
+    path.columns = PathColumns{degrees(between(-89, -60)), between(4, 9), degrees(between(10, 45))};
+    path.search.greatest_retreat = between(15, 25);
+    path.search.least_width = between(0, 6);
+    if (between(0, 1) < 0.5) {
+        path.rock_bridges = RockBridges{between(0.8, 1), between(0.8, 1), 500e3, degrees(40), between(0, 100e3)};
+    }
+    path.water = WaterDrawnDown{9.81e3, WaterDepth<>{between(0, 30)}, between(5, 50)};
+    return path;
+}
+
+// Every surface of columns.
+inline std::vector<LatticePath> all_column_paths(const PathLattice& lattice) {
+    std::vector<LatticePath> paths;
+    const std::function<void(LatticePath)> grow = [&](const LatticePath& path) {
+        const std::size_t last = path.first + path.level.size() - 1;
+        if (lattice.retreat(lattice.column_outcrop[last - 1]) >= lattice.least_width) {
+            paths.push_back(path);
+        }
+        const PathCell& cell = lattice.cells[last - 1][path.level.back()];
+        for (std::size_t wedge = 0; wedge < lattice.wedges[last - 1].size(); ++wedge) {
+            if (lattice.wedges[last - 1][wedge].depth <= cell.upper_reach) {
+                paths.push_back(path);
+                paths.back().wedge = wedge;
+            }
+        }
+        for (std::size_t level = path.level.back(); last < lattice.cells.size() && level < lattice.levels; ++level) {
+            const PathCell& above = lattice.cells[last][level];
+            if (above.exists && !above.at_face) {
+                LatticePath longer = path;
+                longer.level.push_back(level);
+                grow(longer);
+            }
+        }
+    };
+    for (std::size_t column = 0; column < lattice.cells.size(); ++column) {
+        for (std::size_t level = 0; level < lattice.levels; ++level) {
+            if (lattice.cells[column][level].exists && lattice.cells[column][level].at_face) {
+                grow({column + 1, {level}, {}});
+            }
+        }
+    }
+    return paths;
+}
+
+inline std::vector<LatticePath> all_sliding_paths(const PathLattice& lattice) {
+    std::vector<LatticePath> paths;
+    const std::function<void(LatticePath)> grow = [&](const LatticePath& path) {
+        const std::size_t last = path.first + path.level.size() - 1;
+        if (lattice.retreat(lattice.riser_outcrop[last]) >= lattice.least_width) {
+            paths.push_back(path);
+        }
+        for (std::size_t level = path.level.back();
+             last + 1 < lattice.riser_node.size() && level < lattice.levels && lattice.riser_node[last][level];
+             ++level) {
+            if (lattice.riser_node[last + 1][level]) {
+                LatticePath longer = path;
+                longer.level.push_back(level);
+                grow(longer);
+            }
+        }
+    };
+    for (std::size_t riser = 0; riser < lattice.riser_node.size(); ++riser) {
+        for (std::size_t level = 0; level < lattice.levels; ++level) {
+            // Steps from the face to a riser end at the first one that bounds a mass wide enough.
+            if (lattice.riser_node[riser][level] && !(riser > 0 && lattice.riser_node[riser - 1][level])) {
+                grow({riser, {level}, {}});
+            }
+        }
+    }
+    return paths;
+}
+
+inline double least_of_all(const SteppedPath& problem, const PathLattice& lattice,
+                           const std::vector<LatticePath>& paths) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const LatticePath& path : paths) {
+        least = std::min(least, factor_of_safety(problem, lattice, path).value);
+    }
+    return least;
+}
+
+}  // namespace delabole
