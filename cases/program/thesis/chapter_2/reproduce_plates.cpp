@@ -28,8 +28,8 @@ constexpr std::array plates{Plate{"2.I", "plate_2_i"},
                             Plate{"2.V", "plate_2_v"},
                             Plate{"2.VI", "plate_2_vi"}};
 
-std::string stated(FieldVerdict printed, FieldVerdict computed) {
-    return printed == FieldVerdict::not_said ? "" : statement(printed == computed);
+Remark stated(FieldVerdict printed, FieldVerdict computed) {
+    return printed == FieldVerdict::not_said ? Remark() : statement(printed == computed);
 }
 
 void add_rows(const MechanismVerdict& printed, const FieldScore& score, Reproduction& result) {

@@ -35,7 +35,8 @@ Reproduction reproduce_fig_4_1(const ResultFolder& folder, Report& report) {
         result.rows.push_back({"a/b = 3 at " + at + " deg: friction above which it topples without sliding",
                                at + " deg (superposed)", value_in_words(boundary, Dimension::angle),
                                difference_in_words(boundary / degrees(1) - inclination) + " deg",
-                               both_sides ? "the equations of motion change over there" : "NOT met by the model"});
+                               both_sides ? Remark("the equations of motion change over there")
+                                          : statement(false) + ": the equations of motion do not change over there"});
         result.json["topples_above_friction_deg"][at] = boundary / degrees(1);
     }
     const BlockMotion stocky = onset(degrees(30), degrees(60), degrees(25));
