@@ -1,4 +1,5 @@
 // What `delabole reproduce chapter5` says of the thesis's dynamic relaxation.
+#include "cases/program/thesis/chapter_5/sliding.hpp"
 #include "reproduction_fixture.hpp"
 
 #include <gtest/gtest.h>
@@ -154,6 +155,25 @@ TEST_F(Chapter5, BlowOut) {
         // Issue 4 asks for 2 %.
         EXPECT_LT(starts["energy_error"].get<double>(), 0.02);
         EXPECT_LT(starts["largest_speed_m_per_s"].get<double>(), starts["speed_of_fall_m_per_s"].get<double>());
+    }
+}
+
+TEST(Chapter5Tables, PrintedRowsAddUpToPrintedTotals) {
+    for (const Chapter5Run& run : chapter_5_runs("quadruple")) {
+        std::vector<SlidingTotals> sums(4);
+        for (const auto& [cycle, blocks] : printed_history(run)) {
+            const bool any = std::ranges::any_of(blocks, [](BaseSliding one) { return one != BaseSliding::none; });
+            for (std::size_t block = 0; any && block < blocks.size(); ++block) {
+                sums[block].forward += blocks[block] == BaseSliding::forward ? 1 : 0;
+                sums[block].backward += blocks[block] == BaseSliding::backward ? 1 : 0;
+            }
+        }
+        for (std::size_t block = 0; block < sums.size(); ++block) {
+            // The thesis's own total there is one less than its rows.
+            const int misprint = run.name == "Table 5.3" && block == 2 ? 1 : 0;
+            EXPECT_EQ(sums[block].forward, run.printed_totals[block].forward + misprint) << run.name << ' ' << block;
+            EXPECT_EQ(sums[block].backward, run.printed_totals[block].backward) << run.name << ' ' << block;
+        }
     }
 }
 

@@ -12,6 +12,7 @@ namespace delabole {
 extern const std::string_view thesis_groundwater_tests;
 extern const std::string_view thesis_mechanisms;
 extern const std::string_view thesis_trends;
+extern const std::string_view thesis_plates;
 extern const std::string_view thesis_table_3_2;
 extern const std::string_view thesis_table_3_3;
 extern const std::string_view thesis_tilting_frame;
