@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace delabole {
 
@@ -85,6 +86,13 @@ Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
         const FieldScore score = score_of(runs[index]);
         add_rows(*printed, score, result);
         result.json[printed->plate] = json_of(runs[index], score);
+        if (printed->plate == "2.I") {
+            // Photographs e and f, where what had failed was taken away.
+            const double face = runs[index].end.answer.lower_angle / degrees(1);
+            result.rows.push_back({"2.I: the slope without what failed (e, f)", "joint C, 50 deg, is the new face",
+                                   human_number(face, 3) + " deg", human_number(face - 50, 2) + " deg",
+                                   statement(std::abs(face - 50) < 2)});
+        }
     }
     report.blocks.emplace_back(Heading{"Plates 2.I to 2.VI as runs (2.3.3.2)"});
     report.blocks.emplace_back(Paragraph{
