@@ -202,9 +202,10 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
                       {"not_met", counts.not_met},
                       {"beside", counts.beside},
                       {"not_printed", counts.not_printed}};
-    const std::string ending = in_words(counts) + (what.empty() ? "; " + left_out() : "");
+    const std::string counted = in_words(counts);
+    const std::string missing = what.empty() ? left_out() : "";
     report.blocks.emplace_back(Heading{"Count"});
-    report.blocks.emplace_back(Paragraph{ending});
+    report.blocks.emplace_back(Paragraph{counted + (missing.empty() ? "" : "; " + missing)});
     Json source;
     source["program"] = "delabole " + std::string(version());
     source["revision"] = std::string(revision());
@@ -217,8 +218,11 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
     if (options.json) {
         std::cout << json_text(json);
     } else if (!options.quiet) {
+        constexpr std::size_t width = 118;  // as the table has it
         std::cout << screen_table(rows) << '\n'
-                  << wrapped(ending, 118) << "\nreport in " << (folder.path() / "report.html").string() << '\n';
+                  << wrapped(counted, width) << '\n'
+                  << wrapped(missing, width) << (missing.empty() ? "" : "\n") << "report in "
+                  << (folder.path() / "report.html").string() << '\n';
     }
     return ExitCode::ok;
 }
