@@ -15,8 +15,9 @@ title "all of the thesis"
 delabole reproduce
 expect_complete_results_of_reproduce results/thesis
 expect_figures results/thesis 4
-expect "rows have their place in the thesis" contains "$scratch/out" 'met or why not'
-expect "they are counted, and what is left out is named" contains "$scratch/out" 'take minutes: plates, '
+expect "rows have their place in the thesis" contains "$scratch/out" '2.3.5, Fig 2.15'
+expect "they fit a terminal of 120 columns" test "$(LC_ALL=C.UTF-8 wc -L <"$scratch/out")" -le 120
+expect "they are counted, and what is left out is named" contains "$scratch/out" 'left out, because they take minutes: plates, '
 in_browser results/thesis
 
 title "one part"

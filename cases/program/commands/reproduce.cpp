@@ -1,5 +1,4 @@
 // delabole reproduce
-#include "cases/program/case/case_writer.hpp"
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/names.hpp"
 #include "cases/program/terminal/interrupt.hpp"
@@ -7,6 +6,7 @@
 #include "cases/program/thesis/reproduction.hpp"
 #include "fitting/work/parallel.hpp"
 #include "fitting/work/words.hpp"
+#include "plots/drawing/text.hpp"
 #include "version/version.hpp"
 
 #include <algorithm>
@@ -106,10 +106,6 @@ void run_part(const ResultFolder& folder, const PartOfWork& part, std::size_t co
     stop_if_interrupted();
 }
 
-std::string statement(bool met) {
-    return met ? "statement met" : "statement NOT met";
-}
-
 std::string columns_in_words(const std::vector<std::string_view>& does, const std::string& to) {
     std::vector<std::string> parts;
     for (std::size_t first = 0; first < does.size();) {
@@ -130,29 +126,6 @@ std::string difference_in_words(double difference) {
     return std::abs(difference) < 1e-9 ? "0" : number_in_words(difference);
 }
 
-namespace {
-
-bool names_clean_engine(const std::vector<PrintedRow>& rows) {
-    return std::ranges::any_of(rows, [](const PrintedRow& row) { return !row.clean.empty(); });
-}
-
-}  // namespace
-
-Table printed_table(const std::string& caption, const std::vector<PrintedRow>& rows) {
-    Table table{caption, {"quantity", "printed"_number, "computed"_number, "difference"_number, "remark"}};
-    const bool both = names_clean_engine(rows);
-    if (both) {
-        table.columns.insert(table.columns.begin() + 3, "clean engine"_number);
-    }
-    for (const PrintedRow& row : rows) {
-        table.rows.push_back({row.what, row.printed, row.computed, row.difference, row.remark});
-        if (both) {
-            table.rows.back().insert(table.rows.back().begin() + 3, row.clean);
-        }
-    }
-    return table;
-}
-
 std::vector<std::pair<std::string, std::string>> reproducible() {
     std::vector<std::pair<std::string, std::string>> names;
     for (const ReproductionChapter& chapter : chapters()) {
@@ -167,49 +140,6 @@ std::vector<std::pair<std::string, std::string>> reproducible() {
 }
 
 namespace {
-
-std::vector<std::vector<std::string>> on_screen(const std::vector<PrintedRow>& rows) {
-    const bool both = names_clean_engine(rows);
-    std::vector<std::vector<std::string>> screen = {
-        {"thesis", "quantity", "printed", "computed", "difference", "met or why not"}};
-    constexpr std::ptrdiff_t after_computed = 4;
-    if (both) {
-        screen.front().insert(screen.front().begin() + after_computed, "clean engine");
-    }
-    for (const PrintedRow& row : rows) {
-        screen.push_back({row.place, row.what, row.printed, row.computed, row.difference, row.remark});
-        if (both) {
-            screen.back().insert(screen.back().begin() + after_computed, row.clean);
-        }
-    }
-    return screen;
-}
-
-// How many rows meet what is printed: statements do or do not, and a number stands beside the printed one with its
-// difference.
-struct RowCounts {
-    int met = 0;
-    int not_met = 0;
-    int beside = 0;
-    int not_printed = 0;
-};
-
-RowCounts count(const std::vector<PrintedRow>& rows) {
-    RowCounts counts;
-    for (const PrintedRow& row : rows) {
-        const bool not_met = row.remark.find(" NOT met") != std::string::npos;
-        const bool met = row.remark.starts_with(statement(true));
-        const bool printed = !row.printed.empty() && row.printed != "not printed";
-        ++(not_met ? counts.not_met : met ? counts.met : printed ? counts.beside : counts.not_printed);
-    }
-    return counts;
-}
-
-std::string in_words(const RowCounts& counts) {
-    return "statements met " + std::to_string(counts.met) + ", not met " + std::to_string(counts.not_met) +
-           "; computed beside the printed " + std::to_string(counts.beside) + "; not printed " +
-           std::to_string(counts.not_printed);
-}
 
 // Names the items that take minutes, which a reproduction of everything leaves out.
 std::string left_out() {
@@ -253,8 +183,13 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
         for (const PrintedRow& row : result.rows) {
             rows.push_back(row);
             rows.back().place = item->place;
-            Json one = {
-                {"what", row.what}, {"printed", row.printed}, {"computed", row.computed}, {"remark", row.remark}};
+            Json one = {{"what", row.what},
+                        {"printed", row.printed},
+                        {"computed", row.computed},
+                        {"remark", in_words(row.remark)}};
+            if (row.remark.verdict != RowVerdict::none) {
+                one["met"] = row.remark.verdict == RowVerdict::met;
+            }
             if (!row.clean.empty()) {
                 one["clean_engine"] = row.clean;
             }
@@ -262,14 +197,15 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
         }
     }
     progress.reset();
-    const RowCounts counts = count(rows);
+    const RowCounts counts = count_rows(rows);
     json["counts"] = {{"met", counts.met},
                       {"not_met", counts.not_met},
                       {"beside", counts.beside},
                       {"not_printed", counts.not_printed}};
-    const std::string ending = in_words(counts) + (what.empty() ? "; " + left_out() : "");
+    const std::string counted = in_words(counts);
+    const std::string missing = what.empty() ? left_out() : "";
     report.blocks.emplace_back(Heading{"Count"});
-    report.blocks.emplace_back(Paragraph{ending});
+    report.blocks.emplace_back(Paragraph{counted + (missing.empty() ? "" : "; " + missing)});
     Json source;
     source["program"] = "delabole " + std::string(version());
     source["revision"] = std::string(revision());
@@ -282,7 +218,10 @@ ExitCode reproduce_command(const std::string& what, const Options& options) {
     if (options.json) {
         std::cout << json_text(json);
     } else if (!options.quiet) {
-        std::cout << aligned_columns(on_screen(rows)) << ending << "\nreport in "
+        constexpr std::size_t width = 118;  // as the table has it
+        std::cout << screen_table(rows) << '\n'
+                  << wrapped(counted, width) << '\n'
+                  << wrapped(missing, width) << (missing.empty() ? "" : "\n") << "report in "
                   << (folder.path() / "report.html").string() << '\n';
     }
     return ExitCode::ok;

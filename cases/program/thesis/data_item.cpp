@@ -13,12 +13,13 @@ namespace {
 // In `verify` the source stands in its own column; here it goes without saying.
 PrintedRow printed_row_of(const Comparison& comparison) {
     const bool met = comparison.verdict == Verdict::met;
-    std::string remark = met && comparison.expected == "not printed" ? "" : statement(met);
+    const bool told = met && comparison.expected == "not printed";
+    Remark remark = told ? Remark() : statement(met);
     if (comparison.verdict == Verdict::unreachable) {
         remark += ": " + comparison.source;
     }
     if (!comparison.note.empty()) {
-        remark += (remark.empty() ? "" : "; ") + comparison.note;
+        remark += (told ? "" : "; ") + comparison.note;
     }
     return {comparison.what, comparison.expected, comparison.computed, comparison.difference, remark};
 }

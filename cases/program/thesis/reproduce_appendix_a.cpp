@@ -117,7 +117,7 @@ Reproduction reproduce_limiting_friction(const ResultFolder& folder, Report& rep
     const auto above = static_cast<std::size_t>(crack);
 
     Reproduction reproduction;
-    const auto angle_row = [&](const std::string& what, double angle, const std::string& remark) {
+    const auto angle_row = [&](const std::string& what, double angle, const Remark& remark) {
         reproduction.rows.push_back({what, "41.14 deg", degrees_in_words(angle, 4),
                                      difference_in_words(angle / degrees(1) - 41.14) + " deg", remark});
     };
@@ -179,8 +179,8 @@ Reproduction reproduce_friction_angles(const ResultFolder&, Report& report) {
             {"friction angle " + number_in_words(angle) + " deg", printed_stands ? "stands" : "fails",
              std::string(stands ? "stands" : "fails") + ", FS " + number_in_words(result.factor_of_safety), "",
              printed_stands == stands ? statement(true)
-                                      : "statement NOT met: within a degree of the limit, where the numerical model "
-                                        "lets through what limiting equilibrium holds"});
+                                      : statement(false) + ": within a degree of the limit, where the numerical model "
+                                                           "lets through what limiting equilibrium holds"});
         reproduction.json["factor_of_safety_at_" + number_in_words(angle) + "_deg"] = result.factor_of_safety;
     }
     report.blocks.emplace_back(Heading{"The same columns by dynamic relaxation (5.3.4.2)"});

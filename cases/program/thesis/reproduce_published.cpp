@@ -104,14 +104,14 @@ std::string bracket_in_words(const Problem& problem, const PathValue& answer) {
 }
 
 // A closed form is met within 3 %; without one, the value is within the span of the codes, or not.
-std::string verdict(const Problem& problem) {
+Remark verdict(const Problem& problem) {
     if (problem.answer.status != CriticalStatus::found) {
         return "no value";
     }
     const double value = problem.shown(problem.answer.value());
     if (const std::optional<double>& closed = problem.published.closed_form) {
         const double off = 100 * (value / *closed - 1);
-        return (std::abs(off) <= 3 ? "closed form met: " : "closed form NOT met: ") + human_number(off, 2) + " %";
+        return statement(std::abs(off) <= 3) + ": " + human_number(off, 2) + " % off the closed form";
     }
     std::vector<double> values;
     for (const Code& code : codes()) {
@@ -121,7 +121,8 @@ std::string verdict(const Problem& problem) {
     }
     const auto [least, most] = std::ranges::minmax(values);
     constexpr double rounding = 0.005;  // of values printed with two decimals
-    return value >= least - rounding && value <= most + rounding ? "within the span" : "outside the span";
+    const bool within = value >= least - rounding && value <= most + rounding;
+    return statement(within) + (within ? ": within" : ": outside") + " the span of the codes";
 }
 
 // Why values of the case are not met, where it says so.
@@ -155,7 +156,7 @@ Table factor_table(const std::vector<Problem>& problems) {
             const std::optional<double>& value = problem.published.*code.value;
             row.push_back(value ? human_number(*value, 4) : "");
         }
-        row.push_back(verdict(problem));
+        row.push_back(in_words(verdict(problem)));
         const std::string why = reasons(problem.file);
         row.push_back(problem.published.remark + (problem.published.remark.empty() || why.empty() ? "" : "; ") + why);
     }
@@ -211,7 +212,7 @@ Json json_of(const Problem& problem) {
             {"statics", problem.bound ? Json(*problem.bound) : Json(nullptr)},
             {"blocks", problem.blocks},
             {"seconds", problem.seconds},
-            {"verdict", verdict(problem)}};
+            {"verdict", in_words(verdict(problem))}};
 }
 
 PrintedRow printed_row(const Problem& problem) {

@@ -7,9 +7,34 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace delabole {
+
+// Whether what is printed holds; `none` where a number stands beside the printed one, or nothing is printed.
+enum class RowVerdict { none, met, not_met };
+
+// What is said to a row: its verdict, and why or by how much.
+struct Remark {
+    RowVerdict verdict = RowVerdict::none;
+    std::string text = {};  // after a verdict it begins with a mark or a blank: ": rank correlation 0.9"
+
+    Remark() = default;
+    Remark(std::string said) : text(std::move(said)) {}
+    Remark(const char* said) : text(said) {}
+    explicit Remark(RowVerdict is) : verdict(is) {}
+    Remark& operator+=(std::string_view more) {
+        text += more;
+        return *this;
+    }
+};
+
+// A verdict alone, to which words are added.
+Remark statement(bool met);
+Remark operator+(Remark remark, std::string_view more);
+// "statement NOT met: within a degree of the limit".
+std::string in_words(const Remark& remark);
 
 // A printed number or statement beside the computed one.
 struct PrintedRow {
@@ -17,7 +42,7 @@ struct PrintedRow {
     std::string printed;
     std::string computed;
     std::string difference;
-    std::string remark;
+    Remark remark;
     std::string clean = {};  // by the clean engine, where `computed` is by the re-created program of chapter 5
     std::string place = {};  // in the thesis, that of its item
 };
@@ -65,14 +90,26 @@ struct PartOfWork {
 void run_part(const ResultFolder& folder, const PartOfWork& part, std::size_t count,
               const std::function<void(std::size_t)>& task);
 
-// How a remark on a statement begins, so that rows can be counted.
-std::string statement(bool met);
 // "1 slides, 2 to 5 topple and 6 to 8 stay": what each column does, with `to` between the first and last that do the
 // same.
 std::string columns_in_words(const std::vector<std::string_view>& does, const std::string& to);
 // A difference of rounding is no difference.
 std::string difference_in_words(double difference);
 Table printed_table(const std::string& caption, const std::vector<PrintedRow>& rows);
+// For a terminal of 120 columns: rows below their place in the thesis, what is said to each below it.
+std::string screen_table(const std::vector<PrintedRow>& rows);
+
+// How many rows meet what is printed: statements do or do not, and a number stands beside the printed one with its
+// difference.
+struct RowCounts {
+    int met = 0;
+    int not_met = 0;
+    int beside = 0;
+    int not_printed = 0;
+};
+
+RowCounts count_rows(const std::vector<PrintedRow>& rows);
+std::string in_words(const RowCounts& counts);
 
 // `cases` are built-in ones of a folder (thesis_tables.hpp), in the order of the report.
 // An item that is data alone: cases whose texts, [[expect]] and [[sweep]] say what is printed and drawn.

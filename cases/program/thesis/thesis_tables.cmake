@@ -3,8 +3,8 @@
 set(thesis_tables "")
 foreach(table
     thesis/chapter_2/groundwater_tests thesis/chapter_2/mechanisms thesis/chapter_2/trends
-    thesis/chapter_3/table_3_2 thesis/chapter_3/table_3_3 thesis/chapter_3/tilting_frame
-    thesis/chapter_5/runs published/published_factors)
+    thesis/chapter_3/plates thesis/chapter_3/table_3_2 thesis/chapter_3/table_3_3 thesis/chapter_3/tilting_frame
+    thesis/chapter_5/histories thesis/chapter_5/runs published/published_factors)
     set(file ${PROJECT_SOURCE_DIR}/cases/${table}.csv)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     file(READ ${file} text)
@@ -13,13 +13,13 @@ foreach(table
 endforeach()
 set(built_in_cases "")
 foreach(case
-    plane_failure/fig_2_8 plane_failure/groundwater_by_tilting stepped_base/appendix_a
+    delabole_1967/delabole_joint_sets plane_failure/fig_2_8 plane_failure/groundwater_by_tilting stepped_base/appendix_a
     thesis/chapter_2/groundwater_column thesis/chapter_2/plate_2_i
     thesis/chapter_2/plate_2_i_continuity thesis/chapter_2/plate_2_i_without_cleavage thesis/chapter_2/plate_2_ii
     thesis/chapter_2/plate_2_ii_joints_c thesis/chapter_2/plate_2_iii
     thesis/chapter_2/plate_2_iii_friction thesis/chapter_2/plate_2_iv
     thesis/chapter_2/plate_2_iv_divided thesis/chapter_2/plate_2_v thesis/chapter_2/plate_2_vi
-    thesis/chapter_4/fig_3_4 thesis/chapter_4/fig_4_3 thesis/chapter_4/fig_4_4 thesis/chapter_4/fig_4_6
+    thesis/chapter_3/fig_3_5 thesis/chapter_4/appendix_a_blocks thesis/chapter_4/fig_3_4 thesis/chapter_4/fig_4_3 thesis/chapter_4/fig_4_4 thesis/chapter_4/fig_4_6
     thesis/chapter_4/fig_4_8
     published/rj_1a published/rj_1b published/rj_1c published/rj_1d published/rj_2 published/rj_3 published/rj_4 published/rj_5
     published/rj_6 published/rj_7 published/rj_8 published/rj_9 published/rj_10 published/rj_11 published/rj_12 published/rj_13

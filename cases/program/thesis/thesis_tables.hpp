@@ -12,10 +12,12 @@ namespace delabole {
 extern const std::string_view thesis_groundwater_tests;
 extern const std::string_view thesis_mechanisms;
 extern const std::string_view thesis_trends;
+extern const std::string_view thesis_plates;
 extern const std::string_view thesis_table_3_2;
 extern const std::string_view thesis_table_3_3;
 extern const std::string_view thesis_tilting_frame;
 extern const std::string_view thesis_runs;
+extern const std::string_view thesis_histories;
 extern const std::string_view thesis_published_factors;
 
 struct BuiltInCase {

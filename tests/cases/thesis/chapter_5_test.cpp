@@ -1,4 +1,5 @@
 // What `delabole reproduce chapter5` says of the thesis's dynamic relaxation.
+#include "cases/program/thesis/chapter_5/sliding.hpp"
 #include "tests/cases/thesis/reproduction_fixture.hpp"
 
 #include <gtest/gtest.h>
@@ -20,6 +21,12 @@ bool all_agree(const Json& outcomes) {
     return std::ranges::all_of(outcomes, [](const Json& one) { return one["agrees"].get<bool>(); });
 }
 
+TEST_F(Chapter5, LawsOfContact) {
+    for (const PrintedRow& row : reproduce("fig5.4").rows) {
+        EXPECT_EQ(row.remark.verdict, RowVerdict::met) << row.what;
+    }
+}
+
 TEST_F(Chapter5, SingleBlocks) {
     const Json json = reproduce("single_blocks").json;
     EXPECT_TRUE(all_agree(json["outcomes"]["single block"]));
@@ -29,6 +36,7 @@ TEST_F(Chapter5, SingleBlocks) {
     // "Almost twice" for the period; the amplitude grows less.
     EXPECT_NEAR(json["period_ratio_18.15_to_18.1"].get<double>(), 2, 0.25);
     EXPECT_GT(json["amplitude_ratio_18.15_to_18.1"].get<double>(), 1.3);
+    EXPECT_LT(json["greatest_amplitude_ratio"].get<double>(), 1.75);
     // The clean engine: dropped, it rocks past its limit from 18.12 deg on, so that only the run at 18.15 deg differs
     // from the printed; preloaded, it stands below 18.43 deg, whatever fails there in the thesis.
     const Json& dropped = json["outcomes_by_scheme"]["clean engine, dropped"]["single block"];
@@ -69,14 +77,10 @@ TEST_F(Chapter5, CleanThresholds) {
 TEST_F(Chapter5, TwoBlocks) {
     const Json json = reproduce("double_blocks").json;
     EXPECT_TRUE(all_agree(json["outcomes"]["two blocks"]));
-    // All but the last, which no start gives.
     const Json tilted = json["outcomes"]["two blocks, base turned"];
-    ASSERT_EQ(tilted.size(), 6U);
-    const std::string last = "18 deg to 18.3 deg, every 10 cycles";
-    for (const auto& [run, outcome] : tilted.items()) {
-        EXPECT_EQ(outcome["agrees"].get<bool>(), run != last) << run;
-    }
-    EXPECT_EQ(json["shifted"]["two blocks, base turned"][last]["agree"].get<int>(), 0);
+    EXPECT_EQ(tilted.size(), 6U);
+    EXPECT_TRUE(all_agree(tilted));
+    EXPECT_LT(json["gravity_turned"]["two blocks"]["agree"].get<int>(), 6);
     // "A micro crack was discovered": closed to a thousandth of what it was, and the blocks part all the same.
     const Json gap = json["closed_gap"];
     EXPECT_LT(std::abs(gap["opening_after_in"].get<double>()), 0.01 * gap["opening_before_in"].get<double>());
@@ -86,12 +90,14 @@ TEST_F(Chapter5, TwoBlocks) {
 // What the remarks to the tilted runs say.
 TEST_F(Chapter5, TheThicknessOfTheBaseDecidesTiltedRuns) {
     const Json json = reproduce("tilted_blocks").json;
-    EXPECT_EQ(json["complete"]["base turned"], (Json{"base 1.1 in thick", "base 1.15 in thick"}));
+    EXPECT_EQ(json["complete"]["base turned"],
+              (Json{"as chosen", "base 1.15 in thick", "damping 0.6", "consolidated for 5500 cycles"}));
     EXPECT_TRUE(json["complete"]["gravity turned"].empty());
     const Json& base = json["base turned"];
     EXPECT_EQ(base["as chosen"]["one"].get<int>(), 5);
-    EXPECT_EQ(base["as chosen"]["two"].get<int>(), 5);
-    for (const std::string thickness : {"1.1", "1.15", "1.2", "2"}) {
+    EXPECT_EQ(base["as chosen"]["two"].get<int>(), 6);
+    EXPECT_EQ(base["base 1 in thick"]["two"].get<int>(), 5);
+    for (const std::string thickness : {"1.15", "1.2", "2"}) {
         EXPECT_EQ(base["base " + thickness + " in thick"]["last_of_two"].get<std::string>(), "fails") << thickness;
     }
     EXPECT_LT(base["base 2 in thick"]["one"].get<int>(), 5) << "thicker: one block fails too early";
@@ -152,6 +158,25 @@ TEST_F(Chapter5, BlowOut) {
     }
 }
 
+TEST(Chapter5Tables, PrintedRowsAddUpToPrintedTotals) {
+    for (const Chapter5Run& run : chapter_5_runs("quadruple")) {
+        std::vector<SlidingTotals> sums(4);
+        for (const auto& [cycle, blocks] : printed_history(run)) {
+            const bool any = std::ranges::any_of(blocks, [](BaseSliding one) { return one != BaseSliding::none; });
+            for (std::size_t block = 0; any && block < blocks.size(); ++block) {
+                sums[block].forward += blocks[block] == BaseSliding::forward ? 1 : 0;
+                sums[block].backward += blocks[block] == BaseSliding::backward ? 1 : 0;
+            }
+        }
+        for (std::size_t block = 0; block < sums.size(); ++block) {
+            // The thesis's own total there is one less than its rows.
+            const int misprint = run.name == "Table 5.3" && block == 2 ? 1 : 0;
+            EXPECT_EQ(sums[block].forward, run.printed_totals[block].forward + misprint) << run.name << ' ' << block;
+            EXPECT_EQ(sums[block].backward, run.printed_totals[block].backward) << run.name << ' ' << block;
+        }
+    }
+}
+
 TEST_F(Chapter5, FourBlocks) {
     const Json json = reproduce("quadruple_blocks").json;
     EXPECT_EQ(json["printed_totals"].get<int>(), 60);
@@ -166,6 +191,14 @@ TEST_F(Chapter5, FourBlocks) {
         EXPECT_EQ(cycle.get<int>(), 0);
     }
     EXPECT_GE(json["clean_senses_as_printed"].get<int>(), 18);
+    // Printed rows agree with those of many starts more than by chance, and in all tables but 5.3 as these agree with
+    // one another.
+    ASSERT_EQ(json["histories"].size(), 5U);
+    for (const auto& [table, history] : json["histories"].items()) {
+        EXPECT_GT(history["mean"].get<double>(), history["by_chance"].get<double>() + 0.05) << table;
+        EXPECT_EQ(history["mean"].get<double>() >= history["least_of_starts"].get<double>(), table != "Table 5.3");
+        EXPECT_GT(history["nearest"].get<double>(), history["mean"].get<double>()) << table;
+    }
 }
 
 TEST_F(Chapter5, ThreeBlocksByTheCleanEngine) {

@@ -1,8 +1,11 @@
 // The calculations of the thesis's chapter 2.
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
+
+#include "cases/program/models/plane_failure/figures.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/thesis/imperial.hpp"
 #include "cases/program/thesis/reproduction.hpp"
+#include "cases/program/thesis/thesis_tables.hpp"
 #include "fitting/work/words.hpp"
 #include "plots/drawing/text.hpp"
 #include "plots/figures/figures.hpp"
@@ -91,6 +94,10 @@ Reproduction reproduce_fig_2_8(const ResultFolder& folder, Report& report) {
                   "meet. Read as a fraction of the crack's own depth there is no crack in the face that meets the "
                   "statement. Restoring over overturning moment about the toe is below 1: the mass would overturn "
                   "before it slides, which the printed force balance does not see."});
+    const auto drawn = std::get<PlaneFailureStudy<>>(built_in_case("plane_failure", "fig_2_8").model);
+    report.blocks.emplace_back(folder.draw(
+        section_figure(section_drawing(drawn.model, "Fig 2.8 (a): the slope and its crack")), "fig_2_8a",
+        "The lower surface, drawn as one plane at 40 deg, is stepped: joints and cleavage add 46 deg of friction."));
     report.blocks.emplace_back(folder.draw(factor_of_safety_against_water(fig_2_8_curves(solution)), "fig_2_8b",
                                            "Factor of safety against the filled fraction of z, at 27 kN/m3."));
     folder.write("fig_2_8.csv", csv.text());
@@ -128,8 +135,8 @@ ReproductionChapter chapter_2() {
                       {"groundwater_by_tilting"}),
             {"mechanisms", "2.3.3.2", "modes of failure tried on models of the west face, verdicts of section 2.3.3.2",
              reproduce_mechanisms},
-            {"drawings", "Figs 2.4 to 2.10", "Figs 2.4, 2.5, 2.7 and 2.10: the failure and the models",
-             reproduce_slope_drawings},
+            {"drawings", "Figs 2.1 to 2.10",
+             "Figs 2.1, 2.4, 2.5, 2.7 and 2.10: the joint sets, the failure and the models", reproduce_slope_drawings},
             {"plates", "Plates 2.I to 2.VI", "Plates 2.I to 2.VI as runs in motion, scored by the field criteria",
              reproduce_plates, ReproductionCost::minutes},
             data_item("plate2.iii", "Plate 2.III", "which friction lets the model of Plate 2.III fail",

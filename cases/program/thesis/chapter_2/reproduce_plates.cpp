@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace delabole {
 
@@ -28,8 +29,8 @@ constexpr std::array plates{Plate{"2.I", "plate_2_i"},
                             Plate{"2.V", "plate_2_v"},
                             Plate{"2.VI", "plate_2_vi"}};
 
-std::string stated(FieldVerdict printed, FieldVerdict computed) {
-    return printed == FieldVerdict::not_said ? "" : statement(printed == computed);
+Remark stated(FieldVerdict printed, FieldVerdict computed) {
+    return printed == FieldVerdict::not_said ? Remark() : statement(printed == computed);
 }
 
 void add_rows(const MechanismVerdict& printed, const FieldScore& score, Reproduction& result) {
@@ -57,6 +58,25 @@ Json json_of(const SlopeRun& run, const FieldScore& score) {
             {"movements", word_of(score.movements)}};
 }
 
+// How blocks near the crest have moved in the early frame.
+Figure crest_movements(const SlopeRun& run, const std::string& title) {
+    constexpr double enlarged = 10;
+    const MotionFrame& frame = run.run.frames[run.early_frame];
+    Figure figure = moved_slope_figure(run.run, frame, run.end, title);
+    const Bodies bodies = make_bodies(run.run.scene);
+    const double lowest = run.end.crest.y() - 0.2 * slope_height(run.end);
+    Arrows arrows{.legend = "movement so far, ten times", .colour = Colour::blue};
+    for (std::size_t block = 0; block < bodies.size(); ++block) {
+        const Point at = bodies.centroid[block];
+        if (bodies.fixed[block] == 0 && at.y() > lowest) {
+            const Point moved(frame.motion[block].x, frame.motion[block].y);
+            arrows.shafts.push_back({at + moved, at + moved + enlarged * moved});
+        }
+    }
+    figure.series.emplace_back(arrows);
+    return figure;
+}
+
 void draw(const Plate& plate, const SlopeRun& run, const ResultFolder& folder, Report& report) {
     const std::string name = "plate_" + std::string(plate.file.substr(6));
     const std::string title = "Plate " + std::string(plate.plate);
@@ -68,6 +88,11 @@ void draw(const Plate& plate, const SlopeRun& run, const ResultFolder& folder, R
     report.blocks.emplace_back(
         folder.draw(moved_slope_figure(run.run, frames.back(), run.end, title + at(frames.back().time)), name + "_end",
                     "At the end of the run."));
+    if (plate.plate == "2.III") {
+        report.blocks.emplace_back(folder.draw(
+            crest_movements(run, "Fig 2.9: movements of the crest, Plate 2.III"), "fig_2_9",
+            "Columns lean to the pit and the wedge behind them subsides, when half of what fails has begun to."));
+    }
     report.blocks.emplace_back(folder.draw(left_standing_figure(run.run, run.end, title + ", left standing"),
                                            name + "_left_standing", "The blocks that failed, and the ground left."));
 }
@@ -85,6 +110,19 @@ Reproduction reproduce_plates(const ResultFolder& folder, Report& report) {
         const FieldScore score = score_of(runs[index]);
         add_rows(*printed, score, result);
         result.json[printed->plate] = json_of(runs[index], score);
+        if (printed->plate == "2.III") {
+            const double turned = runs[index].end.answer.backward_rotation / degrees(1);
+            result.rows.push_back({"2.III: a block of the crest turns into the slope by the end, at most",
+                                   "tilts in the opposite direction (2.2.3.4)", human_number(turned, 2) + " deg", "",
+                                   statement(turned > 1) + ", not yet in the mean of the wedge at first"});
+        }
+        if (printed->plate == "2.I") {
+            // Photographs e and f, where what had failed was taken away.
+            const double face = runs[index].end.answer.lower_angle / degrees(1);
+            result.rows.push_back({"2.I: the slope without what failed (e, f)", "joint C, 50 deg, is the new face",
+                                   human_number(face, 3) + " deg", human_number(face - 50, 2) + " deg",
+                                   statement(std::abs(face - 50) < 2)});
+        }
     }
     report.blocks.emplace_back(Heading{"Plates 2.I to 2.VI as runs (2.3.3.2)"});
     report.blocks.emplace_back(Paragraph{

@@ -1,12 +1,16 @@
-// Figs 2.4, 2.5, 2.7 and 2.10 of the thesis drawn again from printed numbers and from the models' scenes.
+// Figs 2.1, 2.4, 2.5, 2.7 and 2.10 of the thesis drawn again from printed numbers and from the models' scenes.
 #include "cases/program/models/relaxation/figures.hpp"
 #include "cases/program/reader/units.hpp"
 #include "cases/program/thesis/chapter_2/chapter_2.hpp"
+#include "cases/program/thesis/thesis_tables.hpp"
 #include "dynamic_relaxation/scene/slope_scene.hpp"
+#include "kinematics/kinematics.hpp"
 #include "plots/drawing/text.hpp"
 #include "plots/figures/block_figures.hpp"
+#include "plots/figures/stereonet.hpp"
 
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -105,10 +109,88 @@ Figure scene_figure(std::string_view name, const std::string& title) {
     return figure;
 }
 
+// Fig 2.1 from the ranges that the text prints: the poles themselves are not at hand.
+Figure stereonet_figure(const Kinematics& model, const KinematicsResult& sets) {
+    StereonetDrawing drawing{.title = "Fig 2.1: joint sets of the west face",
+                             .slope = model.slope,
+                             .friction_angle = model.strength.friction_angle,
+                             .lateral_limit = model.lateral_limit};
+    for (std::size_t set = 0; set < sets.joint_set.size(); ++set) {
+        const JointSetFeasibility& own = sets.joint_set[set];
+        drawing.joint_set.push_back({own.name, own.mean, sets.sampled[set], sets.sampled_weights[set]});
+    }
+    return pole_figure(drawing);
+}
+
+std::string model_name(const std::string& set) {
+    std::string name = human_name(set);
+    constexpr std::string_view prefix = "joint set ";
+    if (name.starts_with(prefix)) {
+        name = "joint " + std::string(1, static_cast<char>(std::toupper(name.back())));
+    }
+    return name;
+}
+
+// The sets' mean planes in the section across the face, from one point.
+Figure traces_figure(const KinematicsResult& sets) {
+    Figure figure{.title = "Fig 2.1: mean planes in the section",
+                  .x = {.title = "out of the slope to the left", .range = std::pair(-1.6, 1.6)},
+                  .y = {.title = "up", .range = std::pair(-1.25, 1.25)},
+                  .equal_scales = true};
+    constexpr std::array colours{Colour::blue, Colour::vermilion, Colour::green, Colour::orange, Colour::purple};
+    std::size_t number = 0;
+    for (const JointSetFeasibility& set : sets.joint_set) {
+        // A dip to the pit falls to the left.
+        const Point along(std::cos(set.apparent_dip), std::sin(set.apparent_dip));
+        figure.series.emplace_back(
+            Line{.points = {-along, along},
+                 .legend = model_name(set.name) + ", " + human_number(set.apparent_dip / degrees(1), 3) + "°",
+                 .colour = colours[number % colours.size()],
+                 .dash = number < colours.size() - 1 ? Dash::solid : Dash::dashed});
+        ++number;
+    }
+    return figure;
+}
+
+// Apparent dips of the sets beside those of the models; negative: into the slope.
+void add_traces(const KinematicsResult& sets, const ResultFolder& folder, Report& report, Reproduction& result) {
+    struct Printed {
+        std::string_view dip;
+        std::string_view remark;
+    };
+    // Of joint_set_a, b, c, cleavage and faults, in this order.
+    constexpr std::array<Printed, 5> printed{
+        {{"70 deg (models)", "the model has the flattest of 70 to 90, that of the upper surface"},
+         {"-85 deg (models)", ""},
+         {"50 deg (models)", "40 of the field and 10 more for the friction of the mixture"},
+         {"-5, -10, -15 deg (models)",
+          "as measured throughout the quarry; the 10 deg measured north of the fall give -8.7 deg"},
+         {"70 to 90 deg", "they go with joint A"}}};
+    for (std::size_t set = 0; set < sets.joint_set.size() && set < printed.size(); ++set) {
+        const double apparent = sets.joint_set[set].apparent_dip / degrees(1);
+        result.rows.push_back({"Fig 2.1: mean of " + model_name(sets.joint_set[set].name) + " in the section",
+                               std::string(printed[set].dip), human_number(apparent, 3) + " deg", "",
+                               std::string(printed[set].remark)});
+        result.json["apparent_dip_deg"][sets.joint_set[set].name] = apparent;
+    }
+    report.blocks.emplace_back(
+        folder.draw(traces_figure(sets), "fig_2_1_traces", "Apparent dips across the face; the pit is to the left."));
+}
+
 }  // namespace
 
 Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report) {
-    report.blocks.emplace_back(Heading{"Figs 2.4, 2.5, 2.7 and 2.10, drawn again"});
+    Reproduction result;
+    const auto study = std::get<KinematicsStudy>(built_in_case("delabole_1967", "delabole_joint_sets").model);
+    const KinematicsResult sets = analyse(study);
+    report.blocks.emplace_back(Heading{"Figs 2.1, 2.4, 2.5, 2.7 and 2.10, drawn again"});
+    report.blocks.emplace_back(Paragraph{
+        "Fig 2.1 is drawn with poles spread evenly over the ranges of the text. Fig 2.6, a plan of the crest that is "
+        "not "
+        "to scale, and its pegs cannot be drawn: no place of a crack or peg is printed but the benches they lie on."});
+    report.blocks.emplace_back(
+        folder.draw(stereonet_figure(study.model, sets), "fig_2_1", "Poles sampled from the printed ranges."));
+    add_traces(sets, folder, report, result);
     report.blocks.emplace_back(
         folder.draw(profile_figure(), "fig_2_4", "Failure surfaces between the inclinations surveyed."));
     struct Drawing {
@@ -128,7 +210,6 @@ Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report
         report.blocks.emplace_back(
             folder.draw(scene_figure(drawing.model, drawing.title), drawing.file, drawing.caption));
     }
-    Reproduction result;
     // The knee lies a third of the way up; between gentlest and steepest the failure's top moves by so much.
     const double wide = surface(degrees(40), degrees(70)).back().x() - surface(degrees(45), degrees(75)).back().x();
     result.rows.push_back({"top of the failure behind its foot", "40 to 45° and 70 to 75°",

@@ -11,6 +11,8 @@ ReproductionChapter chapter_3() {
             {
                 {"table3.2", "3.4.1, Table 3.2",
                  "base friction tests: what the tables say of the text, and what guessing scores", reproduce_table_3_2},
+                {"plates3", "Plates 3.I to 3.XIII", "the base friction models drawn, with their printed crack paths",
+                 reproduce_base_friction_plates},
                 {"base_friction", "3.2, Table 3.2",
                  "base friction tests of Table 3.2 as runs: the strength fitted to half, the rest predicted",
                  reproduce_base_friction_runs, ReproductionCost::minutes},
@@ -21,6 +23,8 @@ ReproductionChapter chapter_3() {
                  "base friction: crack path and its time against slope height (Table 3.3)", reproduce_fig_3_2},
                 data_item("fig3.4", "Fig 3.4", "single column on the tilting frame, theoretical curve",
                           "thesis/chapter_4", {"fig_3_4"}),
+                data_item("fig3.5", "Fig 3.5", "what an adjacent column adds: its friction, its toe, its height",
+                          "thesis/chapter_3", {"fig_3_5"}),
                 {"fig3.6", "Fig 3.6", "rows of one to four equal columns on the tilting frame", reproduce_fig_3_6},
                 {"fig3.7", "Fig 3.7, Plate 3.XIV",
                  "columns of growing and falling height on the tilting frame, Plate 3.XIV", reproduce_fig_3_7},

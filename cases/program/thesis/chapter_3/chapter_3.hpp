@@ -16,6 +16,7 @@ bool steep_or_changed(const BaseFrictionState& state);
 void add_by_behaviour(const std::array<Polyline, 3>& points, Figure& figure);
 
 Reproduction reproduce_table_3_2(const ResultFolder& folder, Report& report);
+Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& report);
 Reproduction reproduce_base_friction_runs(const ResultFolder& folder, Report& report);
 Reproduction reproduce_tilting_runs(const ResultFolder& folder, Report& report);
 Reproduction reproduce_fig_3_2(const ResultFolder& folder, Report& report);

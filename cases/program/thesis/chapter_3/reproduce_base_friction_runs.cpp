@@ -127,6 +127,14 @@ Table score_table(const Predictions& predictions, Reproduction& result) {
         [](const Prediction& prediction) { return steep_or_changed(*prediction.state); });
     const Score runs = add("runs, one strength", "runs", [](const Prediction& prediction) { return prediction.fails; });
     result.rows.push_back({"behaviour of the half not fitted", "", runs.words(), "", "right"});
+    const auto all = [&](const std::function<bool(const Prediction&)>& fails) {
+        return score(predictions, every_slope, [&](const Prediction& prediction) {
+            return fails(prediction) == (prediction.state->behaviour == SlopeBehaviour::unstable);
+        });
+    };
+    result.rows.push_back({"behaviour of all states, every slope failing beside the runs", all(every_slope).words(),
+                           all([](const Prediction& prediction) { return prediction.fails; }).words(), "",
+                           "one strength fitted to half of the tests tells hardly more than that slopes fail"});
     return table;
 }
 

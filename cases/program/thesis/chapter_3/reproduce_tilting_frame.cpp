@@ -236,7 +236,7 @@ struct Tally {
         }
     }
     std::string words() const { return std::to_string(met) + " of " + std::to_string(of); }
-    std::string remark() const {
+    Remark remark() const {
         return statement(met == of) + (exceptions.empty() ? "" : " by " + list_in_words(exceptions) + " columns");
     }
     Json json() const { return {{"met", met}, {"of", of}}; }

@@ -324,7 +324,7 @@ void add_nine_columns(const ResultFolder& folder, Report& report, Reproduction& 
              reached ? "fastest column " + human_number(speed * 1e3, 2) + " mm/s"
                      : "collapsed at " + angle_in_words(frame.tilt),
              "",
-             (reached ? ""
+             (reached ? Remark()
                       : statement(false) + ": edges that bear on a plane do not plough into it, as those of plaster "
                                            "did by the thesis's own account; ") +
                  movements_in_words(frame, columns)});

@@ -35,7 +35,8 @@ Reproduction reproduce_fig_4_1(const ResultFolder& folder, Report& report) {
         result.rows.push_back({"a/b = 3 at " + at + " deg: friction above which it topples without sliding",
                                at + " deg (superposed)", value_in_words(boundary, Dimension::angle),
                                difference_in_words(boundary / degrees(1) - inclination) + " deg",
-                               both_sides ? "the equations of motion change over there" : "NOT met by the model"});
+                               both_sides ? Remark("the equations of motion change over there")
+                                          : statement(false) + ": the equations of motion do not change over there"});
         result.json["topples_above_friction_deg"][at] = boundary / degrees(1);
     }
     const BlockMotion stocky = onset(degrees(30), degrees(60), degrees(25));
@@ -116,6 +117,8 @@ ReproductionChapter chapter_4() {
                 {"fig4.10", "Fig 4.10", "three blocks, friction the same everywhere", reproduce_fig_4_10},
                 {"eq14-19", "4.3, eqs (14) to (19)",
                  "equations (14) to (19) printed and derived; does a third block help?", reproduce_equations_14_to_19},
+                data_item("blocks", "4.4, 3.3.1", "the columns of Appendix A cut into blocks, in motion", folder,
+                          {"appendix_a_blocks"}),
             }};
 }
 

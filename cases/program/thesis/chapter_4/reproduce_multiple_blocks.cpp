@@ -205,7 +205,7 @@ Reproduction reproduce_fig_4_10(const ResultFolder& folder, Report& report) {
             {"a/b = " + words + ": least stable mode", "(a)", derived, "", "with (14) as printed: " + as_printed});
         result.rows.push_back({"a/b = " + words + ": most unlikely mode", "(c)",
                                "(c) up to " + human_number(highest_up_to, 3) + " deg", "",
-                               highest_up_to < 45 ? "statement met below that" : "statement met"});
+                               statement(true) + (highest_up_to < 45 ? " below that" : "")});
         result.json["ratio_" + words] = {{"least_stable", derived},
                                          {"least_stable_as_printed", as_printed},
                                          {"backward_mode_highest_up_to_deg", highest_up_to}};

@@ -32,6 +32,9 @@ std::string in_words(const SettledCycles& settled);
 // Cycles after which the first block rests, or how the run ends otherwise.
 std::string settled_in_words(const HockingResult& result);
 
+// Degrees.
+double rotation_at_end(const HockingResult& result, std::size_t column);
+
 std::string in_words(TiltedPart part);  // "base turned"
 
 // Least and greatest number over many starts.
@@ -50,6 +53,10 @@ struct CountRange {
 void add_outcomes(const std::string& what, const std::vector<Chapter5Run>& runs, Reproduction& result,
                   const WordsOfRun& reason = {});
 
+// How many outcomes are as printed where gravity turned instead of the base: no statement of the thesis's.
+void add_other_part(const std::string& what, const std::vector<Chapter5Run>& runs, Reproduction& result);
+
+Reproduction reproduce_fig_5_4(const ResultFolder& folder, Report& report);
 Reproduction reproduce_fig_5_5(const ResultFolder& folder, Report& report);
 Reproduction reproduce_single_blocks(const ResultFolder& folder, Report& report);
 

@@ -59,8 +59,8 @@ const std::vector<Ingredient>& ingredients() {
     static const std::vector<Ingredient> all = {
         {"as chosen", [](Chapter5Run&) {}},
         base(0.5),
+        base(1),
         base(1.05),
-        base(1.1),
         base(1.15),
         base(1.2),
         base(2),
@@ -200,8 +200,8 @@ Reproduction reproduce_tilted_blocks(const ResultFolder& folder, Report& report)
     report.blocks.emplace_back(Paragraph{
         "Turning the base about its centroid pushes what stands on it, the more the thicker it is: a block that stood "
         "rocks on after the tilt has ended, and a tenth of the thickness, which is not printed, decides whether it "
-        "stands. With one inch, as chosen, all but one of the outcomes are the printed ones; with 1.1 to 1.15 in all "
-        "of them, and the counts are nearer to the printed. That CX comes to rest 1500 to 1800 cycles after CY, no "
+        "stands. With 1.1 in, as chosen, and with 1.15 in all outcomes are the printed ones; with one inch all but "
+        "one, and the counts are farther from the printed. That CX comes to rest 1500 to 1800 cycles after CY, no "
         "input gives: 900 at most. Turned gravity pushes nothing: unless the step is halved, the block is at rest when "
         "the tilt ends, so that the printed counts cannot come, and it stands up to 18.43 deg. Two blocks tilted from "
         "18.2 to 18.3 deg are decided by the last digits of their coordinates: exact ones give the printed outcomes, "

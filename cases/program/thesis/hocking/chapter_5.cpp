@@ -243,7 +243,7 @@ Chapter5Run run_of(const PrintedRun& row, TiltedPart tilted) {
         settings.cycles_after_blow_out = 12;
     }
     if (row.tilted_to_degrees) {
-        made.columns.base_height = tilted == TiltedPart::base ? inch : made.columns.base_height;
+        made.columns.base_height = tilted == TiltedPart::base ? 1.1 * inch : made.columns.base_height;
         // 0.1 deg in 1000 cycles for every 10, in 2000 for every 20.
         settings.tilting = HockingTilting{tilted, whole(row.tilt_begins).value_or(0), whole(row.tilt_every).value_or(1),
                                           degrees(1e-3), degrees(*row.tilted_to_degrees - row.inclination_degrees)};

@@ -1,7 +1,9 @@
 #include "cases/program/thesis/hocking/hocking_program.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace delabole {
@@ -66,8 +68,8 @@ bool possible(const std::vector<HockingBlock>& blocks, const HockingSettings& se
     const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
     if (!positive(settings.time_step) || !positive(settings.stiffness) || !positive(settings.density) ||
         !(settings.damping >= 0) || !std::isfinite(settings.damping) || !std::isfinite(settings.gravity) ||
-        settings.print_interval < 1 || !(settings.crossing_guard >= 0) || settings.cycles < 0 ||
-        (settings.tilting && settings.tilting->every < 1)) {
+        settings.print_interval < 1 || settings.significand_bits < 1 || settings.significand_bits > 53 ||
+        !(settings.crossing_guard >= 0) || settings.cycles < 0 || (settings.tilting && settings.tilting->every < 1)) {
         return false;
     }
     const auto count = static_cast<int>(blocks.size());
@@ -318,7 +320,7 @@ class Program {
             shear_force = shear_spring;
         }
         record(touch, {stored, old_face}, {normal, face}, spring_force, dashpot_force);
-        slot = {normal, shear, shear_force, face};
+        slot = {kept(normal), kept(shear), kept(shear_force), face};
         const double horizontal = normal_force * outward[0] - shear_force * tangent[0];
         const double vertical = normal_force * outward[1] - shear_force * tangent[1];
         own.fx += horizontal;
@@ -367,6 +369,11 @@ class Program {
         }
     }
 
+    double kept(double value) const {
+        const std::uint64_t beyond = (std::uint64_t{1} << static_cast<unsigned>(53 - settings_.significand_bits)) - 1;
+        return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & ~beyond);
+    }
+
     void move() {
         const double step = settings_.time_step;
         const double weight_x = settings_.gravity * std::sin(-gravity_turn_);
@@ -374,15 +381,15 @@ class Program {
         for (Body& body : bodies_) {
             body.fx += body.mass * weight_x;
             body.fy -= body.mass * weight_y;
-            body.vx += body.fx * (step / body.mass);
-            body.vy += body.fy * (step / body.mass);
-            body.omega += body.moment * (step / body.moment_of_inertia);
+            body.vx = kept(body.vx + body.fx * (step / body.mass));
+            body.vy = kept(body.vy + body.fy * (step / body.mass));
+            body.omega = kept(body.omega + body.moment * (step / body.moment_of_inertia));
             if (body.fixed) {
                 body.vx = body.vy = body.omega = 0;
             }
-            body.x += body.vx * step;
-            body.y += body.vy * step;
-            body.angle += body.omega * step;
+            body.x = kept(body.x + body.vx * step);
+            body.y = kept(body.y + body.vy * step);
+            body.angle = kept(body.angle + body.omega * step);
         }
     }
 

@@ -89,8 +89,11 @@ struct HockingSettings {
     std::optional<HockingTilting> tilting = {};
     HockingSlotMemory slot_memory = HockingSlotMemory::per_neighbour;
     double crossing_guard = 1e-5;  // m, >= 0; the listing's 1.E-5
-    int cycles = 0;                // to run (NCYLE)
-    int print_interval = 100;      // cycles, >= 1 (IPRINT): histories, sliding, decision
+    // Bits of the significands of what is stored from cycle to cycle; further ones are cut, not rounded. The listing's
+    // words of ten characters held 48, those of single precision elsewhere 24.
+    int significand_bits = 53;
+    int cycles = 0;            // to run (NCYLE)
+    int print_interval = 100;  // cycles, >= 1 (IPRINT): histories, sliding, decision
     // Limits by which a run is judged; the listing judges nothing.
     double failure_rotation = 0;    // rad; a free block turned by this, relative to its base, has failed
     double stop_rotation = 0;       // rad; and this ends the run

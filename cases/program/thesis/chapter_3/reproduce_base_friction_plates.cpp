@@ -1,0 +1,161 @@
+// Plates 3.I to 3.XIII of the thesis as drawings: the models of Table 3.2 as they were cut, with their crack paths.
+#include "cases/program/reader/data_table.hpp"
+#include "cases/program/thesis/chapter_3/base_friction.hpp"
+#include "cases/program/thesis/chapter_3/chapter_3.hpp"
+#include "cases/program/thesis/imperial.hpp"
+#include "cases/program/thesis/thesis_tables.hpp"
+#include "dynamic_relaxation/scene/slope_scene.hpp"
+#include "plots/drawing/extent.hpp"
+#include "plots/drawing/text.hpp"
+#include "plots/figures/block_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ranges>
+#include <tuple>
+
+namespace delabole {
+
+namespace {
+
+// A row of cases/thesis/chapter_3/plates.csv.
+struct PlateModel {
+    std::string plate;
+    std::string test;
+    static constexpr auto fields() {
+        return std::tuple{section("plate", &PlateModel::plate, "plate of the thesis"),
+                          section("test", &PlateModel::test, "name of the model in Table 3.2")};
+    }
+};
+
+// A model in inches, its blocks and the printed crack paths from the toe up to the ground.
+struct DrawnModel {
+    std::vector<DrawnBlock> blocks;
+    std::vector<Polyline> paths;
+    Extent x;
+    Extent y;
+};
+
+DrawnModel draw_model(const BaseFrictionState& state) {
+    const ModelMixture mixture = model_mixture();
+    const BaseFrictionGeometry geometry = geometry_of(state, mixture);
+    auto slope = std::get<RelaxationSlope>(base_friction_study(geometry, mixture).model.scene);
+    // Faces at which a column may break are not cut into the model.
+    std::erase_if(slope.geometry.cut, [](const SlopeCut& cut) { return cut.joint == "intact"; });
+    DrawnModel drawn;
+    double right = 0;  // of the model, without the frame
+    for (const auto& block : slope_scene(slope).block) {
+        DrawnBlock shown{.mode = block.fixed ? DrawnMode::fixed : DrawnMode::plain};
+        for (const PlanePoint<>& corner : block.outline) {
+            shown.outline.push_back(corner / inch);
+            drawn.x.include(shown.outline.back().x());
+            drawn.y.include(shown.outline.back().y());
+            right = std::max(right, block.fixed ? right : shown.outline.back().x());
+        }
+        drawn.blocks.push_back(std::move(shown));
+    }
+    const Point toe(0, -geometry.vertical_cut / inch);
+    const double rise = geometry.slope_height / inch;
+    for (const std::optional<double>& angle : {state.crack_angle_from, state.crack_angle_to}) {
+        if (angle) {
+            const double along = std::min(rise / std::tan(*angle), right - toe.x());
+            drawn.paths.push_back({toe, toe + Point(along, along * std::tan(*angle))});
+        }
+    }
+    return drawn;
+}
+
+std::string caption_of(const BaseFrictionState& state) {
+    constexpr std::array behaviours{"stable", "in limiting equilibrium", "unstable"};
+    std::string text = state.test + ": " + behaviours[static_cast<std::size_t>(state.behaviour)];
+    if (state.crack_angle_from && state.crack_angle_to) {
+        const std::string least = human_number(*state.crack_angle_from / degrees(1), 3);
+        const std::string most = human_number(*state.crack_angle_to / degrees(1), 3);
+        text += ", " + least + (least == most ? "" : " to " + most) + "°";
+    }
+    return text;
+}
+
+// The models of a plate beside each other, all with the toe to the left.
+Figure plate_figure(const std::string& plate, const std::vector<const BaseFrictionState*>& models) {
+    constexpr double gap = 4;  // in
+    BlockDrawing drawing{.title = "Plate " + plate + ": the models as cut"};
+    std::vector<Label> labels;
+    std::vector<Series> paths;
+    double offset = 0;
+    for (const BaseFrictionState* state : models) {
+        DrawnModel model = draw_model(*state);
+        const Point shift(offset - model.x.lowest, 0);
+        for (DrawnBlock& block : model.blocks) {
+            for (Point& corner : block.outline) {
+                corner += shift;
+            }
+            drawing.blocks.push_back(std::move(block));
+        }
+        for (Polyline& path : model.paths) {
+            for (Point& end : path) {
+                end += shift;
+            }
+            paths.emplace_back(Line{.points = path,
+                                    .legend = paths.empty() ? "critical crack path, printed inclination" : "",
+                                    .colour = Colour::vermilion});
+        }
+        labels.push_back({.at = Point(offset + model.x.size() / 2, model.y.highest),
+                          .text = caption_of(*state),
+                          .align = Label::Align::centre,
+                          .raise = 0.8,
+                          .boxed = false,
+                          .size = 0.8});
+        offset += model.x.size() + gap;
+    }
+    Figure figure = block_figure(drawing);
+    figure.x.title = "distance";
+    figure.y.title = "height";
+    figure.x.unit = figure.y.unit = "in";
+    figure.series.insert(figure.series.end(), paths.begin(), paths.end());
+    figure.labels.insert(figure.labels.end(), labels.begin(), labels.end());
+    return figure;
+}
+
+}  // namespace
+
+Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& report) {
+    const auto rows = parse_table<PlateModel>(thesis_plates, "cases/thesis/chapter_3/plates.csv");
+    const std::vector<BaseFrictionState> states = base_friction_states();
+    Reproduction result;
+    report.blocks.emplace_back(Heading{"Plates 3.I to 3.XIII, drawn"});
+    report.blocks.emplace_back(Paragraph{
+        "Models of Table 3.2 as they were cut, in the last state that the table tells of, with the critical crack path "
+        "at its printed inclination from the toe. What the thesis does not print of them is chosen as for their runs "
+        "(base_friction): the ground in front of the toe and where columns begin. The photographs are not at hand."});
+    std::vector<std::string> plates;
+    for (const PlateModel& row : rows) {
+        if (std::ranges::find(plates, row.plate) == plates.end()) {
+            plates.push_back(row.plate);
+        }
+    }
+    for (const std::string& plate : plates) {
+        std::vector<const BaseFrictionState*> models;
+        for (const PlateModel& row : rows) {
+            const auto last = std::ranges::find(states | std::views::reverse, row.test, &BaseFrictionState::test);
+            if (row.plate == plate && last != std::ranges::rend(states)) {
+                models.push_back(&*last);
+            }
+        }
+        result.json["models"][plate] = models.size();
+        std::string file = "plate_" + plate;
+        std::ranges::replace(file, '.', '_');
+        for (std::size_t first = 0; first < models.size(); first += 2) {
+            const std::vector<const BaseFrictionState*> pair(
+                models.begin() + static_cast<std::ptrdiff_t>(first),
+                models.begin() + static_cast<std::ptrdiff_t>(std::min(first + 2, models.size())));
+            report.blocks.emplace_back(folder.draw(
+                plate_figure(plate, pair), models.size() > 2 ? file + "_" + pair.front()->test.substr(0, 1) : file,
+                "The path begins at the toe."));
+        }
+    }
+    return result;
+}
+
+}  // namespace delabole

@@ -1,0 +1,237 @@
+// 5.3.3.2 of the thesis: four blocks, Tables 5.1 to 5.5.
+#include "cases/program/thesis/chapter_5/relaxation_drawing.hpp"
+#include "cases/program/thesis/chapter_5/sliding.hpp"
+#include "plots/drawing/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+namespace delabole {
+
+namespace {
+
+// First print at which a history from a start shifted by a unit names another sense of sliding for any column; 0 where
+// it never does.
+int first_difference(const Chapter5Run& run, Engine engine, const std::vector<HockingBlock>& start, double unit) {
+    const HockingResult one = compute(run, engine, start);
+    const HockingResult other = compute(run, engine, perturbed(start, unit, 1));
+    for (std::size_t index = 0; index < std::min(one.prints.size(), other.prints.size()); ++index) {
+        for (std::size_t column = 0; column < run.columns.heights.size(); ++column) {
+            if (one.prints[index].blocks[column].sliding != other.prints[index].blocks[column].sliding) {
+                return one.prints[index].cycle;
+            }
+        }
+    }
+    return 0;
+}
+
+std::string share_in_words(double share) {
+    return human_number(100 * share, 2) + " %";
+}
+
+constexpr double last_bit = 1e-15;  // m
+
+// What each block does at each printed edit, and in how many of the starts it does so.
+Table history_table(const Chapter5Run& run, const SlidingHistory& printed, const std::vector<SlidingHistory>& starts) {
+    Table table{run.name + ": printed, and of " + std::to_string(starts.size()) + " starts those that slide F / B",
+                {"cycle"_number}};
+    for (std::size_t block = 0; block < run.columns.heights.size(); ++block) {
+        table.columns.emplace_back("block " + std::to_string(block + 1));
+        table.columns.emplace_back("F / B", true);
+    }
+    for (const auto& [cycle, blocks] : printed) {
+        std::vector<std::string>& row = table.rows.emplace_back(std::vector{std::to_string(cycle)});
+        for (std::size_t block = 0; block < blocks.size(); ++block) {
+            const auto sliding = [&](BaseSliding sense) {
+                return std::to_string(std::ranges::count_if(
+                    starts, [&, at = cycle](const SlidingHistory& one) { return one.at(at)[block] == sense; }));
+            };
+            row.push_back(letter_of(blocks[block]));
+            row.push_back(sliding(BaseSliding::forward) + " / " + sliding(BaseSliding::backward));
+        }
+    }
+    return table;
+}
+
+// Each block has a lane: forward above its line, backward below it.
+Figure history_lanes(const Chapter5Run& run, const SlidingHistory& printed, const std::vector<SlidingHistory>& starts) {
+    constexpr double half_lane = 0.38;
+    Figure figure{.title = run.name + ": sliding of four blocks",
+                  .x = {.title = "cycle"},
+                  .y = {.title = "block", .range = std::pair(0.4, 4.6), .grid = false}};
+    Points marks{.legend = "printed", .marker = Marker::filled_circle, .size = 0.9};
+    const auto count = static_cast<double>(starts.size());
+    for (std::size_t block = 0; block < run.columns.heights.size(); ++block) {
+        const double lane = static_cast<double>(block) + 1;
+        Line net{.legend = block == 0 ? "share of starts that slide forward, less backward" : "",
+                 .colour = Colour::blue};
+        Line none{.colour = Colour::light_grey, .width = 1.2};
+        for (const auto& [cycle, blocks] : printed) {
+            double sum = 0;
+            for (const SlidingHistory& start : starts) {
+                const BaseSliding does = start.at(cycle)[block];
+                sum += does == BaseSliding::forward ? 1 : does == BaseSliding::backward ? -1 : 0;
+            }
+            net.points.emplace_back(cycle, lane + half_lane * sum / count);
+            none.points.emplace_back(cycle, lane);
+            const BaseSliding does = blocks[block];
+            if (does != BaseSliding::both) {
+                const double side = does == BaseSliding::forward ? 1 : does == BaseSliding::backward ? -1 : 0;
+                marks.points.emplace_back(cycle, lane + half_lane * side);
+            }
+        }
+        figure.series.emplace_back(none);
+        figure.series.emplace_back(net);
+        figure.y.ticks.emplace_back(lane, std::to_string(block + 1));
+    }
+    figure.series.emplace_back(marks);
+    return figure;
+}
+
+// The printed rows beside those of many starts, and the listing's words.
+void add_history(const Chapter5Run& run, const std::vector<HockingResult>& results, const ResultFolder& folder,
+                 Report& report, Reproduction& result) {
+    const SlidingHistory printed = printed_history(run);
+    std::vector<SlidingHistory> starts;
+    for (const HockingResult& one : results) {
+        if (one.outcome != HockingOutcome::blows_out) {
+            starts.push_back(history_of(run, one));
+        }
+    }
+    const HistoryAgreement agrees = agreement_of(printed, starts);
+    const bool one_of_them = agrees.mean >= agrees.least;
+    result.rows.push_back(
+        {run.name + ": rows as those of " + std::to_string(starts.size()) + " starts, on average",
+         "as starts among themselves: " + share_in_words(agrees.least) + " to " + share_in_words(agrees.greatest),
+         share_in_words(agrees.mean), "",
+         statement(one_of_them) + ": the nearest start agrees in " + share_in_words(agrees.nearest) +
+             " of blocks and rows, by chance it would be " + share_in_words(agrees.by_chance)});
+    Json& json = result.json["histories"][run.name];
+    json = {{"mean", agrees.mean},
+            {"nearest", agrees.nearest},
+            {"least_of_starts", agrees.least},
+            {"greatest_of_starts", agrees.greatest},
+            {"by_chance", agrees.by_chance}};
+    const SlidingHistory reference = history_of(run, compute(run, Engine::recreated));
+    std::string parted;
+    for (const int bits : {48, 24}) {
+        Chapter5Run words = run;
+        words.settings.significand_bits = bits;
+        const HockingResult in_words = compute(words, Engine::recreated);
+        const SlidingHistory history = history_of(run, in_words);
+        const auto differs =
+            std::ranges::find_if(history, [&](const auto& edit) { return edit.second != reference.at(edit.first); });
+        parted += (parted.empty() ? "" : "; ") + std::to_string(bits) + " bits: " +
+                  (in_words.outcome == HockingOutcome::blows_out ? "blows out"
+                   : differs == history.end()                    ? "never"
+                                                                 : "cycle " + std::to_string(differs->first)) +
+                  ", " + share_in_words(agreement(printed, history)) + " of rows";
+        json["words_of_" + std::to_string(bits)] = agreement(printed, history);
+    }
+    result.rows.push_back(
+        {run.name + ": first row that shorter words change, and rows as printed", "", parted, "", ""});
+    report.blocks.emplace_back(history_table(run, printed, starts));
+    report.blocks.emplace_back(folder.draw(
+        history_lanes(run, printed, starts), "table_" + run.name.substr(6, 1) + "_" + run.name.substr(8),
+        "Forward above a block's line, backward below it: printed, and by the re-created program from many starts."));
+}
+
+}  // namespace
+
+Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& report) {
+    Reproduction result;
+    report.blocks.emplace_back(Heading{"Four blocks, Tables 5.1 to 5.5 (5.3.3.2)"});
+    report.blocks.emplace_back(Paragraph{
+        "Totals of the print edits of 100 cycles in which a block slides forward (F), backward (B) or not (-). The "
+        "histories are chaotic: a shift of the free blocks by 1e-15 m, the last bit, changes them as much as one by "
+        "the last typed digit does, and so do the words of 48 bits of the listing's machine. So no run gives the "
+        "printed rows one by one. What can be asked is whether the printed history could be one of the program's: "
+        "whether it agrees with the runs of many starts, row by row, as they agree with one another. The "
+        "clean engine's histories do not part by the last bit; its blocks slide one way each, and its ranges are "
+        "narrow, so that most printed totals, mixed as they are, lie outside."});
+    Table table{"Totals, and their range over " + std::to_string(shifted_starts) + " starts (F, B, -)",
+                {"table", "block"_number, "printed", "re-created program", "range, 1e-15 m", "range, 1e-6 m",
+                 "clean engine", "range, 1e-6 m"}};
+    Report histories;  // below the totals
+    int within = 0;
+    int count = 0;
+    int senses = 0;
+    int sensed = 0;
+    int clean_within = 0;
+    int clean_senses = 0;
+    const std::vector<Chapter5Run> runs = chapter_5_runs("quadruple");
+    for (const Chapter5Run& run : runs) {
+        const std::vector<HockingResult> starts = compute_shifted(run, Engine::recreated, typed_digit, shifted_starts);
+        const std::vector<TotalsRange> bit =
+            spread_of_totals(run, compute_shifted(run, Engine::recreated, last_bit, shifted_starts));
+        const std::vector<TotalsRange> digit = spread_of_totals(run, starts);
+        const std::vector<TotalsRange> of_clean =
+            spread_of_totals(run, compute_shifted(run, Engine::dropped, typed_digit, shifted_starts));
+        const HockingResult reference = compute(run, Engine::recreated);
+        const HockingResult clean_reference = compute(run, Engine::dropped);
+        const std::vector<SlidingTotals> computed = totals_of(run, reference);
+        const std::vector<SlidingTotals> clean_totals = totals_of(run, clean_reference);
+        for (std::size_t column = 0; column < computed.size(); ++column) {
+            const SlidingTotals& printed = run.printed_totals[column];
+            table.rows.push_back({run.name, std::to_string(column + 1), in_words(printed), in_words(computed[column]),
+                                  in_words(bit[column]), in_words(digit[column]), in_words(clean_totals[column]),
+                                  in_words(of_clean[column])});
+            for (std::size_t kind = 0; kind < counted.size(); ++kind) {
+                const int value = printed.*counted[kind];
+                ++count;
+                within += bit[column][kind].holds(value) || digit[column][kind].holds(value) ? 1 : 0;
+                clean_within += of_clean[column][kind].holds(value) ? 1 : 0;
+            }
+            if (printed.forward != printed.backward) {
+                ++sensed;
+                senses += forward_prevails(computed[column]) == forward_prevails(printed) ? 1 : 0;
+                clean_senses += forward_prevails(clean_totals[column]) == forward_prevails(printed) ? 1 : 0;
+            }
+            const auto as_json = [](const SlidingTotals& totals) {
+                return Json{totals.forward, totals.backward, totals.none};
+            };
+            result.json[run.name].push_back({{"printed", as_json(printed)},
+                                             {"computed", as_json(computed[column])},
+                                             {"clean", as_json(clean_totals[column])}});
+        }
+        add_history(run, starts, folder, histories, result);
+        const int parted = first_difference(run, Engine::recreated, make_blocks(run.columns), last_bit);
+        result.json["first_different_print"][run.name] = parted;
+        const int clean_parted = first_difference(run, Engine::dropped, exact_blocks(run), last_bit);
+        result.json["first_different_print_of_clean"][run.name] = clean_parted;
+        result.rows.push_back({run.name + ": first print that a shift of 1e-15 m changes", "",
+                               "cycle " + std::to_string(parted), "", "",
+                               clean_parted > 0 ? "cycle " + std::to_string(clean_parted) : std::string("none")});
+        const auto rotations = [&](const HockingResult& history) {
+            return human_number(rotation_at_end(history, 0), 3) + " / " +
+                   human_number(rotation_at_end(history, computed.size() - 1), 3) + " deg";
+        };
+        result.rows.push_back({run.name + ": rotation of blocks 1 / 4 at the end", "", rotations(reference), "", "",
+                               rotations(clean_reference)});
+    }
+    result.json["printed_totals_within_range"] = within;
+    result.json["printed_totals"] = count;
+    result.json["senses_as_printed"] = senses;
+    result.json["senses"] = sensed;
+    result.json["clean_printed_totals_within_range"] = clean_within;
+    result.json["clean_senses_as_printed"] = clean_senses;
+    result.rows.push_back({"printed totals within the range of the starts", std::to_string(count),
+                           std::to_string(within), "", "", std::to_string(clean_within)});
+    result.rows.push_back({"blocks whose prevailing sense is the printed one", std::to_string(sensed),
+                           std::to_string(senses), "", "", std::to_string(clean_senses)});
+    report.blocks.emplace_back(table);
+    std::ranges::move(histories.blocks, std::back_inserter(report.blocks));
+    report.blocks.emplace_back(printed_table("How far the histories are reproducible", result.rows));
+    const std::vector<int> cycles = {1000, 2000, 3000};
+    report.blocks.emplace_back(
+        folder.draw(frames_figure("Fig 5.15: four blocks (ii)", runs[1], compute(runs[1], Engine::recreated), cycles),
+                    "fig_5_15", "Failure of four blocks, a/b = 5, 18.5 deg. Re-created program."));
+    report.blocks.emplace_back(
+        folder.draw(frames_figure("Fig 5.15, clean engine", runs[1], compute(runs[1], Engine::dropped), cycles),
+                    "fig_5_15_clean", "The same by the clean engine."));
+    return result;
+}
+
+}  // namespace delabole
