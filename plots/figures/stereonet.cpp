@@ -204,11 +204,11 @@ void add_density_contours(Figure& figure, const StereonetDrawing& drawing) {
     if (poles.normals.empty() || drawing.grid_side < 4) {
         return;
     }
-    const auto density = [&](const Direction& at) {
-        return pole_density(poles.normals, poles.weights, at, drawing.kernel_concentration);
-    };
     add_contours(
-        figure, density_grid(density, drawing.projection, drawing.grid_side), 2, [](double level) { return 2 * level; },
+        figure,
+        pole_density_grid(poles.normals, poles.weights, drawing.kernel_concentration, drawing.projection,
+                          drawing.grid_side),
+        2, [](double level) { return 2 * level; },
         [&](const std::string& levels) {
             return "density of the " + poles_are(drawing) + " poles, " + levels + " times uniform";
         });
