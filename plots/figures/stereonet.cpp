@@ -33,9 +33,10 @@ std::string degrees_text(double angle) {
     return human_number(angle / degrees(1), 3);
 }
 
-// "85/282.5": dip and dip direction, or plunge and trend.
+// "85/282.5": dip and dip direction, or plunge and trend, to a tenth of a degree.
 std::string attitude(double inclination, double azimuth) {
-    return degrees_text(inclination) + "/" + human_number(azimuth / degrees(1), 4);
+    const auto tenths = [](double angle) { return human_number(std::round(angle / degrees(0.1)) / 10, 4); };
+    return tenths(inclination) + "/" + tenths(azimuth);
 }
 
 Point on_primitive(double azimuth, double radius) {
@@ -155,8 +156,15 @@ struct CountedPoles {
     std::vector<double> weights;
     void add(const std::vector<Orientation>& planes, const std::vector<double>& own_weights, std::size_t most) {
         for (std::size_t index = 0; index < std::min(most, planes.size()); ++index) {
+            const double weight = own_weights.empty() ? 1.0 : own_weights[index];
+            // Planes sampled without scatter are all the same.
+            if (index > 0 && planes[index].dip == planes[index - 1].dip &&
+                planes[index].dip_direction == planes[index - 1].dip_direction) {
+                weights.back() += weight;
+                continue;
+            }
             normals.push_back(upward_normal(planes[index]));
-            weights.push_back(own_weights.empty() ? 1.0 : own_weights[index]);
+            weights.push_back(weight);
         }
     }
 };
