@@ -126,6 +126,8 @@ expect "beside the result of run, not in its place" test -s results/good_grid/gr
 delabole grid good.toml --vary "water.water_depth=0 m:4 m:12" --vary "strength.cohesion=0 kPa:25 kPa:11" --out map
 expect_status 0
 expect_figures map 1
+delabole grid good.toml --vary "strength.friction_angle=15 deg:40 deg:9" --vary "strength.cohesion=0 kPa:25 kPa:9" --out map
+expect "where the factor of safety is 1" contains map/figures/grid.svg 'factor of safety 1'
 for wrong in "water.water_depth" "water.water_depth=1 m" "water.water_depth=1 m:2 m:3:4"; do
     delabole grid good.toml --vary "$wrong"
     expect_status 2
