@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace delabole {
 
@@ -150,25 +151,41 @@ double pole_density(const std::vector<Direction>& poles, const Direction& at, do
     return pole_density(poles, std::vector<double>(poles.size(), 1.0), at, kernel_concentration);
 }
 
-double pole_density(const std::vector<Direction>& poles, const std::vector<double>& weights, const Direction& at,
-                    double kernel_concentration) {
+namespace {
+
+// The kernels of all poles, by their weights.
+double summed_kernels(const std::vector<Direction>& poles, const std::vector<double>& weights, const Direction& at,
+                      double kernel_concentration) {
     constexpr double negligible = -30;  // exp(-30) = 1e-13
     const double scale = kernel_concentration / -std::expm1(-2 * kernel_concentration);
     double sum = 0;
-    double total = 0;
     for (std::size_t pole = 0; pole < poles.size(); ++pole) {
         const double cosine = std::abs(poles[pole].dot(at));
         const double exponent = kernel_concentration * (cosine - 1);
-        total += weights[pole];
         if (exponent > negligible) {
-            sum += weights[pole] * (std::exp(exponent) + std::exp(-kernel_concentration * (cosine + 1)));
+            // The far end of the axis: left out where it is less than the rounding of the near one, exp(-37) = 2^-53.
+            const double far_end =
+                2 * kernel_concentration * cosine > 37 ? 0 : std::exp(-kernel_concentration * (cosine + 1));
+            sum += weights[pole] * (std::exp(exponent) + far_end);
         }
     }
-    return poles.empty() ? 0 : scale * sum / total;
+    return scale * sum;
 }
 
-DensityGrid density_grid(const std::function<double(const Direction&)>& density, NetProjection projection,
-                         std::size_t side) {
+double sum_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+}  // namespace
+
+double pole_density(const std::vector<Direction>& poles, const std::vector<double>& weights, const Direction& at,
+                    double kernel_concentration) {
+    return poles.empty() ? 0 : summed_kernels(poles, weights, at, kernel_concentration) / sum_of(weights);
+}
+
+namespace {
+
+DensityGrid empty_grid(std::size_t side) {
     DensityGrid grid;
     const double cell = 2 / static_cast<double>(side - 3);
     for (std::size_t index = 0; index < side; ++index) {
@@ -176,17 +193,63 @@ DensityGrid density_grid(const std::function<double(const Direction&)>& density,
     }
     const auto size = static_cast<Eigen::Index>(side);
     grid.values = Eigen::MatrixXd::Constant(size, size, std::numeric_limits<double>::quiet_NaN());
+    return grid;
+}
+
+// Values of every point near enough to the net, of every `stride`th row and column, that has none.
+template <class Value>
+void fill(DensityGrid& grid, Eigen::Index stride, Value&& value) {
+    const double cell = grid.coordinates[1] - grid.coordinates[0];
     // Every cell that the primitive crosses has its corners within a diagonal of it.
     const double reach_out = 1 + std::numbers::sqrt2 * cell;
-    for (Eigen::Index row = 0; row < size; ++row) {
-        for (Eigen::Index column = 0; column < size; ++column) {
+    for (Eigen::Index row = 0; row < grid.values.rows(); row += stride) {
+        for (Eigen::Index column = 0; column < grid.values.cols(); column += stride) {
             const Point point(grid.coordinates[static_cast<std::size_t>(column)],
                               grid.coordinates[static_cast<std::size_t>(row)]);
-            if (point.norm() <= reach_out) {
-                grid.values(row, column) = density(direction_at(point, projection));
+            if (std::isnan(grid.values(row, column)) && point.norm() <= reach_out) {
+                grid.values(row, column) = value(row, column, point);
             }
         }
     }
+}
+
+// Halfway between the second and the third of four points, on the cubic through all of them. No number where one of
+// them has none or lies off the grid.
+double halfway(const Eigen::MatrixXd& values, Eigen::Index row, Eigen::Index column, bool along_row) {
+    const Eigen::Index at = along_row ? column : row;
+    if (at < 3 || at + 3 >= values.rows()) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const auto aside = [&](Eigen::Index by) { return along_row ? values(row, column + by) : values(row + by, column); };
+    return (9 * (aside(-1) + aside(1)) - aside(-3) - aside(3)) / 16;
+}
+
+}  // namespace
+
+DensityGrid density_grid(const std::function<double(const Direction&)>& density, NetProjection projection,
+                         std::size_t side) {
+    DensityGrid grid = empty_grid(side);
+    fill(grid, 1,
+         [&](Eigen::Index, Eigen::Index, const Point& point) { return density(direction_at(point, projection)); });
+    return grid;
+}
+
+DensityGrid pole_density_grid(const std::vector<Direction>& poles, const std::vector<double>& weights,
+                              double kernel_concentration, NetProjection projection, std::size_t side) {
+    DensityGrid grid = empty_grid(side);
+    const double total = poles.empty() ? 1 : sum_of(weights);
+    const auto summed = [&](Eigen::Index, Eigen::Index, const Point& point) {
+        return summed_kernels(poles, weights, direction_at(point, projection), kernel_concentration) / total;
+    };
+    fill(grid, 2, summed);
+    const Eigen::MatrixXd& values = grid.values;
+    fill(grid, 1, [&](Eigen::Index row, Eigen::Index column, const Point&) {
+        return row % 2 == 0 ? halfway(values, row, column, true) : std::numeric_limits<double>::quiet_NaN();
+    });
+    fill(grid, 1, [&](Eigen::Index row, Eigen::Index column, const Point&) {
+        return row % 2 == 1 ? halfway(values, row, column, false) : std::numeric_limits<double>::quiet_NaN();
+    });
+    fill(grid, 1, summed);
     return grid;
 }
 

@@ -88,6 +88,12 @@ struct DensityGrid {
 DensityGrid density_grid(const std::function<double(const Direction&)>& density, NetProjection projection,
                          std::size_t side);
 
+// The density of poles that weigh differently. It is summed up at every second point and around the primitive, with
+// cubics through four points between: at a kernel concentration of 100 and 121 points a side within 1.1 % of a pole's
+// peak on the equal-area net, 2.1 % on the equal-angle one. Time grows with side^2 * poles.size().
+DensityGrid pole_density_grid(const std::vector<Direction>& poles, const std::vector<double>& weights,
+                              double kernel_concentration, NetProjection projection, std::size_t side);
+
 // The parts of a line inside the primitive circle, cut at it.
 std::vector<Polyline> inside_primitive(const Polyline& line);
 

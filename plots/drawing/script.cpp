@@ -291,9 +291,23 @@ class ScriptWriter {
         }
         script_ << "unset key\n";
         if (!legend_.empty()) {
-            const double axis_height = figure_.frame ? 86 : 12;  // px, numbers and title of the x axis
-            script_ << "set bmargin at screen " << (legend_space() + axis_height) / canvas_height() << "\n";
+            script_ << "set bmargin at screen " << (legend_space() + axis_height()) / canvas_height() << "\n";
         }
+    }
+
+    // Of the x axis below the plot, px: numbers, or names in lines, and the title.
+    double axis_height() const {
+        if (!figure_.frame) {
+            return 12;
+        }
+        constexpr double of_one_line = 86;  // with a title
+        constexpr double line = 22;
+        std::ptrdiff_t breaks = 0;
+        for (const auto& [place, name] : figure_.x.ticks) {
+            breaks = std::max(breaks, std::ranges::count(name, '\n'));
+        }
+        const double further = line * static_cast<double>(breaks);
+        return figure_.x.title.empty() ? std::max(of_one_line, 2 * line + further) : of_one_line + further;
     }
 
     // Lines of about equal length, as many as the width asks for.

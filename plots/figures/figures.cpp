@@ -175,6 +175,10 @@ Figure failure_locus_figure(const FailureLoci& data) {
 
 Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) {
     std::erase_if(bars, [](const SensitivityBar& bar) { return !std::isfinite(bar.effect); });
+    constexpr double rounding = 1e-12;  // of a factor of safety
+    for (SensitivityBar& bar : bars) {
+        bar.effect = std::abs(bar.effect) < rounding ? 0 : bar.effect;
+    }
     std::stable_sort(bars.begin(), bars.end(), [](const SensitivityBar& first, const SensitivityBar& second) {
         return std::abs(first.effect) > std::abs(second.effect);
     });
@@ -198,10 +202,11 @@ Figure tornado_figure(std::string_view title, std::vector<SensitivityBar> bars) 
             .boxes.push_back(
                 {{std::min(0.0, bar.effect), position - 0.32}, {std::max(0.0, bar.effect), position + 0.32}});
         figure.y.ticks.emplace_back(position, wrapped(human_name(bar.name) + ", " + unbroken(bar.change), 22));
-        figure.labels.push_back({.at = {bar.effect + (lowers ? -gap : gap), position},
-                                 .text = (lowers ? "−" : "+") + human_number(std::abs(bar.effect), 2),
-                                 .align = lowers ? Label::Align::right : Label::Align::left,
-                                 .boxed = false});
+        figure.labels.push_back(
+            {.at = {bar.effect + (lowers ? -gap : gap), position},
+             .text = bar.effect == 0 ? "0" : (lowers ? "−" : "+") + human_number(std::abs(bar.effect), 2),
+             .align = lowers ? Label::Align::right : Label::Align::left,
+             .boxed = false});
     }
     figure.series.emplace_back(std::move(raising));
     figure.series.emplace_back(std::move(lowering));

@@ -274,13 +274,13 @@ std::optional<Figure> profiles_figure(const FitProblem& problem, const FitResult
             Polyline band = prediction_band(*fit.posterior, 2 * end);
             if (!band.empty()) {
                 figure.series.emplace_back(Region{.outline = raised(band, toe_elevation),
-                                                  .legend = fit.name + ", 95 % of the posterior",
+                                                  .legend = human_name(fit.name) + ", 95 % of the posterior",
                                                   .colour = colours[count % colours.size()],
                                                   .opacity = 0.2});
             }
         }
         figure.series.emplace_back(Line{.points = std::move(points),
-                                        .legend = fit.name,
+                                        .legend = human_name(fit.name),
                                         .colour = colours[count % colours.size()],
                                         .dash = dashes[count % dashes.size()],
                                         .width = 4.0 - 0.5 * static_cast<double>(std::min<std::size_t>(count, 4))});

@@ -16,8 +16,8 @@ namespace delabole {
 namespace {
 
 constexpr std::size_t letters_of_candidate = 26;  // in a line beside a bar
-constexpr std::array input_colours{Colour::blue,   Colour::orange, Colour::green,
-                                   Colour::purple, Colour::sky,    Colour::vermilion};
+constexpr std::array input_colours{Colour::blue, Colour::orange,    Colour::green, Colour::purple,
+                                   Colour::sky,  Colour::vermilion, Colour::grey,  Colour::rock};
 
 double greatest_reduction(const CandidateInformation& candidate) {
     double greatest = 0;

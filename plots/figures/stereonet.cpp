@@ -33,9 +33,10 @@ std::string degrees_text(double angle) {
     return human_number(angle / degrees(1), 3);
 }
 
-// "85/282.5": dip and dip direction, or plunge and trend.
+// "85/282.5": dip and dip direction, or plunge and trend, to a tenth of a degree.
 std::string attitude(double inclination, double azimuth) {
-    return degrees_text(inclination) + "/" + human_number(azimuth / degrees(1), 4);
+    const auto tenths = [](double angle) { return human_number(std::round(angle / degrees(0.1)) / 10, 4); };
+    return tenths(inclination) + "/" + tenths(azimuth);
 }
 
 Point on_primitive(double azimuth, double radius) {
@@ -155,8 +156,15 @@ struct CountedPoles {
     std::vector<double> weights;
     void add(const std::vector<Orientation>& planes, const std::vector<double>& own_weights, std::size_t most) {
         for (std::size_t index = 0; index < std::min(most, planes.size()); ++index) {
+            const double weight = own_weights.empty() ? 1.0 : own_weights[index];
+            // Planes sampled without scatter are all the same.
+            if (index > 0 && planes[index].dip == planes[index - 1].dip &&
+                planes[index].dip_direction == planes[index - 1].dip_direction) {
+                weights.back() += weight;
+                continue;
+            }
             normals.push_back(upward_normal(planes[index]));
-            weights.push_back(own_weights.empty() ? 1.0 : own_weights[index]);
+            weights.push_back(weight);
         }
     }
 };
@@ -204,11 +212,11 @@ void add_density_contours(Figure& figure, const StereonetDrawing& drawing) {
     if (poles.normals.empty() || drawing.grid_side < 4) {
         return;
     }
-    const auto density = [&](const Direction& at) {
-        return pole_density(poles.normals, poles.weights, at, drawing.kernel_concentration);
-    };
     add_contours(
-        figure, density_grid(density, drawing.projection, drawing.grid_side), 2, [](double level) { return 2 * level; },
+        figure,
+        pole_density_grid(poles.normals, poles.weights, drawing.kernel_concentration, drawing.projection,
+                          drawing.grid_side),
+        2, [](double level) { return 2 * level; },
         [&](const std::string& levels) {
             return "density of the " + poles_are(drawing) + " poles, " + levels + " times uniform";
         });

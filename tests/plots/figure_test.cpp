@@ -221,6 +221,17 @@ TEST(GnuplotScript, LegendFlowsBelowThePlot) {
     }
     EXPECT_EQ(entries, 6);
 
+    const auto bottom_of_plot = [&](const std::string& name) {
+        figure.x.ticks = {{0.5, name}};
+        const std::string named = gnuplot_script(figure, "figure");
+        std::smatch margin;
+        EXPECT_TRUE(std::regex_search(named, margin, std::regex("set bmargin at screen (\\S+)")));
+        return std::stod(margin[1]) * size_of_canvas(named).second;
+    };
+    EXPECT_GT(bottom_of_plot("twice\nthe\nmodel\nerror"), bottom_of_plot("1") + 1.2 * text_height)
+        << "the fourth line of a name stood in the legend";
+    figure.x.ticks.clear();
+
     figure.series = {Line{.points = {{0, 0}, {1, 1}}, .legend = std::string(80, 'x')}};
     std::smatch letters;
     const std::string long_name = gnuplot_script(figure, "figure");

@@ -192,6 +192,8 @@ TEST(TornadoFigure, SortsBySizeAndSeparatesSigns) {
     EXPECT_EQ(with_legend<Boxes>(figure, "makes it less safe").boxes.at(0).lower_left.x(), -0.5);
     EXPECT_EQ(with_legend<Boxes>(figure, "makes it safer").boxes.at(0).upper_right.x(), 0.1);
     EXPECT_TRUE(tornado_figure("title", {}).y.ticks.empty());
+    const Figure rounding = tornado_figure("title", {{"a", "+1", 0.1}, {"b", "+1", -5.3e-19}});
+    EXPECT_EQ(rounding.labels[1].text, "0");
     // The number beside the only short bar to the left needs as much room as that beside a long one: 7 letters of some
     // 12 px in a picture of 720.
     const Figure short_bar = tornado_figure("title", {{"a", "+1", 0.03}, {"b", "+1", -0.0077}});

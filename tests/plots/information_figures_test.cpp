@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace delabole {
 namespace {
 
@@ -25,6 +27,18 @@ TEST(InformationFigures, TheMeasurementThatTellsMostStandsOnTop) {
     const Line error = with_legend<Line>(figure, "two standard errors");
     EXPECT_NEAR(error.points[1].x() - error.points[0].x(), 4, 1e-12);
     EXPECT_GE(figure.x.range->second, 62);
+}
+
+TEST(InformationFigures, EightInputsHaveColoursOfTheirOwn) {
+    CandidateInformation survey{"survey", {}, {}, std::nullopt};
+    for (const char* input : {"a", "b", "c", "d", "e", "f", "g", "h"}) {
+        survey.over_mechanisms.push_back(reduces(input, 0.1));
+    }
+    std::set<Colour> colours;
+    for (const Boxes& boxes : all<Boxes>(information_figure({survey}))) {
+        colours.insert(boxes.colour);
+    }
+    EXPECT_EQ(colours.size(), 8U);
 }
 
 TEST(InformationFigures, RanksStandBesideWhatIsUsual) {

@@ -134,14 +134,15 @@ TEST(PosteriorFigures, ProfilesShowTheBandOfPredictions) {
     FitProblem problem;
     problem.profile = ProfileObservation{{Point(0, 0), Point(10, 10)}, 1, ""};
     FitResult result;
-    result.mechanisms = {sampled_fit("sliding", 0)};
+    result.mechanisms = {sampled_fit("stepped_sliding", 0)};
     MechanismFit& fit = result.mechanisms[0];
     fit.prediction.profile = {Point(0, 0), Point(20, 20)};
     fit.posterior->profiles.clear();
     for (int index = 0; index <= 40; ++index) {
         fit.posterior->profiles.push_back({Point(0, 0), Point(20, 18 + 0.1 * index)});
     }
-    const Region band = with_legend<Region>(*profiles_figure(problem, result, 0), "sliding, 95 % of the posterior");
+    const Region band =
+        with_legend<Region>(*profiles_figure(problem, result, 0), "stepped sliding, 95 % of the posterior");
     double greatest = 0;
     for (const Point& point : band.outline) {
         greatest = std::max(greatest, point.y());

@@ -35,6 +35,12 @@ TEST(StereonetFigure, NamesWhatItShows) {
     }
 }
 
+TEST(StereonetFigure, GivesPlanesToATenthOfADegree) {
+    StereonetDrawing drawing = samples::stereonet();
+    drawing.joint_set.front().mean = {degrees(36.78), degrees(99.28)};
+    EXPECT_TRUE(names(pole_figure(drawing), "joint set a 36.8/99.3"));
+}
+
 TEST(StereonetFigure, KeepsEverythingButItsTicksOnTheNet) {
     StereonetDrawing drawing = samples::stereonet();
     for (const NetProjection projection : {NetProjection::equal_area, NetProjection::equal_angle}) {

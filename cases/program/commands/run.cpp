@@ -107,11 +107,6 @@ ExitCode run_one(CaseFile file, const Options& options, Overview& overview) {
     const Stopwatch watch;
     show_units_of(file);
     announce(file, options);
-    if (!options.quiet) {
-        for (const std::string& question : questions_about(file.model)) {
-            std::cerr << stem_of(file) << ": " << question << '\n';
-        }
-    }
     // Claimed before the work, which may take hours and keeps its checkpoint there.
     ResultFolder folder(options, stem_of(file), OnInterrupt::stop);
     const std::optional<DesignedSupport> support = [&] {

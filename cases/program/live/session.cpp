@@ -63,6 +63,16 @@ std::string group_of(const std::string& name) {
     return end == std::string::npos ? "case" : name.substr(0, end);
 }
 
+// "joint set[1]: bedding"
+std::string label_of(const std::string& group, const CaseFile& file) {
+    std::string label = human_name(group);
+    const auto name = file.places.find(group + ".name");
+    if (name != file.places.end() && name->second.value.size() > 2) {
+        label += ": " + human_name(name->second.value.substr(1, name->second.value.size() - 2));  // without its quotes
+    }
+    return label;
+}
+
 Json described(const Quantity& input, const CaseFile& file) {
     const auto shown = [&](double value) { return in_display_unit(value, input.dimension); };
     const auto source = file.sources.find(input.name);
@@ -220,8 +230,9 @@ Json LiveSession::open() const {
         const std::string group = group_of(input.name);
         const auto found = std::ranges::find_if(groups, [&](const Json& one) { return one["name"] == group; });
         if (found == groups.end()) {
-            groups.push_back(
-                {{"name", group}, {"label", human_name(group)}, {"inputs", Json::array({described(input, file_)})}});
+            groups.push_back({{"name", group},
+                              {"label", label_of(group, file_)},
+                              {"inputs", Json::array({described(input, file_)})}});
         } else {
             (*found)["inputs"].push_back(described(input, file_));
         }

@@ -128,8 +128,9 @@ bool Section::is_allowed(std::string_view key) const {
 }
 
 bool Section::belongs_to_replaced_kind(const Node& node) const {
-    const Node* kind = table_->find("kind");
-    return kind != nullptr && kind->place.from_option && !node.place.from_option;
+    // Not looked for among the keys: asked for each that is unknown, the time would grow with their square.
+    const auto kind = reading_->places().find(path_of("kind"));
+    return kind != reading_->places().end() && kind->second.place.from_option && !node.place.from_option;
 }
 
 void Section::complain_unknown(const std::string& key, const Node& node, const std::string& hint) const {

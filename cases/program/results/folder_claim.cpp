@@ -25,6 +25,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view heading =
     "# Files that delabole has written here. The next result in this folder takes their place; all others stay.\n";
 constexpr std::array<std::string_view, 2> subfolders{"figures", "frames"};
+constexpr std::size_t largest_list = 64U << 20U;  // bytes; a million names of frames
+constexpr std::string_view no_list = "it is not a list of delabole's files: move it away, or name another folder";
 
 std::vector<fs::path> missing_folders(const fs::path& folder) {
     std::vector<fs::path> missing;
@@ -56,7 +58,7 @@ FolderClaim::FolderClaim(fs::path folder)
         open_list();
         const std::string found = read_list();
         if (!std::string_view(found).starts_with(heading.substr(0, found.size()))) {
-            throw OutputError(list_, "it is not a list of delabole's files: move it away, or name another folder");
+            throw OutputError(list_, std::string(no_list));
         }
     } catch (...) {
         ::close(descriptor_);
@@ -121,6 +123,9 @@ std::string FolderClaim::read_list() const {
         }
         if (count == 0) {
             return text;
+        }
+        if (text.size() > largest_list) {
+            throw OutputError(list_, std::string(no_list));
         }
         text.append(buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     }

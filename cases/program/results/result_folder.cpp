@@ -45,7 +45,6 @@ std::string quoted(const std::string& text) {
     return result + '"';
 }
 
-// Letters as a reader counts them: UTF-8 continuation bytes take no room.
 }  // namespace
 
 std::string stem_of(const CaseFile& file) {

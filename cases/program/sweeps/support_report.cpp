@@ -7,16 +7,18 @@ namespace delabole {
 
 namespace {
 
-// "3 rows" would need a plural for each input: "rows 3, spacing 2 m".
+// "2 rows, spacing 2 m, length 4 m"
 std::string choice_in_words(const SupportDesign& design, const TriedSupport& tried) {
     const std::string only_pattern = "support[1].";
     std::string words;
     for (std::size_t index = 0; index < design.choices.size(); ++index) {
         const SupportChoice& choice = design.choices[index];
         const bool short_name = choice.input.starts_with(only_pattern);
-        words += (index == 0 ? "" : ", ") +
-                 human_name(short_name ? choice.input.substr(only_pattern.size()) : choice.input) + " " +
-                 value_in_words(tried.values[index], choice.dimension);
+        const std::string name = short_name ? choice.input.substr(only_pattern.size()) : choice.input;
+        const double value = tried.values[index];
+        words += index == 0 ? "" : ", ";
+        words += name == "rows" ? number_in_words(value) + (value == 1 ? " row" : " rows")
+                                : human_name(name) + " " + value_in_words(value, choice.dimension);
     }
     return words;
 }

@@ -1,6 +1,7 @@
 #include "cases/program/sweeps/sweep_report.hpp"
 
 #include "fitting/work/words.hpp"
+#include "plots/drawing/contour.hpp"
 #include "plots/drawing/text.hpp"
 #include "plots/figures/figures.hpp"
 
@@ -171,7 +172,14 @@ Figure map_figure(const SweepRun& run, const SweptFigure& data, std::size_t inde
     map.scale_title = output.title + (output.unit.empty() ? "" : " (" + output.unit + ")");
     map.no_answer_legend = "no answer";
     Figure figure{.title = title_of(run.sweep, data.each), .x = axis_of(first), .y = axis_of(second)};
+    Line balance{.legend = "factor of safety 1", .colour = Colour::vermilion, .width = 3.5};
+    if (run.sweep.curves[index].output == "factor_of_safety") {
+        balance.points = broken_line(contour_lines(map.x_values, map.y_values, map.values, 1));
+    }
     figure.series.emplace_back(std::move(map));
+    if (!balance.points.empty()) {
+        figure.series.emplace_back(std::move(balance));
+    }
     add_printed_points(run.sweep, figure);
     return figure;
 }

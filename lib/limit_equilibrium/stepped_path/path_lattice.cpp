@@ -94,18 +94,21 @@ PathLattice::PathLattice(const SteppedPath& path) {
                      std::min(most_nodes, std::floor((level_line(0).normal.dot(crest) - tolerance_) / step_spacing_)));
     greatest_retreat = path.search.greatest_retreat.value_or(slope.height) + tolerance_;
     const double span = crest.x() + greatest_retreat;
-    double across = 0;
+    double risers = 0;
+    double columns = 0;
     if (with_risers) {
         riser_along_ = direction(path.risers->dip);
         riser_spacing_ = path.risers->spacing;
-        across = std::max(across, greatest_retreat / riser_spacing_);
+        risers = greatest_retreat / riser_spacing_;
     }
     if (!slides) {
         column_up_ = {-std::cos(column_dip), std::sin(column_dip)};
         column_spacing_ = path.columns->spacing;
-        across = std::max(across, span / column_spacing_);
+        columns = span / column_spacing_;
     }
-    if (refuse(!(across * static_cast<double>(levels) < most_nodes), SteppedPathCheck::too_many_nodes)) {
+    const double with_steps = std::max(risers, columns) * static_cast<double>(levels);
+    const double wedges_at_most = risers * columns;
+    if (refuse(!(with_steps < most_nodes && wedges_at_most < most_nodes), SteppedPathCheck::too_many_nodes)) {
         return;
     }
     const double whole_block = with_risers ? riser_spacing_ / riser_along_.y() : column_spacing_ / column_up_.y();

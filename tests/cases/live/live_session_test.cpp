@@ -187,6 +187,16 @@ Json inputs_of_map(const LiveSession& session, int columns, int rows) {
             {"rows", rows}};
 }
 
+TEST(LiveSession, GroupsOfInputsHaveTheirNames) {
+    const Json opened = session_of("starting/kinematics.toml").open();
+    std::vector<std::string> labels;
+    for (const Json& group : opened["groups"]) {
+        labels.push_back(group["label"]);
+    }
+    EXPECT_EQ(labels, (std::vector<std::string>{"slope", "strength", "lateral limit", "joint set[1]: bedding",
+                                                "joint set[2]: joints", "joint set[3]: cross joints"}));
+}
+
 // The valley runs where the factor of safety is 1, but for the prior of the friction angle.
 TEST(LiveSession, MisfitOfACaseWithFitIsThatOfItsObservations) {
     const LiveSession session = session_of("starting/fit.toml");

@@ -167,6 +167,14 @@ TEST_F(FolderClaimTest, RefusesAFileThatIsNotItsList) {
                              ": it is not a list of delabole's files: move it away, or name another folder");
     EXPECT_EQ(names(), (Names{"files.txt", "results.csv"}));
     fs::remove(path() / "files.txt");
+    {
+        FolderClaim claim(path());
+        claim.enter({"results.csv"});
+    }
+    constexpr std::uintmax_t hundred_gigabytes = 100'000'000'000;  // of which the disk holds the first lines alone
+    fs::resize_file(path() / "files.txt", hundred_gigabytes);
+    EXPECT_NE(refusal().find("it is not a list of delabole's files"), std::string::npos) << refusal();
+    fs::remove(path() / "files.txt");
     fs::create_symlink("results.csv", path() / "files.txt");
     EXPECT_NE(refusal().find("it is a symbolic link"), std::string::npos) << refusal();
     fs::remove(path() / "files.txt");

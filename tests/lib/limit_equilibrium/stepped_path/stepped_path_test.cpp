@@ -415,6 +415,9 @@ TEST(SteppedPath, ImpossibleCasesSayWhy) {
               }),
               SteppedPathCheck::no_path);
     EXPECT_EQ(check([](SteppedPath& path) { path.steps.spacing = 1e-3; }), SteppedPathCheck::too_many_nodes);
+    // A few levels, and so many columns and risers that the wedges between them took 2 GB.
+    EXPECT_EQ(check([](SteppedPath& path) { path.search.greatest_retreat = 40'000; }),
+              SteppedPathCheck::too_many_nodes);
     EXPECT_EQ(check([](SteppedPath& path) { path.rock.unit_weight = -1; }), SteppedPathCheck::input_out_of_range);
 }
 
