@@ -8,8 +8,8 @@
 
 namespace delabole {
 
-// Leaves out such vertices of all blocks; pressures stay where they press. For scenes without bonds. Outlines that are no
-// polygons stay as they are.
+// Leaves out such vertices of all blocks; pressures stay where they press. For scenes without bonds. Outlines that are
+// no polygons stay as they are.
 void leave_out_straight_vertices(RelaxationScene& scene);
 
 }  // namespace delabole
