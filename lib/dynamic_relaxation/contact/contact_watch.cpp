@@ -124,7 +124,7 @@ bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const st
     });
     first_ = list_changed_ = state.searches == 0;
     if (new_neighbours) {
-        // The search gives all blocks new ways, and all have to be bounded at the end.
+        // The search begins to measure the motion of all blocks anew, and all have to be bounded at the end.
         due_blocks_.resize(bodies_.size());
         std::iota(due_blocks_.begin(), due_blocks_.end(), 0U);
         search(scene, bonds.joined(bond_memory), state, list);
