@@ -121,8 +121,8 @@ T four_blocks_two_forward_one_backward(const T& a, const T& b, const T& mu, cons
     return b * (1 + 2 * m) / (a * (1 - m * m) + b * mu * (1 + 2 * m));
 }
 
-// Base friction at which two blocks change over from FP to PB (Figs 4.7, 4.8). With w = W_1 / (W_1 + W_2), (7) = (10)
-// is
+// Base friction at which two blocks change over from FP to PB (Figs 4.7, 4.8). With w = W_1 / (W_1 + W_2),
+// (7) = (10) is
 //     w (1 + m)(c a - b) - (1 - w)(1 - m)(c a + b) - 4 w (1 - w) m b = 0
 // linear in w^2 and quadratic in c, mu a c^2 + {(2 w - 1) a - [(2 w - 1)^2 + ...]} ...: collected by powers of c below.
 template <class T>

@@ -152,7 +152,7 @@ TEST_F(Chapter5, BlowOut) {
     for (const Json& starts : json["random_starts"]) {
         EXPECT_GT(starts["re-created"].get<int>(), 0);
         EXPECT_EQ(starts["clean"].get<int>(), 0);
-        // Issue 4 asks for 2 %.
+        // The energy of a run that does not blow out balances to 2 %.
         EXPECT_LT(starts["energy_error"].get<double>(), 0.02);
         EXPECT_LT(starts["largest_speed_m_per_s"].get<double>(), starts["speed_of_fall_m_per_s"].get<double>());
     }
