@@ -93,7 +93,7 @@ void run_part(const ResultFolder& folder, const PartOfWork& part, std::size_t co
 // "1 slides, 2 to 5 topple and 6 to 8 stay": what each column does, with `to` between the first and last that do the
 // same.
 std::string columns_in_words(const std::vector<std::string_view>& does, const std::string& to);
-// A difference of rounding is no difference.
+// In words; differences below 1e-9 are rounding and shown as 0.
 std::string difference_in_words(double difference);
 Table printed_table(const std::string& caption, const std::vector<PrintedRow>& rows);
 // For a terminal of 120 columns: rows below their place in the thesis, what is said of each below it.
