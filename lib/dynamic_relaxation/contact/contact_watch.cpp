@@ -322,7 +322,7 @@ void ContactWatch::search(const MovingScene& scene, const std::vector<BlockPair>
 }
 
 void ContactWatch::assemble(WatchState& state, ContactList& list) {
-    // Blocks that lie too deep in each other, or whose motion is not a number, were looked at once from each of them.
+    // Blocks that lie too deep in each other, or whose motion is not a number, were checked once from each of them.
     std::ranges::stable_sort(replacement_, {}, &Replacement::pair);
     const auto of_one_pair = [](const Replacement& one, const Replacement& two) { return one.pair == two.pair; };
     replacement_.erase(std::unique(replacement_.begin(), replacement_.end(), of_one_pair), replacement_.end());

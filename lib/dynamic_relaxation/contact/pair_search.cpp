@@ -421,7 +421,7 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
     }
 }
 
-// Whether the corner has crossed the line of the edge between the edge's ends since the pair was last looked at.
+// Whether the corner has crossed the line of the edge between the edge's ends since the pair was last checked.
 bool PairSearch::came_over_edge(const RelaxationContact& contact, const ContactPosition& now) const {
     if (!then_) {
         return false;
