@@ -250,8 +250,8 @@ void warn_of_counts(const Target& target, std::vector<std::string>& warnings) {
 void warn_of_sampling(const MechanismPosterior& result, std::vector<std::string>& warnings) {
     if (result.posterior.status == PosteriorStatus::not_converged) {
         warnings.emplace_back(
-            "The chains did not converge (R-hat below 1.01, effective sizes above 400): the intervals are no fair "
-            "account. fit.posterior.evaluations_per_chain sets the limit.");
+            "The chains did not converge (R-hat below 1.01, effective sizes above 400): the intervals are unreliable. "
+            "fit.posterior.evaluations_per_chain sets the limit.");
     }
     if (result.posterior.status == PosteriorStatus::no_valid_point) {
         std::string causes;

@@ -37,9 +37,8 @@ class SobolSequence {
 // A plan of `replicates` independent samples of `points` points each; point i of the plan is point i % points of
 // replicate i / points. What one replicate holds:
 //   monte_carlo      independent points
-//   latin_hypercube  one point in each of `points` strata of every coordinate, at random within the stratum (M. D.
-//   McKay,
-//                    R. J. Beckman & W. J. Conover, Technometrics 21 (1979) 239-245)
+//   latin_hypercube  one point in each of `points` strata of every coordinate, at random within the stratum
+//                    (M. D. McKay, R. J. Beckman & W. J. Conover, Technometrics 21 (1979) 239-245)
 //   sobol_sequence   the first `points` points of SobolSequence
 class SamplePlan {
   public:

@@ -1,7 +1,7 @@
 // A smooth function known at scattered points with scatter of its own: Gaussian process regression.
 //
-// y(x) = level + f(x) + scatter. f has mean zero and the covariance amplitude^2 c(r), c the Matern function of order
-// 5/2,
+// y(x) = level + f(x) + scatter. f has mean zero and the covariance amplitude^2 c(r), c the Matern function of
+// order 5/2,
 //     c(r) = (1 + s + s^2 / 3) exp(-s),  s = sqrt(5) r,  r^2 = sum of ((x_i - x'_i) / length_i)^2;
 // scatter is independent from point to point, normal: what a chaotic model adds to its own smooth answer. The level is
 // estimated by generalised least squares and its uncertainty counted (ordinary kriging).

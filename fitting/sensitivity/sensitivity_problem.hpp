@@ -1,4 +1,4 @@
-// A sensitivity study: which parameters are uncertain and how, which quantity is looked at, when it means failure, and
+// A sensitivity study: which parameters are uncertain and how, which quantity is studied, when it means failure, and
 // what is to be computed.
 #pragma once
 

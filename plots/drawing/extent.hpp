@@ -1,4 +1,4 @@
-// The range that finite numbers span, and the frame that finite points do.
+// The range that finite numbers span, and the frame that finite points span.
 #pragma once
 
 #include "geometry/polyline.hpp"

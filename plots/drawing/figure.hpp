@@ -129,7 +129,7 @@ struct Figure {
     int height = 450;           // px, without the legend, which is added below
 };
 
-// Adds the line where it has points.
+// Adds the line if it has points.
 void add_line(Figure& figure, Line line);
 
 // The gnuplot script: settings, data and plot command, drawn to <name>.svg and <name>.png in the working folder.

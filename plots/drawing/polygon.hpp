@@ -1,4 +1,4 @@
-// Where a text finds room in a polygon or beside lines. Outlines need not repeat their first point.
+// Outlines and lines: where a text finds room in or beside them. Outlines need not repeat their first point.
 #pragma once
 
 #include "geometry/polygon.hpp"
@@ -12,6 +12,7 @@ double chord(const Polyline& outline, const Point& through, int axis);
 // The outline with its first point repeated.
 Polyline closed(Polyline outline);
 
+// The line moved up.
 Polyline raised(Polyline line, double height);
 
 struct Rectangle {

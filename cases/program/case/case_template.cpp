@@ -32,7 +32,7 @@ double example_number(const FieldInfo& info) {
         if (example.key == info.key) {
             const ParsedQuantity parsed =
                 example.unit.empty()
-                    ? bare_number(example.value, info.dimension)
+                    ? unitless_quantity(example.value, info.dimension)
                     : parse_quantity(shortest_number(example.value) + " " + example.unit, info.dimension);
             if (parsed.status == QuantityStatus::ok) {
                 return parsed.value;

@@ -105,8 +105,7 @@ void check_curves(Reading& reading, const std::string& path, const CaseSweep& sw
         }
         if (crossing.printed && sweep.each) {
             reading.complain_at(own + ".printed",
-                                "has a printed crossing, which one value of each cannot be told from "
-                                "another");
+                                "has a printed crossing, which does not say to which value of [sweep.each] it belongs");
         }
     }
     for (std::size_t index = 0; index < sweep.statements.size(); ++index) {

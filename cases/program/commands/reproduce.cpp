@@ -121,7 +121,6 @@ std::string columns_in_words(const std::vector<std::string_view>& does, const st
     return list_in_words(parts);
 }
 
-// A difference of rounding is no difference.
 std::string difference_in_words(double difference) {
     return std::abs(difference) < 1e-9 ? "0" : number_in_words(difference);
 }

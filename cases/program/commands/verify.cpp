@@ -19,7 +19,7 @@ namespace {
 Paths case_files(const Paths& given) {
     Paths files;
     for (const std::filesystem::path& path : given.empty() ? Paths{"cases"} : given) {
-        std::error_code ignored;  // what cannot be looked at is left to the reader, who says why
+        std::error_code ignored;  // what cannot be examined is left to read_case, which says why
         if (!std::filesystem::is_directory(path, ignored)) {
             files.push_back(path);
             continue;

@@ -61,7 +61,7 @@ std::string in_unit(double value, Dimension dimension, std::string_view token) {
         }
         double bare = 0;
         std::from_chars(number.data(), number.data() + number.size(), bare);
-        return bare_number(bare, dimension);
+        return unitless_quantity(bare, dimension);
     };
     const ParsedQuantity one = read("1");
     if (one.status != QuantityStatus::ok || one.value == 0) {

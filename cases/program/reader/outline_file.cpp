@@ -379,7 +379,7 @@ OutlineFile checked(OutlineFile file) {
     // A coordinate in kilometres may be none in metres.
     const auto finite = [](const SectionPoint& corner) { return std::isfinite(corner.x) && std::isfinite(corner.y); };
     if (file.problem.empty() && !std::ranges::all_of(file.outline, finite)) {
-        file.problem = "has a corner beyond all numbers";
+        file.problem = "has a corner that is not finite in metres";
     }
     if (!file.problem.empty()) {
         file.outline.clear();

@@ -146,7 +146,7 @@ std::optional<double> read_number(Reading& reading, const Node& node, const std:
     if (node.kind == Node::Kind::text) {
         parsed = parse_quantity(node.text, dimension);
     } else if (node.kind == Node::Kind::integer || node.kind == Node::Kind::real) {
-        parsed = bare_number(node.real, dimension);
+        parsed = unitless_quantity(node.real, dimension);
     } else {
         parsed.message = "must be " + std::string(dimension_words(dimension).phrase) + ", e.g. " +
                          std::string(dimension_words(dimension).example);

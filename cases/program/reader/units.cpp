@@ -207,7 +207,7 @@ ParsedQuantity parse_quantity(std::string_view text, Dimension dimension) {
             return failure(QuantityStatus::missing_unit,
                            "a ratio is written without quotes, e.g. 0.5, or as a percentage, e.g. \"50 %\"");
         }
-        return bare_number(parts.number, dimension);
+        return unitless_quantity(parts.number, dimension);
     }
     const std::optional<double> angle = angle_factor(parts.unit);
     if (angle) {
@@ -230,7 +230,7 @@ ParsedQuantity parse_quantity(std::string_view text, Dimension dimension) {
     return scaled(parts.number, *factor.si_per_unit);
 }
 
-ParsedQuantity bare_number(double number, Dimension dimension) {
+ParsedQuantity unitless_quantity(double number, Dimension dimension) {
     if (!std::isfinite(number)) {
         return failure(QuantityStatus::not_finite, "must be a finite number that a double can hold");
     }
@@ -253,7 +253,7 @@ bool looks_like_quantity(std::string_view text) {
 
 ParsedQuantity parse_value(const WrittenValue& value, Dimension dimension) {
     if (const auto* number = std::get_if<double>(&value)) {
-        return bare_number(*number, dimension);
+        return unitless_quantity(*number, dimension);
     }
     return parse_quantity(std::get<std::string>(value), dimension);
 }

@@ -28,7 +28,7 @@ struct ParsedQuantity {
 ParsedQuantity parse_quantity(std::string_view text, Dimension dimension);
 
 // A number written without a unit: a value where the dimension is a ratio, otherwise missing_unit.
-ParsedQuantity bare_number(double number, Dimension dimension);
+ParsedQuantity unitless_quantity(double number, Dimension dimension);
 
 // True when the text starts like a number, so that it is meant as a quantity and not as a word.
 bool looks_like_quantity(std::string_view text);

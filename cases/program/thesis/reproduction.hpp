@@ -15,7 +15,7 @@ namespace delabole {
 // Whether what is printed holds; `none` where a number stands beside the printed one, or nothing is printed.
 enum class RowVerdict { none, met, not_met };
 
-// What is said to a row: its verdict, and why or by how much.
+// What is said of a row: its verdict, and why or by how much.
 struct Remark {
     RowVerdict verdict = RowVerdict::none;
     std::string text = {};  // after a verdict it begins with a mark or a blank: ": rank correlation 0.9"
@@ -93,10 +93,10 @@ void run_part(const ResultFolder& folder, const PartOfWork& part, std::size_t co
 // "1 slides, 2 to 5 topple and 6 to 8 stay": what each column does, with `to` between the first and last that do the
 // same.
 std::string columns_in_words(const std::vector<std::string_view>& does, const std::string& to);
-// A difference of rounding is no difference.
+// In words; differences below 1e-9 are rounding and shown as 0.
 std::string difference_in_words(double difference);
 Table printed_table(const std::string& caption, const std::vector<PrintedRow>& rows);
-// For a terminal of 120 columns: rows below their place in the thesis, what is said to each below it.
+// For a terminal of 120 columns: rows below their place in the thesis, what is said of each below it.
 std::string screen_table(const std::vector<PrintedRow>& rows);
 
 // How many rows meet what is printed: statements do or do not, and a number stands beside the printed one with its
@@ -111,8 +111,8 @@ struct RowCounts {
 RowCounts count_rows(const std::vector<PrintedRow>& rows);
 std::string in_words(const RowCounts& counts);
 
-// `cases` are built-in ones of a folder (thesis_tables.hpp), in the order of the report.
-// An item that is data alone: cases whose texts, [[expect]] and [[sweep]] say what is printed and drawn.
+// An item that is data alone: cases whose texts, [[expect]] and [[sweep]] say what is printed and drawn. `cases` are
+// built-in ones of a folder (thesis_tables.hpp), in the order of the report.
 ReproductionItem data_item(const std::string& name, const std::string& place, const std::string& meaning,
                            const std::string& folder, const std::vector<std::string>& cases,
                            ReproductionCost cost = ReproductionCost::seconds);

@@ -15,7 +15,7 @@ struct BlockScales {
     std::vector<double> inverse_radius = {};  // 1/m
     std::vector<double> inverse_weight = {};  // m/N
     std::vector<double> rest_speed = {};      // m/s, below which a block may be at rest
-    std::vector<double> unnoticed = {};       // m, way that its contacts may disregard
+    std::vector<double> unnoticed = {};       // m, motion that its contacts may disregard
 };
 
 // Says of each block whether it has moved by more than its contacts may disregard, measured from where that was last

@@ -124,7 +124,7 @@ bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const st
     });
     first_ = list_changed_ = state.searches == 0;
     if (new_neighbours) {
-        // The search gives all blocks new ways, and all have to be bounded at the end.
+        // The search begins to measure the motion of all blocks anew, and all have to be bounded at the end.
         due_blocks_.resize(bodies_.size());
         std::iota(due_blocks_.begin(), due_blocks_.end(), 0U);
         search(scene, bonds.joined(bond_memory), state, list);
@@ -322,7 +322,7 @@ void ContactWatch::search(const MovingScene& scene, const std::vector<BlockPair>
 }
 
 void ContactWatch::assemble(WatchState& state, ContactList& list) {
-    // Blocks that lie too deep in each other, or whose motion is not a number, were looked at once from each of them.
+    // Blocks that lie too deep in each other, or whose motion is not a number, were checked once from each of them.
     std::ranges::stable_sort(replacement_, {}, &Replacement::pair);
     const auto of_one_pair = [](const Replacement& one, const Replacement& two) { return one.pair == two.pair; };
     replacement_.erase(std::unique(replacement_.begin(), replacement_.end(), of_one_pair), replacement_.end());

@@ -1,13 +1,13 @@
-// Keeps the contacts of a run up to date with no more looks than what moves makes necessary.
+// Keeps the contacts of a run up to date with no more checks of pairs than motion makes necessary.
 //
-// Blocks that could touch soon are paired through the grid once in a while. Each pair was looked at once, and what was
+// Blocks that could touch soon are paired through the grid once in a while. Each pair was checked once, and what was
 // found holds until its two blocks have moved against each other by a distance of the pair's own: its margin, within
 // which every contact was found, or the distance between the blocks if that is more. Blocks that fall side by side, and
-// the slope that a splinter flies off, are not looked at again. So that not even pairs need be asked at every step,
+// the slope that a splinter flies off, are not checked again. So that not even pairs need be asked at every step,
 // each block has a distance of its own up to which none of its pairs can be due.
 //
 // The list has the contacts of find_contacts (contacts.hpp), but those that a pair has on top depend on when it was
-// last looked at. Looks depend on motion alone: neither on threads nor on when a run was interrupted.
+// last checked. Checks depend on motion alone: neither on threads nor on when a run was interrupted.
 #pragma once
 
 #include "dynamic_relaxation/contact/bonds.hpp"
@@ -29,11 +29,11 @@ struct WatchedPair {
     std::uint32_t first;
     std::uint32_t second;
     std::uint32_t begin;  // of its contacts in the list, which go up to those of the next pair
-    // When last looked at:
+    // When last checked:
     PairPose pose;
     double distance;  // m, as in PairContacts
     // m, motion of the blocks against each other up to which the contacts then found are all; negative before the first
-    // look.
+    // check.
     double holds;
 };
 
@@ -45,7 +45,7 @@ struct WatchState {
     std::vector<double> neighbours_until = {};  // up to this distance, all that it can touch are pairs
     std::vector<double> step_until = {};        // the stable step of the block is good enough up to this distance
     std::vector<double> stable_step = {};       // s, of the block's springs alone
-    double step = 0;                            // s, pairs are looked at in time for steps up to this
+    double step = 0;                            // s, pairs are checked in time for steps up to this
     std::uint64_t searches = 0;                 // for pairs
     std::uint64_t pair_checks = 0;              // at pairs, for contacts
 };
@@ -59,7 +59,7 @@ class ContactWatch {
   public:
     ContactWatch(const RelaxationScene& scene, const Bodies& bodies, const RelaxationSettings& settings);
 
-    // Everything is to be looked at, as before the first step.
+    // Everything is to be checked, as before the first step.
     static void start(std::size_t blocks, WatchState& state);
     // For a longer step, all pairs have to be asked, and blocks that it takes past what they can touch searched for.
     void prepare_for(double step, const std::vector<Motion>& motion, WatchState& state) const;

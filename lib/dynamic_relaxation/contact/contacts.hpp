@@ -2,7 +2,7 @@
 //
 // Contact memory belongs to a corner and an edge. Where a corner passes the end of an edge, the edge's end corner takes
 // over on an edge of the first block (its twin): both are contacts, their weights add up to one and change over a short
-// way around the end, and the shear spring is handed over. No overlap of one face is ever compared with that of
+// distance around the end, and the shear spring is handed over. No overlap of one face is ever compared with that of
 // another, which is what made the thesis's program blow up (5.3.2, cycle 677).
 #pragma once
 
@@ -156,7 +156,6 @@ class ContactArray {
     std::size_t size() const { return blocks_.size(); }
     bool empty() const { return blocks_.empty(); }
     RelaxationContact operator[](std::size_t index) const { return {blocks_[index], corners_[index], shapes_[index]}; }
-    void set_shape(std::size_t index, const ContactShapeOf<double>& shape) { shapes_.set(index, shape); }
     void push_back(const RelaxationContact& contact) {
         shapes_.push_back(size(), contact);
         blocks_.push_back(contact);
@@ -213,8 +212,8 @@ struct ContactList {
     std::vector<JointLaw> joint = {};
     MemoryArray memory = {};
     LargeArray<ForceOnCorner> force = {};  // when last evaluated
-    // m; an open contact stays open while its blocks' ways since the start do not sum up to more. not_open where it
-    // touches.
+    // m; an open contact stays open while what its blocks have travelled since the start does not sum up to more.
+    // not_open where it touches.
     LargeArray<double> open_until = {};
 
     ContactLaw law_of(const ContactBlocks& one) const { return {ends[one.ends], joint[one.joint]}; }

@@ -13,11 +13,12 @@
 //
 //   - the one that the blocks overlap less over (least penetration, as for the first entrance of a corner in Shi's
 //     discontinuous deformation analysis). A wedge of overlap counts as far as both depths d1 and d2 allow: the weight
-//     of the contact over edge 1 is d2 / (twice the way of blending), so that its spring holds k d1^2 d2 / (4 way).
+//     of the contact over edge 1 is d2 / (2 l), l being the distance over which weights change (pair_search.cpp), so
+//     that its spring holds k d1^2 d2 / (4 l).
 //     Where the depths are equal both edges hold the same: nothing is gained where the blocks change from one to the
 //     other. The corner is as good as rounded by a thousandth of the blocks' shortest edge. Corners that only pass each
 //     other, as those of crossing joints do where columns slide on each other, catch by no more than the force that
-//     presses the columns together times d / (2 way), some millionths of it;
+//     presses the columns together times d / (2 l), some millionths of it;
 //   - a body is in equilibrium if the work of its forces is not positive for any motion that is possible. Here that
 //     asks for equilibrium with n1 alone and with n2 alone: what only one of them holds can give way to the other side.
 //     So a balance that relies on corners on corners is believed once balance has been found with the other edges, too:

@@ -17,9 +17,9 @@ constexpr double lean = 0.35;
 // A corner that bears on an edge goes on doing so up to here: to take it away, or to give its load to the next edge, on
 // which it is deeper, would make energy out of nothing.
 constexpr double lean_while_touching = 0.7;
-// The weight of a contact changes over this way around an edge's end, in shortest edges. Far above any overlap, so that
-// a change of overlap hardly changes a weight, and far below what an eye or a lever arm would see.
-constexpr double blend_way = 1e-3;
+// The weight of a contact changes over this distance around an edge's end, in shortest edges: far above any overlap, so
+// that a change of overlap hardly changes a weight, and far below what an eye or a lever arm would see.
+constexpr double blend_length = 1e-3;
 // A joint drawn open by less than this, in shortest edges, is closed.
 constexpr double closed = 1e-3;
 // A corner that is found below an edge came there over the edge if it is no deeper than this, in margins.
@@ -54,14 +54,14 @@ bool beside(const Bodies& bodies, const RelaxationContact& contact, double short
     if (contact.gap >= 0) {
         return false;
     }
-    if (contact.gap < initial_distance(bodies, contact.block, contact.other, 0).distance - blend_way * shortest) {
+    if (contact.gap < initial_distance(bodies, contact.block, contact.other, 0).distance - blend_length * shortest) {
         return true;
     }
     const PlanePoint<> between = bodies.centroid[contact.block] - bodies.centroid[contact.other];
     const CornerRange& range = bodies.range[contact.other];
     for (std::size_t edge = range.begin; edge < range.end; ++edge) {
         if (bodies.normal(edge).dot(between + (bodies.corner[contact.corner] - bodies.corner[edge])) >
-            blend_way * shortest) {
+            blend_length * shortest) {
             return true;
         }
     }
@@ -81,9 +81,9 @@ InitialDistance initial_distance(const Bodies& bodies, std::size_t first, std::s
         });
     };
     const double distance = std::max(over_edges_of(second, first), over_edges_of(first, second));
-    // Those farther behind are beside the edge, see above; twice the way, as rounding differs there.
+    // Those farther behind are beside the edge, see above; twice the distance, as rounding differs there.
     const double shortest = std::min(bodies.shortest_edge[first], bodies.shortest_edge[second]);
-    return {distance, behind >= distance - 2 * blend_way * shortest};
+    return {distance, behind >= distance - 2 * blend_length * shortest};
 }
 
 void PairContacts::clear() {
@@ -160,7 +160,7 @@ void PairSearch::find(const BlockPair& pair, const std::vector<Motion>& motion, 
     const double distance = std::max(measure(side_[0], side_[1], gaps_[0]), measure(side_[1], side_[0], gaps_[1]));
     found.distance = distance;
     found.worst_overlap = std::max(0.0, -distance / shortest_);
-    if (distance > query.margin + 3 * blend_way * shortest_) {
+    if (distance > query.margin + 3 * blend_length * shortest_) {
         return;
     }
     for (std::size_t side = 0; side < 2; ++side) {
@@ -189,7 +189,7 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
     const double length = bodies_.length[edge_number];
     const PlanePoint<>& along = other.along[edge];
     const double position = along.dot(block.corner[corner] - other.corner[edge]);
-    const double reach = query_.margin + 3 * blend_way * shortest_;
+    const double reach = query_.margin + 3 * blend_length * shortest_;
     if (position < -reach || position > length + reach || !can_bear(block, corner, other, edge)) {
         return;
     }
@@ -341,7 +341,7 @@ ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const 
     // with a corner does not bear there at all.
     law.start_weight = std::max(next, previous) > lean ? 0.5 : -0.5;
     law.end_weight = -std::min(next, previous) > lean ? 0.5 : -0.5;
-    law.inverse_blend = 1 / (2 * (blend_way * shortest_));
+    law.inverse_blend = 1 / (2 * (blend_length * shortest_));
     const std::size_t weaker = weaker_joint(scene_, bodies_, block.begin + face, other.begin + edge);
     const JointMaterial& joint = scene_.material[weaker];
     law.normal_stiffness = joint.normal_stiffness;
@@ -421,7 +421,7 @@ void PairSearch::remember(PairContacts& found, const std::vector<Motion>& motion
     }
 }
 
-// Whether the corner has crossed the line of the edge between the edge's ends since the pair was last looked at.
+// Whether the corner has crossed the line of the edge between the edge's ends since the pair was last checked.
 bool PairSearch::came_over_edge(const RelaxationContact& contact, const ContactPosition& now) const {
     if (!then_) {
         return false;

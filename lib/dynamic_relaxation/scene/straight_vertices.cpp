@@ -83,7 +83,9 @@ void leave_out_straight_vertices(RelaxationScene& scene) {
         }
         const EdgePlace& place = of_block[pressure.edge];
         pressure.edge = place.edge;
-        pressure.part = pressure.part ? EdgePart{place.begin + pressure.part->begin, place.begin + pressure.part->end}
+        // Rounding must not carry a part past the end of the edge.
+        pressure.part = pressure.part ? EdgePart{place.begin + pressure.part->begin,
+                                                 std::min(place.begin + pressure.part->end, place.end)}
                                       : EdgePart{place.begin, place.end};
     }
 }

@@ -15,7 +15,7 @@ bool balance_alone(std::size_t index, const PseudoViscosity& resisting, const Me
                    StaticEquations& equations, Eigen::VectorXd& moved, std::vector<Motion>& motion, ContactList& list) {
     constexpr int most_rounds = 6;
     constexpr int most_halvings = 4;
-    constexpr double well_enough = 0.1;  // of the load: neighbours move after it
+    constexpr double well_enough = 0.1;  // of the load; neighbours that move later change the rest
     const auto at = 3 * static_cast<Eigen::Index>(index);
     Motion& motion_of_block = motion[equations.free_blocks()[index]];
     StaticEquations::BlockBalance balance = equations.balance_of(index, resisting, moved, motion, before, list);
@@ -62,7 +62,7 @@ void balance_one_by_one(const PseudoViscosity& resisting, const Eigen::VectorXd&
         std::max(of_greatest * *std::ranges::max_element(lacks), of_mean * equations.mean_ratio(lacking));
     std::vector<char> due(count);
     std::ranges::transform(lacks, due.begin(), [&](double lack) { return lack >= much ? 1 : 0; });
-    // It shall cost no more than to evaluate all contacts once.
+    // This costs no more than to evaluate all contacts once.
     const std::uint64_t most_evaluations = equations.contacts_evaluated() + list.contact.size();
     const auto may_go_on = [&] { return equations.contacts_evaluated() < most_evaluations; };
     for (int sweep = 0; sweep < most_sweeps && may_go_on(); ++sweep) {

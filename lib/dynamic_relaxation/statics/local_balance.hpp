@@ -3,19 +3,19 @@
 // Where contacts of a few blocks close or let go, Newton's method for all blocks together overshoots there, and its
 // line search shortens the step for all. To solve for these few first is nonlinear elimination (Lanzkron, Rose and
 // Wilkes 1996, SIAM J. Sci. Comput. 17, 538-559; Cai and Li 2011, SIAM J. Sci. Comput. 33, 746-762). The equations are
-// the same; only the way to their solution is.
+// the same; only the order in which they are solved differs.
 #pragma once
 
 #include "dynamic_relaxation/statics/static_equations.hpp"
 
 namespace delabole {
 
-// For blocks without bonds: where rock breaks, the other way led to other equilibria (RJ-8 stood with 1.13 of its
-// reduction instead of 1.01).
+// For blocks without bonds: where rock breaks, it ends in other equilibria (RJ-8 stands with strengths divided by 1.13
+// instead of 1.01).
 //
-// In sweeps over the free blocks in their order, so that the result is the same on any machine: first those that lack
-// much of their load, then what changed around them. `lacking`: forces out of balance with pseudo-viscosity. `moved`
-// and `motion` follow; contacts are to be evaluated again afterwards.
+// Goes in sweeps over the free blocks in their order, so that the result is the same on any machine: first over those
+// that lack much of their load, then over what changed around them. `lacking`: forces out of balance with
+// pseudo-viscosity. `moved` and `motion` follow; contacts are to be evaluated again afterwards.
 void balance_one_by_one(const PseudoViscosity& resisting, const Eigen::VectorXd& lacking, const MemoryArray& before,
                         StaticEquations& equations, Eigen::VectorXd& moved, std::vector<Motion>& motion,
                         ContactList& list);

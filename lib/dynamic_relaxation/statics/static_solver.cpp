@@ -201,10 +201,11 @@ class StaticSolver {
         return equations_.unbalanced_ratio();
     }
 
-    // A round too thick for blocks to creep: stiff joints only recover from the last one, which took a straight way.
+    // A round with too much pseudo-viscosity for blocks to creep: stiff joints only recover from the last one, which
+    // moved blocks along straight lines.
     double settle(double resistance, std::vector<Motion>& motion, ContactList& list) {
-        constexpr double thick = 1e-3;
-        if (const auto change = equations_.change({std::max(resistance, thick), 0}, equations_.unbalanced())) {
+        constexpr double least = 1e-3;
+        if (const auto change = equations_.change({std::max(resistance, least), 0}, equations_.unbalanced())) {
             equations_.move(*change, motion);
         }
         return evaluate(motion, list);

@@ -15,7 +15,7 @@ namespace delabole {
 
 namespace {
 
-// Steps between two looks at the balance of forces.
+// Steps between two checks of the balance of forces.
 constexpr std::uint64_t steps_between_checks = 50;
 // Between two measurements of how blocks lie in each other: together they cost less than a hundredth of the run.
 constexpr std::uint64_t steps_between_audits = 5000;
@@ -47,7 +47,7 @@ void Simulation::decide() {
     const bool growing = kinetic > state_.kinetic_then;
     state_.kinetic_then = kinetic;
     const double unbalanced = std::exchange(state_.unbalanced, 0.0);
-    // The last look may come a few steps after the one before it.
+    // The last check may come a few steps after the one before it.
     const double lately = std::max(unbalanced, std::exchange(state_.unbalanced_then, unbalanced));
     const auto at_rest = [&](double ratio) {
         return !growing && !carried_along() && ratio < settings_.equilibrium_ratio &&

@@ -3,8 +3,7 @@
 // A mode gives every block a role, from the lowest block up:
 //     S...  slide together down the plane, pushed by what stands above or by themselves
 //     F, P, B, =  turn forward, all by the same angle, each about its own toe: the toe slides forward (F), does not
-//     slide
-//           (P), slides backward (B); "=" adheres to the block below and turns as one unit with it
+//           slide (P), slides backward (B); "=" adheres to the block below and turns as one unit with it
 //     0...  stand, the part below moves away from them; where all toes of the turning part are F they press on its heel
 //     R...  are pushed back up the plane by the heel of the turning part
 //

@@ -9,10 +9,9 @@
 // Printed against derived:
 //     (7) (8) (9) (10) (11)  right
 //     (12) (13)  right: the thrusts above, per block weight, of one block in the forward and backward mode
-//     (14)  printed equal to (8). FFP gives b (1 + m) / [a (1 - m) + 2 b mu], which exceeds (8) wherever c > b / a:
-//     their
-//           difference has the sign of mu (1 - m)(c a - b). Equal to (8) is F P with the third block standing apart,
-//           but on a plane steeper than b / a it does not stand: a row in contact gains from a third block.
+//     (14)  printed equal to (8). FFP gives b (1 + m) / [a (1 - m) + 2 b mu], which exceeds (8) wherever c > b / a,
+//           since their difference has the sign of mu (1 - m)(c a - b). Equal to (8) is F P with the third block
+//           standing apart, but on a plane steeper than b / a it does not stand: a row in contact gains from a third.
 //     (15)  right for FPB
 //     (16)  its text is lost; PBB gives b (1 + 3 m) / [a (1 + m) - 2 b mu]
 //     (17)  right for FBB: both terms of the fraction carry the factor 1 + m, and c (3 m - 1) / (3 - m) is the same
@@ -23,7 +22,7 @@
 //           slip of sign, since the minus is what makes b mu (2 + 4 m). Right for FFPB is b (1 + 2 m) / [a (1 - m^2) +
 //           b mu (1 + 2 m)].
 //
-// A formula whose denominator is not positive has no tilt below 90 deg; the caller looks. Accuracy: a few units in the
+// A formula whose denominator is not positive has no tilt below 90 deg; the caller checks. Accuracy: a few units in the
 // last place but where the denominator cancels.
 #pragma once
 
@@ -122,8 +121,8 @@ T four_blocks_two_forward_one_backward(const T& a, const T& b, const T& mu, cons
     return b * (1 + 2 * m) / (a * (1 - m * m) + b * mu * (1 + 2 * m));
 }
 
-// Base friction at which two blocks change over from FP to PB (Figs 4.7, 4.8). With w = W_1 / (W_1 + W_2), (7) = (10)
-// is
+// Base friction at which two blocks change over from FP to PB (Figs 4.7, 4.8). With w = W_1 / (W_1 + W_2),
+// (7) = (10) is
 //     w (1 + m)(c a - b) - (1 - w)(1 - m)(c a + b) - 4 w (1 - w) m b = 0
 // linear in w^2 and quadratic in c, mu a c^2 + {(2 w - 1) a - [(2 w - 1)^2 + ...]} ...: collected by powers of c below.
 template <class T>

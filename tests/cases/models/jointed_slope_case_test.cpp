@@ -232,7 +232,7 @@ TEST(OutlineFile, WhatIsNoOutlineIsSaid) {
     EXPECT_TRUE(has(outline_of_dxf(dxf_of("0\nLWPOLYLINE\n70\n1\n10\n0\n20\n0\n10\n1e307\n20\n0\n10\n1\n20\n1\n",
                                           "9\n$INSUNITS\n70\n7\n"))
                         .problem,
-                    "beyond all numbers"));
+                    "not finite in metres"));
     EXPECT_TRUE(has(outline_of_csv("x,y\n0,0\n").problem, "x_m,y_m"));
     EXPECT_TRUE(has(outline_of_csv("x_m,y_m\n0,0\n1,0\n").problem, "three corners"));
     EXPECT_TRUE(has(outline_of_csv("x_m,y_m\n0,0\n1;0\n1,1\n").problem, "line 3"));

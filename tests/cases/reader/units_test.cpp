@@ -71,8 +71,8 @@ TEST(Units, WhatIsWrongIsTold) {
     EXPECT_EQ(status("1e308 km", Dimension::length), QuantityStatus::not_finite);
     EXPECT_EQ(parse_quantity("12 s", Dimension::length).message,
               "\"s\" is the wrong kind of unit: a length is expected, e.g. \"10 m\"");
-    EXPECT_EQ(bare_number(12, Dimension::length).status, QuantityStatus::missing_unit);
-    EXPECT_EQ(bare_number(std::numeric_limits<double>::quiet_NaN(), Dimension::ratio).status,
+    EXPECT_EQ(unitless_quantity(12, Dimension::length).status, QuantityStatus::missing_unit);
+    EXPECT_EQ(unitless_quantity(std::numeric_limits<double>::quiet_NaN(), Dimension::ratio).status,
               QuantityStatus::not_finite);
 }
 

@@ -186,8 +186,8 @@ Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report
     report.blocks.emplace_back(Heading{"Figs 2.1, 2.4, 2.5, 2.7 and 2.10, drawn again"});
     report.blocks.emplace_back(Paragraph{
         "Fig 2.1 is drawn with poles spread evenly over the ranges of the text. Fig 2.6, a plan of the crest that is "
-        "not "
-        "to scale, and its pegs cannot be drawn: no place of a crack or peg is printed but the benches they lie on."});
+        "not to scale, and its pegs cannot be drawn: no place of a crack or peg is printed but the benches they lie "
+        "on."});
     report.blocks.emplace_back(
         folder.draw(stereonet_figure(study.model, sets), "fig_2_1", "Poles sampled from the printed ranges."));
     add_traces(sets, folder, report, result);

@@ -33,8 +33,7 @@ struct PlateModel {
 struct DrawnModel {
     std::vector<DrawnBlock> blocks;
     std::vector<Polyline> paths;
-    Extent x;
-    Extent y;
+    Frame frame;
 };
 
 DrawnModel draw_model(const BaseFrictionState& state) {
@@ -49,10 +48,9 @@ DrawnModel draw_model(const BaseFrictionState& state) {
         DrawnBlock shown{.mode = block.fixed ? DrawnMode::fixed : DrawnMode::plain};
         for (const PlanePoint<>& corner : block.outline) {
             shown.outline.push_back(corner / inch);
-            drawn.x.include(shown.outline.back().x());
-            drawn.y.include(shown.outline.back().y());
             right = std::max(right, block.fixed ? right : shown.outline.back().x());
         }
+        drawn.frame.include(shown.outline);
         drawn.blocks.push_back(std::move(shown));
     }
     const Point toe(0, -geometry.vertical_cut / inch);
@@ -86,7 +84,7 @@ Figure plate_figure(const std::string& plate, const std::vector<const BaseFricti
     double offset = 0;
     for (const BaseFrictionState* state : models) {
         DrawnModel model = draw_model(*state);
-        const Point shift(offset - model.x.lowest, 0);
+        const Point shift(offset - model.frame.x.lowest, 0);
         for (DrawnBlock& block : model.blocks) {
             for (Point& corner : block.outline) {
                 corner += shift;
@@ -101,13 +99,13 @@ Figure plate_figure(const std::string& plate, const std::vector<const BaseFricti
                                     .legend = paths.empty() ? "critical crack path, printed inclination" : "",
                                     .colour = Colour::vermilion});
         }
-        labels.push_back({.at = Point(offset + model.x.size() / 2, model.y.highest),
+        labels.push_back({.at = Point(offset + model.frame.x.size() / 2, model.frame.y.highest),
                           .text = caption_of(*state),
                           .align = Label::Align::centre,
                           .raise = 0.8,
                           .boxed = false,
                           .size = 0.8});
-        offset += model.x.size() + gap;
+        offset += model.frame.x.size() + gap;
     }
     Figure figure = block_figure(drawing);
     figure.x.title = "distance";

@@ -175,12 +175,7 @@ std::string csv_of(const Predictions& predictions, double strength) {
     CsvTable table({"test", "behaviour", "half", "status", "needed_strength_kPa", "fitted_strength_kPa",
                     "failure_probability", "predicted", "crack_angle_printed_deg", "crack_angle_deg", "broken_bonds",
                     "loose_blocks"});
-    const auto angle = [](std::optional<double> value) -> std::variant<double, std::string> {
-        if (!value) {
-            return "";
-        }
-        return *value / degrees(1);
-    };
+    const auto angle = [](std::optional<double> value) { return value ? Cell(*value / degrees(1)) : Cell(""); };
     for (const Prediction& prediction : predictions) {
         const CriticalStrength& critical = prediction.need->critical;
         const auto broken = std::ranges::count_if(critical.end.state.bond,

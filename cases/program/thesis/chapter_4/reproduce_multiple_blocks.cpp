@@ -41,14 +41,14 @@ struct ToeMotion {
     char role;
     std::string_view legend;
     Colour colour;
-    double along;  // way of the toe along the plane, in widths of a block
+    double along;  // motion of the toe along the plane, in widths of a block
 };
 
 constexpr std::array toe_motions{ToeMotion{row_role::forward, "F: toe slides forward", Colour::blue, -0.7},
                                  ToeMotion{row_role::backward, "B: toe slides backward", Colour::vermilion, 0.7}};
 
-// All modes side by side, each block with its letter, turned, and its toe with the way it slides: a turn of 15 deg
-// moves toes apart by only 1 / cos 15 deg - 1 = 4 % of a width, too little to be seen.
+// All modes side by side, each block with its letter, turned, and its toe with the direction in which it slides: a turn
+// of 15 deg moves toes apart by only 1 / cos 15 deg - 1 = 4 % of a width, too little to be seen.
 Figure mode_gallery(int count) {
     constexpr double slenderness = 3;
     constexpr double tilt = degrees(20);

@@ -1,5 +1,4 @@
-// The thesis's chapter 5: what its items share, and single blocks. Rows of two in reproduce_double_blocks.cpp, the
-// blow-out in reproduce_blow_out.cpp, other rows and slopes in reproduce_block_rows.cpp.
+// The thesis's chapter 5: what its items share, and single blocks. The other items stand in files of their own.
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"
 #include "cases/program/thesis/chapter_5/relaxation_drawing.hpp"
 #include "fitting/work/words.hpp"

@@ -2,8 +2,8 @@
 // damping, time step and cycles as the re-created program, so that the histories of both can be set side by side.
 //
 // Three things differ: coordinates are exact, not typed; the time step is divided where it is more than a stable share;
-// tilting turns gravity in increments, or the base smoothly at the same rate; there is no local damping, which the
-// thesis's program lacks too.
+// tilting turns gravity in increments, or the base smoothly at the same rate. There is no local damping, as in the
+// thesis's program.
 #pragma once
 
 #include "cases/program/thesis/hocking/chapter_5.hpp"

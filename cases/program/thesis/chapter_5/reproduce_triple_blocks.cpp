@@ -136,8 +136,7 @@ Reproduction reproduce_triple_blocks(const ResultFolder& folder, Report& report)
                   "alternating senses of the thesis's histories are no matter of the step. What is left is the law of "
                   "contact: the re-created program stores the dashpot's force in its shear springs, and what is stored "
                   "pushes back. In (iv) its block 2 neither slides backward mostly, as printed, nor forward. The "
-                  "cycles printed of "
-                  "(ii) hang on digits that are not printed, as those of four blocks do."});
+                  "cycles printed of (ii) hang on digits that are not printed, as those of four blocks do."});
     const std::vector<int> cycles = {500, 1000, 1500, 2000};
     report.blocks.emplace_back(
         folder.draw(frames_figure("Fig 5.14: three blocks (ii)", runs[1], compute(runs[1], Engine::recreated), cycles),

@@ -4,7 +4,7 @@
 // one inch, plaster, no overlap at the start, centroids typed to 1e-6 m, one long fixed block below plane rows, one
 // fixed block below each column of the stepped base (as the listing's data has it), and one stiffness for a run,
 // 2e6 N/m for each width of the columns' height; 2e6 N/m where heights differ. A base that is turned is 1.1 inches
-// thick: the thicker it is, the more it pushes what stands on it, and thus the printed outcomes come.
+// thick: the thicker it is, the more it pushes what stands on it, and from that thickness the printed outcomes come.
 #pragma once
 
 #include "cases/program/thesis/hocking/hocking_program.hpp"

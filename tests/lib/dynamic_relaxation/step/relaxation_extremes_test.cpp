@@ -29,7 +29,7 @@ TEST(Shapes, FromFlatToSlenderFailWhereTheyMust) {
             OnPlane plane;
             plane.height_to_width = slenderness;
             plane.friction = degrees(friction);
-            // What a slender block needs (verification.md).
+            // A slender block needs joints that are stiffer as the square of its slenderness.
             plane.stiffness_ratio = std::max(1e6, 1e5 * slenderness * slenderness / 9);
             const double topples = toppling_law(plane);
             const double slides = std::tan(plane.friction);

@@ -220,7 +220,7 @@ TEST(SingleBlock, ObeysTheThresholdLaw) {
 }
 
 TEST(TwoBlocks, BeginToTurnWhereLimitEquilibriumSays) {
-    // verification.md: phi = psi = 20 deg; least of eqs (8) and (10). The blocks jam only after leaning a little, which
+    // phi = psi = 20 deg; the least of eqs (8) and (10). The blocks jam only after leaning a little, which
     // costs up to 0.011 deg at k b/W = 3e7.
     const std::array<std::pair<double, double>, 2> theory{{{3, 18.629}, {7, 8.831}}};
     for (const auto& [slenderness, tilt] : theory) {
