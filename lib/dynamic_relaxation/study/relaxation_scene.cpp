@@ -221,7 +221,9 @@ RelaxationScene drawn_scene(const RelaxationStudy& study) {
         scene.pressure.push_back(
             {index_of(pressure.block), index_of(pressure.edge), pressure.at_first, pressure.at_second});
     }
-    leave_out_straight_vertices(scene);
+    if (std::holds_alternative<RelaxationPolygons>(study.model.scene)) {
+        leave_out_straight_vertices(scene);
+    }
     return scene;
 }
 

@@ -54,7 +54,9 @@ void add_statements(const Chapter5Run& run, const HockingResult& result, const s
             });
         add("block 3 slides forward first, backward from cycle", "in the end",
             cycle_in_words(result, 2, forward) + ", " + cycle_in_words(result, 2, backward),
-            [&](const HockingResult& of) { return first(of, 2, forward) < first(of, 2, backward); });
+            [&](const HockingResult& of) {
+                return first_sliding(of, 2, backward) && first(of, 2, forward) < first(of, 2, backward);
+            });
     }
     if (run.name == "(ii)") {
         const auto about = [&](const HockingResult& of, std::size_t column, BaseSliding sense, int printed) {
@@ -70,11 +72,12 @@ void add_statements(const Chapter5Run& run, const HockingResult& result, const s
         reproduction.rows.back().remark += "; backward from cycle " + first_in_words(starts, 1, backward);
     }
     if (run.name == "(iii)") {
-        add("blocks 1 forward, 2 forward and 3 backward begin at cycle", "in this order",
+        add("blocks 1 forward, 2 forward and 3 backward begin at cycle", "the first of them first",
             cycle_in_words(result, 0, forward) + ", " + cycle_in_words(result, 1, forward) + ", " +
                 cycle_in_words(result, 2, backward),
             [&](const HockingResult& of) {
-                return first(of, 0, forward) < first(of, 1, forward) && first(of, 0, forward) < first(of, 2, backward);
+                return first_sliding(of, 1, forward) && first_sliding(of, 2, backward) &&
+                       first(of, 0, forward) < first(of, 1, forward) && first(of, 0, forward) < first(of, 2, backward);
             });
     }
     if (run.name == "(iv)") {
