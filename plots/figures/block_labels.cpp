@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
-#include <ranges>
 #include <utility>
 
 namespace delabole {
@@ -127,7 +126,7 @@ class BlockLabels {
         }
         std::ranges::stable_sort(places, {}, &std::pair<double, Point>::first);
         std::vector<Point> result;
-        std::ranges::copy(places | std::views::values, std::back_inserter(result));
+        std::ranges::transform(places, std::back_inserter(result), &std::pair<double, Point>::second);
         return result;
     }
 

@@ -10,7 +10,6 @@
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <ranges>
 #include <type_traits>
 #include <utility>
 
@@ -128,7 +127,8 @@ std::string poly_data(const std::string& field_data, const Piece& piece) {
 
 // Point n is corner n, whatever the cell.
 std::string connectivity(const std::vector<std::size_t>& ends) {
-    const auto numbers = std::views::iota(std::size_t{0}, ends.empty() ? 0 : ends.back());
+    std::vector<std::size_t> numbers(ends.empty() ? 0 : ends.back());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
     return data_array("connectivity", numbers, std::identity{}) + data_array("offsets", ends, std::identity{});
 }
 

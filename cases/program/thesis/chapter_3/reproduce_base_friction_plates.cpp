@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 #include <tuple>
 
 namespace delabole {
@@ -136,8 +135,10 @@ Reproduction reproduce_base_friction_plates(const ResultFolder& folder, Report& 
     for (const std::string& plate : plates) {
         std::vector<const BaseFrictionState*> models;
         for (const PlateModel& row : rows) {
-            const auto last = std::ranges::find(states | std::views::reverse, row.test, &BaseFrictionState::test);
-            if (row.plate == plate && last != std::ranges::rend(states)) {
+            // The state in which a test ended.
+            const auto last = std::find_if(states.rbegin(), states.rend(),
+                                           [&](const BaseFrictionState& state) { return state.test == row.test; });
+            if (row.plate == plate && last != states.rend()) {
                 models.push_back(&*last);
             }
         }
