@@ -114,9 +114,8 @@ TEST(PublishedProblems, HaveOneFactorHoweverTheyAreDrawn) {
             // Rounding may take the bracket to the next one.
             const double allowed = 1.01 * std::abs(as_drawn->fails - as_drawn->stands);
             const bool same = answer.status == as_drawn->status && std::abs(value - as_drawn->value()) <= allowed;
-            EXPECT_TRUE(same)
-                << name << ", " << drawing.name << ": " << word_of(answer.status) << " " << value << ", as drawn "
-                << word_of(as_drawn->status) << " " << as_drawn->value();
+            EXPECT_TRUE(same) << name << ", " << drawing.name << ": " << word_of(answer.status) << " " << value
+                              << ", as drawn " << word_of(as_drawn->status) << " " << as_drawn->value();
             held[drawing.name].first += same ? 1 : 0;
             ++held[drawing.name].second;
         }

@@ -106,7 +106,8 @@ void add_history(const Chapter5Run& run, const std::vector<HockingResult>& resul
         {run.name + ": rows as those of " + std::to_string(starts.size()) + " starts, on average",
          "as starts among themselves: " + share_in_words(agrees.least) + " to " + share_in_words(agrees.greatest),
          share_in_words(agrees.mean), "",
-         std::string(one_of_them ? "as far" : "farther") + " off as starts are from each other; the nearest agrees in " + share_in_words(agrees.nearest) +
+         std::string(one_of_them ? "as far" : "farther") +
+             " off as starts are from each other; the nearest agrees in " + share_in_words(agrees.nearest) +
              " of blocks and rows, by chance it would be " + share_in_words(agrees.by_chance)});
     Json& json = result.json["histories"][run.name];
     json = {{"mean", agrees.mean},
