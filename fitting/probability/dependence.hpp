@@ -2,8 +2,8 @@
 //
 // z = L u, x_i = F_i^-1(Phi(z_i)) with u independent standard normal numbers and L L^T the matrix of correlations in
 // the space of z. A rank correlation (Spearman's) gives that of z as 2 sin(pi r / 6). A linear correlation (Pearson's,
-// of the values themselves) is another number than that of z unless both distributions are normal: it is solved
-// for from
+// of the values themselves) is another number than that of z unless both distributions are normal. That of z
+// solves
 //     r(z) = sum over k >= 1 of a_k b_k z^k / (s_1 s_2),
 // a_k being the coefficients of x_1(z) over normalised Hermite polynomials (Mehler's formula), which increases with z.
 // Sources: A. Nataf, C. R. Acad. Sci. 225 (1962) 42-43; P.-L. Liu & A. Der Kiureghian, Probabilistic Engineering

@@ -1,5 +1,6 @@
 #include "dynamic_relaxation/scene/slope_scene.hpp"
 
+#include "dynamic_relaxation/scene/straight_vertices.hpp"
 #include "dynamic_relaxation/scene/water_table.hpp"
 
 #include <algorithm>
@@ -210,7 +211,7 @@ class SlopeSceneMaker {
             return true;
         }
         const auto at = [&](std::size_t index) { return scene_.section.vertex[block.vertex[index]]; };
-        return std::abs(sine_of_turn(at(before), at(vertex), at((vertex + 1) % count))) > 10 * straight_sine;
+        return !goes_straight_on(at(before), at(vertex), at((vertex + 1) % count));
     }
 
     void add_block(const SlopeBlock& block, bool fixed) {

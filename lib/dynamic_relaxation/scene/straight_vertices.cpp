@@ -1,5 +1,7 @@
 #include "dynamic_relaxation/scene/straight_vertices.hpp"
 
+#include "jointed_slope/section_mesh.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,15 +19,11 @@ struct EdgePlace {
 };
 
 bool is_corner(const RelaxationBlock& block, std::size_t vertex) {
-    constexpr double straight = 1e-9;  // sine of a turn that is rounding
     const std::size_t count = block.outline.size();
     const std::size_t before = (vertex + count - 1) % count;
-    const PlanePoint<> in = block.outline[vertex] - block.outline[before];
-    const PlanePoint<> out = block.outline[(vertex + 1) % count] - block.outline[vertex];
-    const double lengths = in.norm() * out.norm();
-    const double turn = in.x() * out.y() - in.y() * out.x();
     const bool same_joint = block.joint.empty() || block.joint[before] == block.joint[vertex];
-    return !(same_joint && lengths > 0 && in.dot(out) > 0 && std::abs(turn) <= straight * lengths);
+    return !same_joint ||
+           !goes_straight_on(block.outline[before], block.outline[vertex], block.outline[(vertex + 1) % count]);
 }
 
 // One for each drawn edge; none where nothing is left out.
@@ -65,6 +63,10 @@ std::vector<EdgePlace> leave_out_straight_vertices(RelaxationBlock& block) {
 }
 
 }  // namespace
+
+bool goes_straight_on(const PlanePoint<>& before, const PlanePoint<>& at, const PlanePoint<>& after) {
+    return (at - before).dot(after - at) > 0 && std::abs(sine_of_turn(before, at, after)) <= 10 * straight_sine;
+}
 
 void leave_out_straight_vertices(RelaxationScene& scene) {
     std::vector<std::vector<EdgePlace>> places;

@@ -8,6 +8,9 @@
 
 namespace delabole {
 
+// Whether an outline goes on through a vertex without a turn, but for rounding.
+bool goes_straight_on(const PlanePoint<>& before, const PlanePoint<>& at, const PlanePoint<>& after);
+
 // Leaves out such vertices of all blocks; pressures stay where they press. For scenes without bonds. Outlines that are
 // no polygons stay as they are.
 void leave_out_straight_vertices(RelaxationScene& scene);

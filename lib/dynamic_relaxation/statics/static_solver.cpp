@@ -250,6 +250,18 @@ class StaticSolver {
                 lacking = equations_.unbalanced() - equations_.resistance(resisting, step.moved);
                 lacks = equations_.mean_ratio(lacking);
             };
+            const auto follow_alone = [&] {
+                const std::vector<Motion> together = motion;
+                const Eigen::VectorXd moved_together = step.moved;
+                const double lacks_together = lacks;
+                balance_one_by_one(resisting, lacking, before, equations_, step.moved, motion, list);
+                weigh();
+                if (!(lacks < lacks_together)) {
+                    motion = together;
+                    step.moved = moved_together;
+                    weigh();
+                }
+            };
             double share = 1;
             for (int halvings = 0;; ++halvings, share /= 2) {
                 motion = from;
@@ -257,16 +269,7 @@ class StaticSolver {
                 step.moved = moved_before + share * *change;
                 weigh();
                 if (lacks > enough && bonds_.empty()) {
-                    const std::vector<Motion> together = motion;
-                    const Eigen::VectorXd moved_together = step.moved;
-                    const double lacks_together = lacks;
-                    balance_one_by_one(resisting, lacking, before, equations_, step.moved, motion, list);
-                    weigh();
-                    if (!(lacks < lacks_together)) {
-                        motion = together;
-                        step.moved = moved_together;
-                        weigh();
-                    }
+                    follow_alone();
                 }
                 if (lacks < lacked || halvings == most_halvings) {
                     break;
