@@ -48,7 +48,7 @@ Json json_of(const std::vector<NamedOutput>& outputs);
 // result.json of `delabole run`, but for its provenance.
 Json json_of(const CaseFile& file, const Analysis& analysis);
 Json json_number(double value);
-// In its display unit.
+// A number in its display unit.
 Json json_of(double value, Dimension dimension);
 // One list for each row.
 Json json_of_matrix(const Eigen::MatrixXd& matrix);
@@ -57,7 +57,7 @@ Json json_of(const Interval& interval, Dimension dimension);
 // Indented, with a line end. Bytes that are not UTF-8, as a file name may contain, are replaced.
 std::string json_text(const Json& json);
 
-// Of a CSV file.
+// A CSV file has a number or a text in each place.
 using Cell = std::variant<double, std::string>;
 
 // Comma-separated, with a header; texts are quoted where they need it, numbers in full precision. A text that a

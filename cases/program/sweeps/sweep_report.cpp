@@ -177,9 +177,7 @@ Figure map_figure(const SweepRun& run, const SweptFigure& data, std::size_t inde
         balance.points = broken_line(contour_lines(map.x_values, map.y_values, map.values, 1));
     }
     figure.series.emplace_back(std::move(map));
-    if (!balance.points.empty()) {
-        figure.series.emplace_back(std::move(balance));
-    }
+    add_line(figure, std::move(balance));
     add_printed_points(run.sweep, figure);
     return figure;
 }

@@ -19,7 +19,7 @@ constexpr std::size_t most_numbered_blocks = 300;
 
 DrawnMode drawn(BlockMovement movement) {
     using enum DrawnMode;
-    // By movement; what was removed or has left is plain.
+    // They stand in the order of movements; what was removed or has left is plain.
     constexpr std::array modes{stays,           slides, slides, topples, slides_and_topples, slides_and_topples, moves,
                                held_by_corners, fixed,  plain,  plain};
     static_assert(modes.size() == enum_names(BlockMovement{}).size());

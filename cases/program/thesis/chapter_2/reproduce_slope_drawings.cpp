@@ -158,7 +158,7 @@ void add_traces(const KinematicsResult& sets, const ResultFolder& folder, Report
         std::string_view dip;
         std::string_view remark;
     };
-    // Of joint_set_a, b, c, cleavage and faults, in this order.
+    // The case's sets are joint_set_a, b, c, cleavage and faults, in this order.
     constexpr std::array<Printed, 5> printed{
         {{"70 deg (models)", "the model has the flattest of 70 to 90, that of the upper surface"},
          {"-85 deg (models)", ""},

@@ -10,7 +10,6 @@
 #include "plots/figures/block_figures.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -64,8 +63,8 @@ DrawnModel draw_model(const BaseFrictionState& state) {
 }
 
 std::string caption_of(const BaseFrictionState& state) {
-    constexpr std::array behaviours{"stable", "in limiting equilibrium", "unstable"};
-    std::string text = state.test + ": " + behaviours[static_cast<std::size_t>(state.behaviour)];
+    std::string text =
+        state.test + ": " + words_for(state.behaviour, {"stable", "in limiting equilibrium", "unstable"});
     if (state.crack_angle_from && state.crack_angle_to) {
         const std::string least = human_number(*state.crack_angle_from / degrees(1), 3);
         const std::string most = human_number(*state.crack_angle_to / degrees(1), 3);

@@ -33,7 +33,7 @@ std::string share_in_words(double share) {
 
 constexpr double last_bit = 1e-15;  // m
 
-// What each block does at each printed edit, and in how many of the starts it does so.
+// Says what each block does at each printed edit, and in how many of the starts it does so.
 Table history_table(const Chapter5Run& run, const SlidingHistory& printed, const std::vector<SlidingHistory>& starts) {
     Table table{run.name + ": printed, and of " + std::to_string(starts.size()) + " starts those that slide F / B",
                 {"cycle"_number}};
@@ -90,9 +90,9 @@ Figure history_lanes(const Chapter5Run& run, const SlidingHistory& printed, cons
     return figure;
 }
 
-// The printed rows beside those of many starts, and the listing's words.
-void add_history(const Chapter5Run& run, const std::vector<HockingResult>& results, const ResultFolder& folder,
-                 Report& report, Reproduction& result) {
+// Adds the printed rows beside those of many starts, and where the listing's words part from `reference`.
+void add_history(const Chapter5Run& run, const HockingResult& reference, const std::vector<HockingResult>& results,
+                 const ResultFolder& folder, Report& report, Reproduction& result) {
     const SlidingHistory printed = printed_history(run);
     std::vector<SlidingHistory> starts;
     for (const HockingResult& one : results) {
@@ -115,7 +115,7 @@ void add_history(const Chapter5Run& run, const std::vector<HockingResult>& resul
             {"least_of_starts", agrees.least},
             {"greatest_of_starts", agrees.greatest},
             {"by_chance", agrees.by_chance}};
-    const SlidingHistory reference = history_of(run, compute(run, Engine::recreated));
+    const SlidingHistory unshortened = history_of(run, reference);
     std::string parted;
     for (const int bits : {48, 24}) {
         Chapter5Run words = run;
@@ -123,13 +123,14 @@ void add_history(const Chapter5Run& run, const std::vector<HockingResult>& resul
         const HockingResult in_words = compute(words, Engine::recreated);
         const SlidingHistory history = history_of(run, in_words);
         const auto differs =
-            std::ranges::find_if(history, [&](const auto& edit) { return edit.second != reference.at(edit.first); });
+            std::ranges::find_if(history, [&](const auto& edit) { return edit.second != unshortened.at(edit.first); });
+        const double as_printed = agreement(printed, history);
         parted += (parted.empty() ? "" : "; ") + std::to_string(bits) + " bits: " +
                   (in_words.outcome == HockingOutcome::blows_out ? "blows out"
                    : differs == history.end()                    ? "never"
                                                                  : "cycle " + std::to_string(differs->first)) +
-                  ", " + share_in_words(agreement(printed, history)) + " of rows";
-        json["words_of_" + std::to_string(bits)] = agreement(printed, history);
+                  ", " + share_in_words(as_printed) + " of rows";
+        json["words_of_" + std::to_string(bits)] = as_printed;
     }
     result.rows.push_back(
         {run.name + ": first row that shorter words change, and rows as printed", "", parted, "", ""});
@@ -197,7 +198,7 @@ Reproduction reproduce_quadruple_blocks(const ResultFolder& folder, Report& repo
                                              {"computed", as_json(computed[column])},
                                              {"clean", as_json(clean_totals[column])}});
         }
-        add_history(run, starts, folder, histories, result);
+        add_history(run, reference, starts, folder, histories, result);
         const int parted = first_difference(run, Engine::recreated, make_blocks(run.columns), last_bit);
         result.json["first_different_print"][run.name] = parted;
         const int clean_parted = first_difference(run, Engine::dropped, exact_blocks(run), last_bit);

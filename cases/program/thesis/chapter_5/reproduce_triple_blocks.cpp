@@ -29,7 +29,7 @@ std::string cycle_in_words(const HockingResult& result, std::size_t column, Base
     return cycle ? std::to_string(*cycle) : "never";
 }
 
-// What is printed of single blocks, as computed from the typed coordinates; `starts` are shifted by a digit.
+// Adds what is printed of single blocks beside what the typed coordinates give; `starts` are shifted by a digit.
 void add_statements(const Chapter5Run& run, const HockingResult& result, const std::vector<HockingResult>& starts,
                     Reproduction& reproduction) {
     constexpr BaseSliding forward = BaseSliding::forward;
@@ -105,12 +105,9 @@ Reproduction reproduce_triple_blocks(const ResultFolder& folder, Report& report)
         for (std::size_t column = 0; column < ranges.size(); ++column) {
             std::vector<std::string> row = {run.name, std::to_string(column + 1), run.printed_behaviour[column]};
             for (const HockingResult& computed : results) {
-                const auto first = [&](BaseSliding sense) {
-                    const auto cycle = first_sliding(computed, column, sense);
-                    return cycle ? std::to_string(*cycle) : std::string("never");
-                };
                 row.push_back(in_words(totals_of(run, computed)[column]));
-                row.push_back(first(BaseSliding::forward) + ", " + first(BaseSliding::backward));
+                row.push_back(cycle_in_words(computed, column, BaseSliding::forward) + ", " +
+                              cycle_in_words(computed, column, BaseSliding::backward));
             }
             row.push_back(in_words(ranges[column]));
             table.rows.push_back(row);

@@ -1,5 +1,5 @@
-// In which sense blocks slide on their base at print edits: totals over a run and histories by cycle, one run's beside
-// those of many starts.
+// The sense in which blocks slide on their base is told at print edits: as totals over a run and as histories by cycle,
+// which one run has beside those of many starts.
 #pragma once
 
 #include "cases/program/thesis/chapter_5/chapter_5.hpp"
@@ -29,7 +29,7 @@ std::vector<TotalsRange> spread_of_totals(const Chapter5Run& run, const std::vec
 // Whether forward or backward sliding prevails: what the thesis's senses come down to.
 bool forward_prevails(const SlidingTotals& totals);
 
-// What each block does, by cycle, at the print edits of a table. `both` says nothing: the thesis's "?".
+// A history says what each block does, by cycle, at the print edits of a table. `both` says nothing: the thesis's "?".
 using SlidingHistory = std::map<int, std::vector<BaseSliding>>;
 
 // Edits that the table leaves out are those at which no block slides.
