@@ -249,5 +249,18 @@ TEST(Poles, AWindowPicksASet) {
     EXPECT_EQ(analyse(study).check, KinematicsCheck::survey_without_planes);
 }
 
+TEST(Poles, AScanlineWeighsTheScatterOfASet) {
+    KinematicsStudy study = study_of({{degrees(30), degrees(90)}, {degrees(50), degrees(90)}});
+    study.model.poles[0].scanline = Scanline{degrees(90), 0, std::nullopt};
+    study.model.joint_set = {{"bedding", PoleWindow{degrees(40), degrees(90), degrees(15)}}};
+    const KinematicsResult result = analyse(study);
+    ASSERT_EQ(result.joint_set.size(), 1U);
+    // A vertical line meets planes in proportion to the cosines of their dips.
+    const double flat = 1 / std::cos(degrees(30));
+    const double steep = 1 / std::cos(degrees(50));
+    const double resultant = std::sqrt(flat * flat + steep * steep + 2 * flat * steep * std::cos(degrees(20)));
+    EXPECT_NEAR(result.joint_set[0].angular_standard_deviation, std::acos(resultant / (flat + steep)), 1e-12);
+}
+
 }  // namespace
 }  // namespace delabole

@@ -153,24 +153,29 @@ Figure traces_figure(const KinematicsResult& sets) {
 }
 
 // Apparent dips of the sets beside those of the models; negative: into the slope.
-void add_traces(const KinematicsResult& sets, const ResultFolder& folder, Report& report, Reproduction& result) {
+void add_traces(const KinematicsResult& sets, double face_dip_direction, const ResultFolder& folder, Report& report,
+                Reproduction& result) {
     struct Printed {
         std::string_view dip;
-        std::string_view remark;
+        std::string remark;
     };
+    constexpr std::size_t cleavage = 3;
+    const double north_of_the_fall =
+        apparent_dip({degrees(10), sets.joint_set[cleavage].mean.dip_direction}, face_dip_direction);
     // The case's sets are joint_set_a, b, c, cleavage and faults, in this order.
-    constexpr std::array<Printed, 5> printed{
+    const std::array<Printed, 5> printed{
         {{"70 deg (models)", "the model has the flattest of 70 to 90, that of the upper surface"},
          {"-85 deg (models)", ""},
          {"50 deg (models)", "40 of the field and 10 more for the friction of the mixture"},
          {"-5, -10, -15 deg (models)",
-          "as measured throughout the quarry; the 10 deg measured north of the fall give -8.7 deg"},
+          "as measured throughout the quarry; the 10 deg measured north of the fall give " +
+              human_number(north_of_the_fall / degrees(1), 2) + " deg"},
          {"70 to 90 deg", "they go with joint A"}}};
     for (std::size_t set = 0; set < sets.joint_set.size() && set < printed.size(); ++set) {
         const double apparent = sets.joint_set[set].apparent_dip / degrees(1);
         result.rows.push_back({"Fig 2.1: mean of " + model_name(sets.joint_set[set].name) + " in the section",
                                std::string(printed[set].dip), human_number(apparent, 3) + " deg", "",
-                               std::string(printed[set].remark)});
+                               printed[set].remark});
         result.json["apparent_dip_deg"][sets.joint_set[set].name] = apparent;
     }
     report.blocks.emplace_back(
@@ -190,7 +195,7 @@ Reproduction reproduce_slope_drawings(const ResultFolder& folder, Report& report
         "on."});
     report.blocks.emplace_back(
         folder.draw(stereonet_figure(study.model, sets), "fig_2_1", "Poles sampled from the printed ranges."));
-    add_traces(sets, folder, report, result);
+    add_traces(sets, study.model.slope.face_dip_direction, folder, report, result);
     report.blocks.emplace_back(
         folder.draw(profile_figure(), "fig_2_4", "Failure surfaces between the inclinations surveyed."));
     struct Drawing {
