@@ -179,10 +179,13 @@ class ScriptWriter {
             return;
         }
         include(rows);
-        const std::string style =
-            words("linewidth ", line.width, " dashtype ", dash_type(line.dash), " linecolor rgb ", rgb(line.colour));
-        note_legend(LegendEntry::Sample::line, line.legend, "nohead " + style);
-        plot(rows, "using 1:2 with lines " + style);
+        const std::string look = words(" dashtype ", dash_type(line.dash), " linecolor rgb ", rgb(line.colour));
+        // gnuplot draws samples of one width and colour in one path of an SVG, and with the dashes of the first: a
+        // difference in width that nobody sees keeps them apart.
+        constexpr double apart = 0.001;
+        const double sample_width = line.width + apart * static_cast<double>(legend_.size() + 1);
+        note_legend(LegendEntry::Sample::line, line.legend, "nohead " + words("linewidth ", sample_width) + look);
+        plot(rows, "using 1:2 with lines " + words("linewidth ", line.width) + look);
     }
 
     void add(const Points& points) {

@@ -1,6 +1,7 @@
 #include "plots/drawing/text.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iomanip>
 #include <locale>
@@ -50,6 +51,13 @@ std::string human_name(std::string_view name) {
         }
     }
     return result;
+}
+
+std::string capitalised(std::string text) {
+    if (!text.empty()) {
+        text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    }
+    return text;
 }
 
 std::string human_unit(std::string_view unit) {

@@ -17,6 +17,9 @@ std::string wrapped(std::string_view text, std::size_t letters);
 // "strength.friction_angle" -> "strength: friction angle".
 std::string human_name(std::string_view name);
 
+// With a capital, as a sentence begins.
+std::string capitalised(std::string text);
+
 // The words for a value of an enum, given for all of them in their order.
 template <class Enum, std::size_t count>
 std::string words_for(Enum value, const char* const (&words)[count]) {

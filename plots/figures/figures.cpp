@@ -130,6 +130,11 @@ Figure failure_locus_figure(const FailureLoci& data) {
         lines.push_back(curve_line(data.loci[index], index, angle_unit, stress_unit));
         bounds.include(lines.back().points);
     }
+    const auto given =
+        data.given ? std::optional(Point(data.given->x() / angle_unit, data.given->y() / stress_unit)) : std::nullopt;
+    if (given) {
+        bounds.include(*given);
+    }
     for (const LaboratoryRange& range : data.laboratory) {
         if (range.friction_angle) {
             bounds.x.include(range.friction_angle->lower / angle_unit);
@@ -170,6 +175,10 @@ Figure failure_locus_figure(const FailureLoci& data) {
     }
     label_curves(lines, figure);
     figure.series.insert(figure.series.end(), lines.begin(), lines.end());
+    if (given) {
+        figure.series.emplace_back(
+            Points{.points = {*given}, .legend = "as given", .marker = Marker::circle, .size = 1.8});
+    }
     return figure;
 }
 

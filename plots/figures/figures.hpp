@@ -115,6 +115,7 @@ struct FailureLoci {
     std::string title = {};
     std::vector<NamedCurve> loci = {};  // x: friction angle, rad; y: cohesion, Pa
     std::vector<LaboratoryRange> laboratory = {};
+    std::optional<Point> given = {};  // of the slope itself, likewise
 };
 
 Figure failure_locus_figure(const FailureLoci& data);

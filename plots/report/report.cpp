@@ -158,32 +158,33 @@ class Page {
         html_ += "</div>\n";
     }
 
+    // A column in which no row has anything is left out.
     void add(const Table& table) {
+        const std::vector<std::size_t> columns = columns_with_content(table);
         // tabindex: whoever has no touch screen scrolls a wide table by the arrow keys.
         constexpr std::size_t many = 8;  // columns, for which paper needs smaller letters
         html_ += "<div class=\"table\" tabindex=\"0\">\n";
-        html_ += table.columns.size() > many ? "<table class=\"wide\">\n" : "<table>\n";
+        html_ += columns.size() > many ? "<table class=\"wide\">\n" : "<table>\n";
         if (!table.caption.empty()) {
             html_ += element("caption", table.caption);
         }
         html_ += "<thead>\n<tr>";
-        for (const TableColumn& column : table.columns) {
+        for (const std::size_t index : columns) {
+            const TableColumn column = index < table.columns.size() ? table.columns[index] : TableColumn("");
             html_ += std::string("<th scope=\"col\"") + (column.number ? " class=\"number\">" : ">") +
-                     escape_html(column.title) + "</th>";
+                     breakable(escape_html(column.title)) + "</th>";
         }
         html_ += "</tr>\n</thead>\n<tbody>\n";
         for (const std::vector<std::string>& row : table.rows) {
             html_ += "<tr>";
-            for (std::size_t index = 0; index < std::max(table.columns.size(), row.size()); ++index) {
-                const bool number = index < table.columns.size() && table.columns[index].number;
-                html_ += number ? "<td class=\"number\">" : "<td>";
-                if (index < row.size()) {
-                    const std::string text = escape_html(row[index]);
-                    html_ += number ? text : breakable(text);
-                }
-                html_ += "</td>";
+            for (const std::size_t index : columns) {
+                add_cell(index < row.size() ? row[index] : "",
+                         index < table.columns.size() && table.columns[index].number);
             }
             html_ += "</tr>\n";
+        }
+        if (table.rows.empty()) {
+            html_ += "<tr><td colspan=\"" + std::to_string(columns.size()) + "\">none</td></tr>\n";
         }
         html_ += "</tbody>\n</table>\n</div>\n";
     }
@@ -243,6 +244,33 @@ class Page {
     }
 
     static bool is_animated(const Report& report) { return holds_animation(report.blocks); }
+
+    static std::vector<std::size_t> columns_with_content(const Table& table) {
+        std::size_t widest = table.columns.size();
+        for (const std::vector<std::string>& row : table.rows) {
+            widest = std::max(widest, row.size());
+        }
+        std::vector<std::size_t> columns;
+        for (std::size_t index = 0; index < widest; ++index) {
+            const bool content = std::ranges::any_of(
+                table.rows, [&](const auto& row) { return index < row.size() && !row[index].empty(); });
+            if (content || table.rows.empty()) {
+                columns.push_back(index);
+            }
+        }
+        return columns;
+    }
+
+    // A number and its unit stay on one line; texts have room for some words.
+    void add_cell(const std::string& text, bool number) {
+        constexpr std::size_t longest_number = 24;  // letters, with its unit
+        const bool is_long = text.size() > longest_number;
+        constexpr std::array<std::string_view, 4> classes{"", " class=\"long\"", " class=\"number\"",
+                                                          " class=\"number long\""};
+        html_ += "<td";
+        html_ += classes.at((number ? 2U : 0U) + (is_long ? 1U : 0U));
+        html_ += ">" + breakable(escape_html(text)) + "</td>";
+    }
 
     // The place that the table of contents links to. Inside of something folded there are none.
     std::string next_section() { return depth_ > 0 ? "" : " id=\"section-" + std::to_string(++sections_) + "\""; }

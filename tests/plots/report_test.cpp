@@ -120,10 +120,19 @@ TEST(ReportPage, AlignsNumbersAndLetsWideTablesScroll) {
                             {{"name"}, {"value", true}},
                             {{"a", "1"}, {"short"}, {"x", "2", "beyond"}, {"water.water_depth, 1.5 a_1"}}}});
     EXPECT_NE(page.find("<div class=\"table\" tabindex=\"0\">"), std::string::npos);
-    EXPECT_NE(page.find("<tr><td>a</td><td class=\"number\">1</td></tr>"), std::string::npos);
-    EXPECT_NE(page.find("<tr><td>short</td><td class=\"number\"></td></tr>"), std::string::npos);
+    EXPECT_NE(page.find("<tr><td>a</td><td class=\"number\">1</td><td></td></tr>"), std::string::npos);
+    EXPECT_NE(page.find("<tr><td>short</td><td class=\"number\"></td><td></td></tr>"), std::string::npos);
     EXPECT_NE(page.find("<td>beyond</td>"), std::string::npos);
-    EXPECT_NE(page.find("<td>water.<wbr>water_<wbr>depth, 1.5 a_1</td>"), std::string::npos);
+    EXPECT_NE(page.find(">water.<wbr>water_<wbr>depth, 1.5 a_1</td>"), std::string::npos);
+}
+
+TEST(ReportPage, LeavesOutColumnsWithoutContentAndSaysThatATableIsEmpty) {
+    const std::string page = drawn_pageof({Table{"", {{"input"}, {"source"}}, {{"height", ""}, {"dip"}}},
+                                           Table{"cracks", {{"where", true}, {"opening", true}}, {}}});
+    EXPECT_EQ(page.find("source"), std::string::npos);
+    EXPECT_NE(page.find("<tr><td>dip</td></tr>"), std::string::npos);
+    EXPECT_NE(page.find("opening</th>"), std::string::npos);
+    EXPECT_NE(page.find("<td colspan=\"2\">none</td>"), std::string::npos);
 }
 
 TEST(ReportPage, PutsTheAnswerFirstWithItsPictureAndTheContents) {

@@ -270,7 +270,7 @@ title "the fit of one mechanism begins with its values and how well they are kno
 delabole init fit --out fit_start.toml
 delabole fit fit_start.toml --out fit_start
 head_card=$(grep -A3 -m1 'Best fit with' fit_start/report.html)
-for phrase in 'Best fit with the priors: strength: friction angle 35.9' '(30.9' 'to 39.6' 'at most 12.1' \
+for phrase in 'Best fit with the priors: friction angle 35.9' '(30.9' 'to 39.6' 'at most 12.1' \
     'The data determine one combination of its 2 parameters' 'only one combination is determined: along the line FS = 1'; do
     expect "its head card has: $phrase" grep -qF -- "$phrase" <<<"$head_card"
 done

@@ -128,6 +128,8 @@ open_browser 1400 900
 visit "$address"
 wait_for "document.body && document.body.dataset.ready === 'yes'"
 expect_value "the verdict" "document.getElementById('verdict').textContent.startsWith('FS 1.2')" true
+expect_value "the rest of the answer below it" "find('sentences').children.length > 0" true
+expect_value "what colours and dashes mean" "[...document.querySelectorAll('#sections .legend li')].some(one => one.textContent === 'failure plane')" true
 expect_value "handles of toe, crest, plane, crack and water" "document.querySelectorAll('.handle').length" 5
 evaluate "(async () => {
     const box = document.querySelector('[data-name=\"water level\"]').getBoundingClientRect(), before = find('verdict').textContent;
@@ -235,6 +237,27 @@ evaluate "(async () => {
 expect "fitted ranges on demand, gone when the slope is another" test "$value" == true
 expect_value "observed and predicted" "find('observations').tBodies[0].rows[0].cells[2].textContent" '"1.54"'
 [[ -z ${DELABOLE_SCREENSHOTS:-} ]] || screenshot "$DELABOLE_SCREENSHOTS/live_fit.png"
+expect "the console is empty" test ! -s "$scratch/console"
+close_browser
+end_server
+
+title "a slope cut by joints: its outline and joint sets are dragged, above the blocks"
+serve "$source_folder/cases/starting/jointed_slope.toml"
+open_browser 1400 900
+visit "$address"
+wait_for "document.body && document.body.dataset.ready === 'yes'"
+expect_value "points of the outline and joint sets" "document.querySelectorAll('#knobs .handle').length" 6
+evaluate "(async () => {
+    const knob = document.querySelector('[data-name=\"joint set columns\"]'), box = knob.getBoundingClientRect(), old = motion.blocks;
+    const at = (type, by) => new PointerEvent(type, {clientX: box.x + box.width / 2 + by, clientY: box.y + box.height / 2, bubbles: true});
+    knob.dispatchEvent(at('pointerdown', 0));
+    window.dispatchEvent(at('pointermove', 30));
+    while (motion.blocks === old) await new Promise(requestAnimationFrame);
+    window.dispatchEvent(at('pointerup', 30));
+    return state.values['scene.cut[2].trace.dip'] > -75;
+})()"
+expect "a joint set turns, and the slope is cut anew" test "$value" == true
+expect_value "before they move they are said to be at the start" "find('verdict').textContent.startsWith('At the start')" true
 expect "the console is empty" test ! -s "$scratch/console"
 close_browser
 end_server

@@ -1,6 +1,7 @@
 #include "cases/program/live/handles.hpp"
 
 #include "cases/program/results/analysis.hpp"
+#include "dynamic_relaxation/study/relaxation_study.hpp"
 #include "kinematics/stereonet.hpp"
 #include "limit_equilibrium/block_row/block_row.hpp"
 #include "plane_failure/water_diagram.hpp"
@@ -59,8 +60,10 @@ double toe_of(const SlopeSection<>& slope) {
 void add_slope(const SlopeSection<>& slope, std::vector<Handle>& handles) {
     const Point up(0, toe_of(slope));
     const Point crest(slope.height / std::tan(slope.face_dip), slope.height);
-    if (slope.toe_elevation) {  // across, everything is measured from the toe
+    if (slope.toe_elevation) {
         add(handles, "toe", {"slope.toe_elevation"}, up);
+    } else {
+        add(handles, "toe", {"slope.height", "slope.face_dip"}, up);
     }
     add(handles, "crest", {"slope.height", "slope.face_dip"}, crest + up);
     if (slope.bench) {
@@ -169,6 +172,33 @@ void add_handles(const BlockRow<>& row, const std::vector<Quantity>&, std::vecto
     }
 }
 
+// Each joint set on a spoke from the middle of the section, which has its dip.
+void add_sets(const RelaxationSlope& slope, const std::vector<Quantity>& inputs, std::vector<Handle>& handles) {
+    Eigen::AlignedBox2d box;
+    for (const SectionPoint& corner : slope.geometry.outline) {
+        box.extend(Point(corner.x, corner.y));
+    }
+    for (std::size_t index = 0; index < slope.geometry.cut.size() && !box.isEmpty(); ++index) {
+        const std::string key = "scene.cut[" + std::to_string(index + 1) + "].trace";
+        const Quantity* dip = find_quantity(inputs, key + ".dip");
+        const Quantity* spacing = find_quantity(inputs, key + ".spacing");
+        if (dip != nullptr && spacing != nullptr) {
+            constexpr double spoke = 0.3;
+            const double length = spoke * box.sizes().minCoeff();
+            add(handles, "joint set " + slope.geometry.cut[index].name, {key + ".dip"},
+                box.center() + length * Point(std::cos(dip->value), std::sin(dip->value)));
+        }
+    }
+}
+
+void add_handles(const RelaxationStudy& study, const std::vector<Quantity>& inputs, std::vector<Handle>& handles) {
+    if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
+        add_sets(*slope, inputs, handles);
+    } else if (const auto* row = std::get_if<RelaxationRow>(&study.model.scene)) {
+        add_row(row->block, "scene.block", 0, "", 0, handles);
+    }
+}
+
 template <class Study>
 void add_handles(const Study&, const std::vector<Quantity>&, std::vector<Handle>&) {}
 
@@ -188,6 +218,17 @@ void add_points(const std::vector<Quantity>& inputs, std::vector<Handle>& handle
             }
         }
     }
+}
+
+// Everything is measured from the toe: where it goes, the crest comes nearer.
+std::vector<Condition> with_toe_at(const Point& to, const std::vector<Quantity>& inputs) {
+    const Quantity& height = *find_quantity(inputs, "slope.height");
+    const Quantity& dip = *find_quantity(inputs, "slope.face_dip");
+    const Point crest(height.value / std::tan(dip.value), height.value);
+    const Point face = crest - to;
+    const double new_dip = std::atan2(face.y(), face.x());
+    const bool possible = height.range.contains(face.y()) && dip.range.contains(new_dip);
+    return {{height.name, possible ? face.y() : height.value}, {dip.name, possible ? new_dip : dip.value}};
 }
 
 const Handle& named(const std::vector<Handle>& handles, const std::string& name) {
@@ -213,6 +254,9 @@ std::vector<Condition> dragged(const CaseModel& model, const std::string& name, 
     std::vector<Condition> values;
     std::vector<const Quantity*> quantities;
     const std::vector<Handle> before = handles_of(model);
+    if (name == "toe" && named(before, name).inputs.size() == 2) {
+        return with_toe_at(to, inputs);
+    }
     for (const std::string& input : named(before, name).inputs) {
         quantities.push_back(find_quantity(inputs, input));
         values.push_back({input, quantities.back()->value});

@@ -15,10 +15,11 @@ struct Handle {
     Point at;                         // m, in the axes of the section's figure
 };
 
-// Toe (where its elevation is given: it is the origin of the section), crest, bench, failure plane, tension crack and
-// water level of a slope, as far as the model has them; the tops of blocks and columns that are given one by one; and
-// every point that is given by two lengths x and y: corners of outlines, of water tables and of lines. On a stereonet
-// the poles of face and joint sets, and the friction circle. Empty for an impossible slope.
+// Toe (the origin of the section: where it has no elevation, a drag leaves the crest in its place), crest, bench,
+// failure plane, tension crack and water level of a slope, as far as the model has them; the tops of blocks and columns
+// that are given one by one; joint sets of a section; and every point that is given by two lengths x and y: corners of
+// outlines, of water tables and of lines. On a stereonet the poles of face and joint sets, and the friction circle.
+// Empty for an impossible slope.
 std::vector<Handle> handles_of(const CaseModel& model);
 
 // Values of the handle's inputs with which it comes nearest to the point, by Gauss-Newton steps within the ranges of

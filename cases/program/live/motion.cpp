@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <numeric>
 
 namespace delabole {
 
@@ -60,6 +61,7 @@ Json LiveMotion::blocks() const {
         }
         blocks.push_back({{"outline", std::move(outline)}, {"fixed", block.fixed}});
     }
+    const std::vector<double>& mass = simulation_->bodies().mass;
     Json centres = Json::array();
     for (const PlanePoint<>& centre : simulation_->bodies().centroid) {
         centres.push_back(Json::array({centre.x(), centre.y()}));
@@ -67,7 +69,8 @@ Json LiveMotion::blocks() const {
     return {{"blocks", std::move(blocks)},
             {"centres", std::move(centres)},
             {"outcomes", enum_names(RelaxationOutcome{})},
-            {"tilt", simulation_->tilt()}};
+            {"tilt", simulation_->tilt()},
+            {"mass", std::accumulate(mass.begin(), mass.end(), 0.0) / static_cast<double>(mass.size())}};
 }
 
 void LiveMotion::go_on(std::uint64_t most_steps, std::chrono::milliseconds time) {

@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <type_traits>
 
@@ -57,8 +58,15 @@ Json finite(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-// "strength" of "strength.friction_angle", "bolt[1]" of "bolt[1].force"; "case" for what stands in no section.
-std::string group_of(const std::string& name) {
+using LongLists = std::map<std::string, std::size_t, std::less<>>;
+
+// "strength" of "strength.friction_angle", "bolt[1]" of "bolt[1].force"; "case" for what stands in no section. All
+// members of a long list are one group.
+std::string group_of(const std::string& name, const LongLists& lists) {
+    const std::string list = list_of(name);
+    if (lists.contains(list)) {
+        return list;
+    }
     const std::size_t end = name.rfind('.');
     return end == std::string::npos ? "case" : name.substr(0, end);
 }
@@ -73,11 +81,12 @@ std::string label_of(const std::string& group, const CaseFile& file) {
     return label;
 }
 
-Json described(const Quantity& input, const CaseFile& file) {
+Json described(const Quantity& input, const std::string& group, const CaseFile& file) {
     const auto shown = [&](double value) { return in_display_unit(value, input.dimension); };
     const auto source = file.sources.find(input.name);
+    const bool is_listed = input.name.starts_with(group + "[");  // which member it is of has to be told
     return {{"name", input.name},
-            {"label", human_name(input.name.substr(input.name.rfind('.') + 1))},
+            {"label", human_name(input.name.substr((is_listed ? group : input.name).rfind('.') + 1))},
             {"unit", std::string(display_unit(input.dimension).symbol)},
             {"value", shown(input.value)},
             {"lower", finite(shown(input.range.lower))},
@@ -226,15 +235,16 @@ CaseModel LiveSession::model(const Json& request) const {
 
 Json LiveSession::open() const {
     Json groups = Json::array();
+    const LongLists lists = long_lists(inputs_);
     for (const Quantity& input : inputs_) {
-        const std::string group = group_of(input.name);
+        const std::string group = group_of(input.name, lists);
         const auto found = std::ranges::find_if(groups, [&](const Json& one) { return one["name"] == group; });
         if (found == groups.end()) {
             groups.push_back({{"name", group},
                               {"label", label_of(group, file_)},
-                              {"inputs", Json::array({described(input, file_)})}});
+                              {"inputs", Json::array({described(input, group, file_)})}});
         } else {
-            (*found)["inputs"].push_back(described(input, file_));
+            (*found)["inputs"].push_back(described(input, group, file_));
         }
     }
     const bool moves = std::holds_alternative<RelaxationStudy>(file_.model);
@@ -279,7 +289,9 @@ Json LiveSession::answer_to(const CaseModel& model, bool all_figures) const {
         json["failure"] = impossible(changed, analysis.failure).message;
         return json;
     }
-    json["verdict"] = head_card(model, answer).sentences.front();
+    const HeadCard head = head_card(model, answer);
+    json["verdict"] = head.sentences.front();
+    json["sentences"] = std::vector<std::string>(head.sentences.begin() + 1, head.sentences.end());
     json["results"] = Json::array();
     for (const NamedOutput& output : analysis.outputs) {
         const auto* number = std::get_if<double>(&output.value);

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t most_edits = 2;
 constexpr std::size_t longest_word = 100;
+constexpr std::size_t most_members = 12;  // of a list that is set one by one
 
 }  // namespace
 
@@ -154,6 +155,26 @@ const ModelNames* find_mechanism(const KnownNames& names, const std::string& nam
 }
 
 }  // namespace
+
+std::string list_of(std::string_view name) {
+    const std::size_t bracket = name.rfind('[');
+    return std::string(bracket == std::string_view::npos ? std::string_view() : name.substr(0, bracket));
+}
+
+std::map<std::string, std::size_t, std::less<>> long_lists(const std::vector<Quantity>& quantities) {
+    std::map<std::string, std::size_t, std::less<>> lists;
+    std::string_view member;
+    for (const Quantity& quantity : quantities) {  // those of a member follow each other
+        const std::string_view name = quantity.name;
+        const std::size_t end = name.rfind(']');
+        if (end != std::string_view::npos && name.substr(0, end) != member) {
+            member = name.substr(0, end);
+            ++lists[list_of(name)];
+        }
+    }
+    std::erase_if(lists, [](const auto& list) { return list.second <= most_members; });
+    return lists;
+}
 
 std::vector<std::string> names_in(const std::vector<Quantity>& quantities) {
     std::vector<std::string> names;

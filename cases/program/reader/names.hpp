@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,12 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& ca
 
 // "a, b or c"
 std::string choices(const std::vector<std::string>& words);
+
+// "poles[1].plane" of "poles[1].plane[3].dip"; empty of a name that stands in no list.
+std::string list_of(std::string_view name);
+
+// Lists of more members than anyone would set one by one, as measured poles are, and how many each has.
+std::map<std::string, std::size_t, std::less<>> long_lists(const std::vector<Quantity>& quantities);
 
 std::vector<std::string> names_in(const std::vector<Quantity>& quantities);
 

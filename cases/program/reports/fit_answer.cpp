@@ -25,8 +25,21 @@ std::string interval_in_words(const ProfileLikelihood* profile, const FreeParame
     return end(profile->interval_95.lower, parameter.lower) + " to " + end(profile->interval_95.upper, parameter.upper);
 }
 
+std::string misfit_in_words(double misfit) {
+    constexpr double unseen = 1e-6;  // a thousandth of a standard deviation
+    return misfit < unseen ? "0" : number_in_words(misfit);
+}
+
 std::string title_of(const MechanismFit& fit) {
     return fit.title.empty() ? fit.name : fit.title;
+}
+
+std::string short_name(const MechanismFit& fit, const std::string& name) {
+    const std::string ending = name.substr(name.rfind('.') + 1);
+    const auto alike = std::ranges::count_if(fit.parameters, [&](const FreeParameter& parameter) {
+        return parameter.name == ending || parameter.name.ends_with("." + ending);
+    });
+    return human_name(alike == 1 ? ending : name);
 }
 
 std::string screen_of(const Table& table, std::vector<std::string> titles) {
@@ -76,7 +89,8 @@ std::string values_in_words(const MechanismFit& fit, std::size_t most) {
         const FreeParameter& parameter = fit.parameters[index];
         const std::string range =
             range_in_words(profile_of(fit, parameter.name, true), parameter, fit.dimensions[index]);
-        values.push_back(human_name(parameter.name) + " " + value_in_words(fit.best[index], fit.dimensions[index]) +
+        values.push_back(short_name(fit, parameter.name) + " " +
+                         value_in_words(fit.best[index], fit.dimensions[index]) +
                          (range.empty() ? "" : " (" + range + ")"));
     }
     return list_in_words(values);

@@ -16,7 +16,7 @@ Table minima_table(const MechanismFit& fit) {
         table.columns.emplace_back(parameter.name, true);
     }
     for (const MinimumCluster& minimum : fit.minima) {
-        std::vector<std::string> row = {number_in_words(minimum.misfit), std::to_string(minimum.hits)};
+        std::vector<std::string> row = {misfit_in_words(minimum.misfit), std::to_string(minimum.hits)};
         for (std::size_t index = 0; index < minimum.parameters.size(); ++index) {
             row.push_back(value_in_words(minimum.parameters[index], fit.dimensions[index]));
         }

@@ -15,6 +15,12 @@ HeadCard head_card(const FitResult& result);
 
 std::string title_of(const MechanismFit& fit);
 
+// "friction angle" of "strength.friction_angle" where no other parameter ends so.
+std::string short_name(const MechanismFit& fit, const std::string& name);
+
+// A sum of squared pulls; 0 where it is rounding.
+std::string misfit_in_words(double misfit);
+
 // Null where the fit has no profile of that parameter.
 const ProfileLikelihood* profile_of(const MechanismFit& fit, const std::string& parameter, bool with_priors);
 

@@ -26,12 +26,12 @@ std::string determination_in_words(const ProfileLikelihood* profile) {
 }
 
 std::string data_misfit_in_words(const MechanismFit& fit) {
-    std::string misfit = number_in_words(fit.data_misfit);
+    std::string misfit = misfit_in_words(fit.data_misfit);
     if (!fit.surrogate || fit.best.empty()) {
         return misfit;
     }
     const double run = fit.surrogate->misfit_of_run;
-    return misfit + " (run there: " + (std::isfinite(run) ? number_in_words(run) : "no answer") + ")";
+    return misfit + " (run there: " + (std::isfinite(run) ? misfit_in_words(run) : "no answer") + ")";
 }
 
 Table ranking_table(const FitResult& result) {
@@ -39,8 +39,8 @@ Table ranking_table(const FitResult& result) {
                 {"mechanism", "score"_number, "data misfit"_number, "prior misfit"_number, "data"_number,
                  "unexplained"_number, "status"}};
     for (const MechanismFit& fit : result.mechanisms) {
-        table.rows.push_back({title_of(fit), number_in_words(fit.ranking_score), data_misfit_in_words(fit),
-                              number_in_words(fit.prior_misfit), std::to_string(fit.data_count),
+        table.rows.push_back({title_of(fit), misfit_in_words(fit.ranking_score), data_misfit_in_words(fit),
+                              misfit_in_words(fit.prior_misfit), std::to_string(fit.data_count),
                               std::to_string(fit.unexplained.size()), std::string(word_of(fit.status))});
     }
     return table;
@@ -235,7 +235,7 @@ Folded sampling_of(const MechanismFit& fit, const ResultFolder& folder) {
 // All of a mechanism but its first figure, which goes to `sections`.
 void append_mechanism(Report& report, const ResultFolder& folder, const MechanismFit& fit, const CaseModel& model,
                       const FitProblem& problem, FigureRow& sections) {
-    report.blocks.emplace_back(Heading{title_of(fit)});
+    report.blocks.emplace_back(Heading{title_of(fit) == report.title ? "What was fitted" : title_of(fit)});
     report.blocks.emplace_back(Notice{NoticeKind::verdict, "What the data determine", {fit.identifiability.verdict}});
     if (fit.posterior && !fit.posterior->warnings.empty()) {
         report.blocks.emplace_back(
@@ -284,8 +284,8 @@ void append_mechanism(Report& report, const ResultFolder& folder, const Mechanis
     write_tables(fit, folder);
 }
 
-std::string screen_of(const MechanismFit& fit) {
-    std::string text = (title_of(fit)) + " [" + fit.name + "]\n";
+std::string screen_of(const MechanismFit& fit, const std::string& title) {
+    std::string text = title_of(fit) == title ? fit.name + "\n" : title_of(fit) + " [" + fit.name + "]\n";
     text += "  What the data determine: " + fit.identifiability.verdict + "\n";
     text += screen_of(parameter_table(fit), {"parameter", "best", "95 % with priors", "95 % data alone", ""});
     text += screen_of_posterior(fit);
@@ -293,7 +293,7 @@ std::string screen_of(const MechanismFit& fit) {
         text += "  " + surrogate_in_words(fit) + "\n";
     }
     text += "  misfit " + data_misfit_in_words(fit) + " of " + std::to_string(fit.data_count) + " data, priors " +
-            number_in_words(fit.prior_misfit) + "; " + std::string(word_of(fit.status)) + "\n";
+            misfit_in_words(fit.prior_misfit) + "; " + std::string(word_of(fit.status)) + "\n";
     for (const std::string& sentence : fit.unexplained) {
         text += "  does not explain: " + sentence + "\n";
     }
@@ -352,7 +352,7 @@ StudyDocuments document_fit(const CaseFile& file, const FitProblem& problem, con
     StudyDocuments documents{json_of_fit(file, result), {}, {}};
     HeadCard head = head_card(result);
     FigureRow sections;
-    Report details;
+    Report details{report.title, {}, {}};
     for (const MechanismFit& fit : result.mechanisms) {
         append_mechanism(details, folder, fit, model_of(file, fit.name), problem, sections);
         if (&fit != &result.mechanisms.front()) {
@@ -360,7 +360,7 @@ StudyDocuments document_fit(const CaseFile& file, const FitProblem& problem, con
                 details.blocks.emplace_back(*map);
             }
         }
-        documents.screen += screen_of(fit) + "\n";
+        documents.screen += screen_of(fit, report.title) + "\n";
     }
     documents.details = std::move(details.blocks);
     if (!sections.figures.empty()) {
@@ -370,11 +370,11 @@ StudyDocuments document_fit(const CaseFile& file, const FitProblem& problem, con
     report.blocks.insert(report.blocks.begin(), std::move(head));
     if (const auto trade_off = result.mechanisms.empty() ? std::nullopt : map_of(result.mechanisms.front(), folder)) {
         const std::vector<FreeParameter>& parameters = result.mechanisms.front().parameters;
-        report.blocks.emplace_back(
-            Heading{human_name(parameters[0].name) + " against " + human_name(parameters[1].name)});
+        report.blocks.emplace_back(Heading{capitalised(short_name(result.mechanisms.front(), parameters[0].name)) +
+                                           " against " + short_name(result.mechanisms.front(), parameters[1].name)});
         report.blocks.emplace_back(*trade_off);
     }
-    report.blocks.emplace_back(Heading{"Mechanisms"});
+    report.blocks.emplace_back(Heading{result.mechanisms.size() == 1 ? "How well it fits" : "Mechanisms"});
     if (!sections.figures.empty()) {
         report.blocks.emplace_back(std::move(sections));
     }

@@ -192,8 +192,7 @@ std::string reliability_in_words(const ReliabilityResult& result) {
 void document_reliability(const StudySubject& subject, const ReliabilityResult& result, const ResultFolder& folder,
                           Report& report, Json& json) {
     report.blocks.emplace_back(Heading{"First-order reliability"});
-    std::string text = reliability_in_words(result);
-    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    std::string text = capitalised(reliability_in_words(result));
     text += ". " + std::to_string(result.converged_starts) + " of " + std::to_string(result.starts) +
             " starts converged, to " + std::to_string(result.points.size()) +
             (result.points.size() == 1 ? " point" : " distinct points") + " of the limit surface. " +

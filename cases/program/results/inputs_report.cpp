@@ -1,13 +1,25 @@
 #include "cases/program/results/inputs_report.hpp"
 
+#include "cases/program/reader/names.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "fitting/work/words.hpp"
+
+#include <utility>
 
 namespace delabole {
 
 void append_inputs(const CaseFile& file, Report& report) {
     Table table{"Inputs of the case", {"input", "value"_number, "meaning", "source"}};
-    for (const Quantity& input : named_inputs(file.model)) {
+    const std::vector<Quantity> inputs = named_inputs(file.model);
+    auto lists = long_lists(inputs);
+    for (const Quantity& input : inputs) {
+        const auto list = lists.find(list_of(input.name));
+        if (list != lists.end()) {
+            if (const std::size_t members = std::exchange(list->second, 0); members > 0) {
+                table.rows.push_back({list->first, std::to_string(members) + " entries", "listed in resolved.toml"});
+            }
+            continue;
+        }
         const auto source = file.sources.find(input.name);
         const bool is_metric = shown_unit(input.dimension).symbol == display_unit(input.dimension).symbol;
         table.rows.push_back(

@@ -79,7 +79,7 @@ std::string column_name(std::string_view name, Dimension dimension) {
 }
 
 double in_display_unit(double value, Dimension dimension) {
-    constexpr double rounding = 1e-12;  // less than the size of an atom, or the weight of a grain of sand
+    constexpr double rounding = 1e-11;  // less than the size of an atom, or the weight of a grain of sand
     const bool rounds = dimension == Dimension::length || dimension == Dimension::area ||
                         dimension == Dimension::angle || dimension == Dimension::force_per_length;
     if (rounds && std::abs(value) < rounding) {
@@ -90,7 +90,7 @@ double in_display_unit(double value, Dimension dimension) {
 
 std::string in_six_digits(double value, Dimension dimension) {
     const DisplayUnit unit = shown_unit(dimension);
-    std::string text = human_number(value / unit.si_per_unit, 6);
+    std::string text = human_number(in_display_unit(value, dimension) == 0 ? 0 : value / unit.si_per_unit, 6);
     if (!unit.symbol.empty()) {
         text.append(" ").append(unit.symbol);
     }

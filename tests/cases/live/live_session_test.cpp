@@ -250,6 +250,9 @@ TEST(LiveSession, BlocksOfARowAreDragged) {
         const Json before = session.answer(Json::object());
         ASSERT_GE(before["handles"].size(), count) << name;
         for (const Json& handle : before["handles"]) {
+            if (handle["name"] == "toe") {
+                continue;  // stays the origin, see TheToeLeavesTheCrest
+            }
             // Within the picture, where the corner is drawn.
             const double x = handle["at"][0];
             const double y = handle["at"][1];
@@ -273,6 +276,56 @@ TEST(LiveSession, BlocksOfARowAreDragged) {
                 << name << ' ' << handle;
         }
     }
+}
+
+// The picture is shifted by as much as the toe goes, so that the crest stays where it was seen.
+TEST(LiveSession, TheToeLeavesTheCrest) {
+    const LiveSession session = session_of("starting/plane_failure.toml");
+    const auto crest = [](const Json& answer) {
+        return (*std::ranges::find(answer["handles"], "crest", [](const Json& one) { return one["name"]; }))["at"];
+    };
+    const Json before = crest(session.answer(Json::object()));
+    const Json after = session.drag({{"handle", "toe"}, {"to", {0.7, -0.4}}});
+    EXPECT_NEAR(crest(after)[0], before[0].get<double>() - 0.7, 1e-9);
+    EXPECT_NEAR(crest(after)[1], before[1].get<double>() + 0.4, 1e-9);
+    EXPECT_EQ(after["values"].size(), 2U);
+    const Json above = session.drag({{"handle", "toe"}, {"to", {0.0, 50.0}}});  // the crest lies 12 m high
+    EXPECT_EQ(crest(above), before);
+}
+
+TEST(LiveSession, TheVerdictIsFollowedByTheRestOfTheAnswer) {
+    const Json answer = session_of("stepped_base/cables_together.toml").answer(Json::object());
+    ASSERT_FALSE(answer["sentences"].empty());
+    EXPECT_NE(answer["sentences"][0].get<std::string>().find("kN/m"), std::string::npos) << answer["sentences"];
+}
+
+// Measured poles are many sliders: they stand in one group, and each says which pole it is of.
+TEST(LiveSession, MeasuredPolesAreOneGroup) {
+    const Json groups = session_of("kinematics/road_cut_poles.toml").open()["groups"];
+    const auto poles = std::ranges::find(groups, "poles[1].plane", [](const Json& one) { return one["name"]; });
+    ASSERT_NE(poles, groups.end());
+    EXPECT_GT((*poles)["inputs"].size(), 24U);
+    EXPECT_EQ((*poles)["inputs"][0]["label"], "plane[1]: dip");
+}
+
+TEST(LiveSession, JointSetsAndOutlineOfASectionAreDragged) {
+    const LiveSession session = session_of("starting/jointed_slope.toml");
+    const Json before = session.answer(Json::object());
+    std::vector<std::string> sets;
+    for (const Json& handle : before["handles"]) {
+        const std::string name = handle["name"];
+        const double x = handle["at"][0];
+        const double y = handle["at"][1];
+        const Json answer = session.drag({{"handle", name}, {"to", {x - 0.2, y + 0.1}}});
+        EXPECT_EQ(answer["values"].size(), handle["inputs"].size()) << name;
+        if (name.starts_with("joint set ")) {
+            sets.push_back(name);
+            const auto dip = answer["values"][handle["inputs"][0]].get<double>();
+            // From the middle of the outline towards the pointer: 10 m across, 6 m up.
+            EXPECT_NEAR(std::tan(degrees(dip)), (y + 0.1 - 6) / (x - 0.2 - 10), 1e-6) << name;
+        }
+    }
+    EXPECT_EQ(sets, (std::vector<std::string>{"joint set bedding", "joint set columns"}));
 }
 
 TEST(LiveSession, EveryPointOfASectionIsDragged) {

@@ -37,6 +37,7 @@ function ticksOf([low, high], most) {
   return ticks;
 }
 
+const dashes = {solid: 'none', dashed: '9 6', dotted: '2 4'};
 const titleOf = axis => axis.title + (axis.unit ? ` (${axis.unit})` : '');
 
 // The picture, as many pixels wide as it will be shown, with `toData` and `toPicture` for who drags on it.
@@ -103,7 +104,7 @@ function drawFigure(figure, shown) {
     const colour = paint(series.colour);
     if (series.kind === 'line')
       described(svg('path', {d: path(series.points), fill: 'none', stroke: colour, 'stroke-width': series.width,
-        'stroke-dasharray': {solid: 'none', dashed: '9 6', dotted: '2 4'}[series.dash]}, inside), series);
+        'stroke-dasharray': dashes[series.dash]}, inside), series);
     else if (series.kind === 'region')
       described(svg('path', {d: path(series.points, true), fill: colour, 'fill-opacity': series.opacity}, inside), series);
     else if (series.kind === 'points')
@@ -133,6 +134,26 @@ function drawFigure(figure, shown) {
       .textContent = label.text;
   }
   return picture;
+}
+
+// What colours and dashes mean, as words that follow each other below the picture.
+function legendOf(figure) {
+  const list = Object.assign(document.createElement('ul'), {className: 'legend'});
+  const shown = new Set();
+  for (const series of figure.series) {
+    if (!series.legend || shown.has(series.legend)) continue;
+    shown.add(series.legend);
+    const entry = document.createElement('li');
+    const sample = svg('svg', {viewBox: '0 0 28 12', 'aria-hidden': 'true'}, entry), colour = `var(--${series.colour})`;
+    const line = width => svg('path', {d: 'M1,6H27', stroke: colour, 'stroke-width': width, 'stroke-dasharray': dashes[series.dash] || 'none'}, sample);
+    if (series.kind === 'line') line(series.width);
+    else if (series.kind === 'arrows') { line(series.width); svg('path', {d: 'M19,1L27,6L19,11', fill: 'none', stroke: colour, 'stroke-width': series.width}, sample); }
+    else if (series.kind === 'points') svg('circle', {cx: 14, cy: 6, r: Math.min(5, 4 * series.size), fill: series.marker === 'circle' ? 'none' : colour, stroke: colour}, sample);
+    else svg('rect', {x: 1, y: 0, width: 26, height: 12, fill: colour, 'fill-opacity': series.opacity ?? 1}, sample);
+    entry.append(series.legend);
+    list.append(entry);
+  }
+  return list;
 }
 
 // A factor of safety over two inputs: light where it stands, dark where it fails, with the line of 1 and the valley of

@@ -57,9 +57,11 @@ function sliderRange(input) {
 }
 
 function buildInputs(groups) {
-  groups.forEach((group, number) => {
+  let opened = 0;
+  groups.forEach(group => {
     const box = document.createElement('details');
-    box.open = number < 6 && group.inputs.length < 12;
+    const corner = group.inputs.every(input => /\.(x|y)$/.test(input.name));  // is dragged rather
+    box.open = !corner && group.inputs.length < 12 && ++opened <= 6;
     const summary = document.createElement('summary');
     summary.textContent = group.label;
     box.append(summary);
@@ -156,6 +158,7 @@ const refreshMap = latest(async () => {
   const axes = titles.map(input => ({title: `${input.group}: ${input.label}`, unit: input.unit, grid: false}));
   const fit = state.open.fit && await ask('/fit', {values: state.values, x, y, columns: 32, rows: 24});
   const picture = drawMap(map, axes, [valueOf(x.name), valueOf(y.name)], find('chart').clientWidth, fit && fit.values && fit);
+  find('valley-key').hidden = !(fit && fit.values);
   if (fit) showObservations(fit.observations);
   picture.setAttribute('aria-label', 'Factor of safety over two inputs; a click sets both');
   picture.addEventListener('click', event => {
@@ -192,10 +195,11 @@ function addHandles(picture, answer) {
       event.preventDefault();
       // The picture is drawn anew with each answer; until the point is let go all of them have the scales of this one.
       const toPicture = picture.getScreenCTM().inverse();
+      const start = {values: {...state.values}, ranges: picture.ranges};
       let dragging = null;
       const move = moved => {
         if (!dragging) remember();
-        dragging = drag(handle.name, dataAt(picture, moved, toPicture));
+        dragging = drag(handle.name, dataAt(picture, moved, toPicture), isOrigin(handle) && start);
       };
       const end = async () => {
         window.removeEventListener('pointermove', move);
@@ -219,11 +223,18 @@ function addHandles(picture, answer) {
   }
 }
 
-const drag = latest(async (handle, to) => {
-  const answer = await ask('/drag', {values: state.values, handle, to});
+// The toe, from which everything is measured: it stays under the pointer when the picture is shifted.
+const isOrigin = handle => handle.name === 'toe' && handle.inputs.length === 2;
+
+// `start` is what a drag of the origin counts from.
+const drag = latest(async (handle, to, start) => {
+  const answer = await ask('/drag', {values: start ? start.values : state.values, handle, to});
+  const goes = start && Object.entries(answer.values).some(([name, value]) => digits(value) !== digits(start.values[name] ?? state.inputs.get(name).value));
+  if (start) state.ranges = start.ranges.map((range, axis) => range.map(end => goes ? end - to[axis] : end));
   const values = Object.fromEntries(Object.entries(answer.values).map(([name, value]) => [name, digits(value)]));
   set({...state.values, ...values});
   showInputs();
+  if (state.open.moves) { await startMotion(answer); return; }
   show(answer);
   refreshMap();
 });
@@ -242,7 +253,7 @@ function sectionOf(answer, title, withHandles) {
     if (withHandles && state.ranges) [figure.x.range, figure.y.range] = state.ranges;
     const picture = drawFigure(figure, widthOfSections());
     if (withHandles) addHandles(picture, answer);
-    box.append(picture);
+    box.append(picture, legendOf(figure));
   }
   box.append(caption);
   return box;
@@ -253,6 +264,7 @@ function show(answer) {
   state.answer = answer;
   find('verdict').textContent = answer.failure || answer.verdict;
   find('verdict').className = answer.failure ? 'failure' : '';
+  find('sentences').replaceChildren(...(answer.sentences || []).map(text => Object.assign(document.createElement('p'), {textContent: text})));
   const beside = state.variants.get(find('beside').value);
   find('return').disabled = !beside;
   if (!answer.failure) {

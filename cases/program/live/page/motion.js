@@ -5,25 +5,42 @@ async function beginMotion() {
   find('motion').hidden = false;
   find('answers').hidden = true;
   find('keep').disabled = find('name').disabled = find('beside').disabled = true;
-  find('start').addEventListener('click', attempt(startMotion));
+  find('start').addEventListener('click', attempt(() => startMotion()));
   find('play').addEventListener('click', () => { motion.playing ? pause() : play(); });
   find('step').addEventListener('click', attempt(async () => { pause(); take(await ask('/motion/step', {steps: 1})); }));
   find('forces').addEventListener('change', drawBlocks);
   await startMotion();
 }
 
-async function startMotion() {
+// `answer` holds the points that can be dragged; it is asked for where it is not known.
+async function startMotion(answer) {
   pause();
   tell('The static start is being found.');
   const made = await ask('/motion/start', {values: state.values});
-  Object.assign(motion, {blocks: made.blocks, centres: made.centres, tilt: made.tilt, outcomes: made.outcomes.map(word => word.replaceAll('_', ' '))});
+  motion.handles = (answer?.handles ? answer : await ask('/answer', {values: state.values})).handles;
+  Object.assign(motion, {blocks: made.blocks, centres: made.centres, tilt: made.tilt, mass: made.mass, outcomes: made.outcomes.map(word => word.replaceAll('_', ' '))});
   take(await ask('/motion/step', {steps: 0}));
+  addKnobs();
   tell('');
+}
+
+// Points of the section, above the blocks as long as these are where the case has them.
+function addKnobs() {
+  const canvas = find('blocks'), knobs = svg('svg', {id: 'knobs', viewBox: `0 0 ${canvas.width} ${canvas.height}`, role: 'group', 'aria-label': 'Points of the section'});
+  knobs.ranges = true;  // the view stays while one is dragged
+  knobs.toPicture = viewOf(canvas);
+  const [x0, y0] = knobs.toPicture([0, 0]), [ax, ay] = knobs.toPicture([1, 0]), [bx, by] = knobs.toPicture([0, 1]);
+  const toData = new DOMMatrix([ax - x0, ay - y0, bx - x0, by - y0, x0, y0]).inverse();
+  knobs.toData = (x, y) => { const at = new DOMPoint(x, y).matrixTransform(toData); return [at.x, at.y]; };
+  addHandles(knobs, motion);
+  find('knobs').replaceWith(knobs);
+  if (state.focus) knobs.querySelector(`[data-name="${CSS.escape(state.focus)}"]`)?.focus();
 }
 
 async function changeMotion() {
   try {
     await ask('/motion/change', {values: state.values});
+    drawBlocks();
   } catch (error) {
     await startMotion();
   }
@@ -36,8 +53,12 @@ function take(buffer) {
   motion.picture = {time, steps, outcome, poses: numbers.subarray(14, 14 + 3 * blocks),
     forces: numbers.subarray(14 + 3 * blocks, 14 + 3 * blocks + 4 * forces), bolts: numbers.subarray(14 + 3 * blocks + 4 * forces)};
   find('clock').textContent = `${time.toFixed(3)} s, ${steps} steps${motion.rate ? `, ${motion.rate.toFixed(0)} pictures a second` : ''}`;
-  find('verdict').textContent = `${motion.outcomes[outcome]}; greatest unbalanced force ${unbalanced.toPrecision(3)} of a weight`;
-  const most = Math.max(...balance.map(Math.abs));  // below a millionth of it a single float holds rounding
+  find('verdict').textContent = verdictOf(motion.outcomes[outcome], steps);
+  const percent = 100 * unbalanced;
+  find('sentences').replaceChildren(Object.assign(document.createElement('p'), {textContent:
+    `Greatest unbalanced force: ${percent < 1e-6 ? 'none' : `${percent.toPrecision(3)} % of a block's load`}.`}));
+  // Below a millionth of the greatest a single float holds rounding, as it does below a millionth of a joule.
+  const most = Math.max(1, ...balance.map(Math.abs));
   find('energy').tBodies[0].replaceChildren(...energies.map((name, index) => {
     const row = document.createElement('tr');
     row.insertCell().textContent = name;
@@ -46,11 +67,18 @@ function take(buffer) {
     cell.textContent = `${Math.abs(balance[index]) < most * 1e-6 ? 0 : (balance[index] / 1000).toPrecision(4)} kJ/m`;
     return row;
   }));
+  find('knobs').toggleAttribute('hidden', steps > 0);
   drawBlocks();
+}
+
+function verdictOf(outcome, steps) {
+  if (outcome !== 'undecided') return outcome[0].toUpperCase() + outcome.slice(1) + '.';
+  return steps ? 'In motion: neither at rest nor failed yet.' : 'At the start: Play sets the blocks in motion.';
 }
 
 // With gravity downwards; as much is seen as the free blocks take, and half as much again for where they go.
 function viewOf(canvas) {
+  if (state.ranges) return motion.view;
   const cosine = Math.cos(motion.tilt), sine = Math.sin(motion.tilt);
   const upright = ([x, y]) => [cosine * x - sine * y, sine * x + cosine * y];
   const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
@@ -61,7 +89,7 @@ function viewOf(canvas) {
         high[axis] = Math.max(high[axis], corner[axis]);
       }
   const scale = Math.min(canvas.width / (high[0] - low[0]), canvas.height / (high[1] - low[1])) / 1.5;
-  return point => {
+  return motion.view = point => {
     const [x, y] = upright(point);
     return [canvas.width / 2 + scale * (x - (low[0] + high[0]) / 2), canvas.height / 2 - scale * (y - (low[1] + high[1]) / 2)];
   };
@@ -94,6 +122,7 @@ function drawBlocks() {
   if (!find('forces').checked) return;
   let greatest = 0;
   for (let at = 0; at < forces.length; at += 4) greatest = Math.max(greatest, Math.hypot(forces[at + 2], forces[at + 3]));
+  if (greatest < 0.01 * motion.mass) return;  // a thousandth of a block's weight: nothing has come to bear yet
   // Lines of one width are drawn at once: thousands of single strokes would take three times as long.
   const widths = Array.from({length: 17}, () => new Path2D());
   for (let at = 0; at < forces.length; at += 4) {

@@ -194,6 +194,9 @@ std::optional<WaterDepthCurves> water_depth_curves(const PlaneFailure<>& problem
 FailureLoci failure_loci(const PlaneFailure<>& problem) {
     FailureLoci loci;
     loci.title = "Friction and cohesion at failure";
+    if (const auto* law = std::get_if<Coulomb<>>(&problem.strength)) {
+        loci.given = Point(law->friction_angle, law->cohesion);
+    }
     PlaneFailure<> varied = problem;
     WaterLevel<>* level = level_of(varied.water);
     const auto add = [&](const std::string& legend) {

@@ -47,14 +47,14 @@ void warn(Analysis& analysis, const PlaneFailureResult& result, bool critical_at
 }
 
 Table sensitivity_table(const SensitivityResult& sensitivities, CsvTable& csv) {
-    Table table{"Exact derivatives of the factor of safety", {"input", "value"_number, "dFS per unit"_number, "unit"}};
+    Table table{"Exact derivatives of the factor of safety", {"input", "value"_number, "change of FS"_number, "per"}};
     for (const Sensitivity& input : sensitivities.derivatives) {
         const DisplayUnit unit = display_unit(input.dimension);
         const double per_unit = input.derivative * unit.si_per_unit;
         const DisplayUnit shown = shown_unit(input.dimension);
         table.rows.push_back({input.parameter, in_six_digits(input.value, input.dimension),
                               in_six_digits(input.derivative * shown.si_per_unit, Dimension::ratio),
-                              shown.symbol.empty() ? "1" : "1/(" + std::string(shown.symbol) + ")"});
+                              shown.symbol.empty() ? "1" : std::string(shown.symbol)});
         csv.add_row(
             {input.parameter, in_display_unit(input.value, input.dimension), std::string(unit.symbol), per_unit});
     }
@@ -193,9 +193,10 @@ void append_case_figures(const PlaneFailureStudy<>& study, const PlaneFailureAns
     const SensitivityResult derivatives = sensitivities(problem);
     CsvTable csv({"input", "value", "unit", "derivative_per_unit"});
     report.blocks.emplace_back(Heading{"Sensitivity"});
-    report.blocks.emplace_back(
-        folder.draw(tornado_figure("Change of the factor of safety", sensitivity_bars(problem, derivatives)),
-                    "sensitivity", "To first order, from exact derivatives: the eight greatest."));
+    report.blocks.emplace_back(folder.draw(
+        tornado_figure("Change of the factor of safety", sensitivity_bars(problem, derivatives)), "sensitivity",
+        "For a change of each input by itself, by the step that stands beside it; to first order, from "
+        "exact derivatives. The eight greatest."));
     report.blocks.emplace_back(sensitivity_table(derivatives, csv));
     folder.write("sensitivities.csv", csv.text());
 }

@@ -49,6 +49,17 @@ std::string path_in_words(const CriticalPlan& plan, const PathValue& value) {
     return {};
 }
 
+// An end of a bracket, in no more digits than tell it from the other.
+std::string bracket_in_words(double value, double other, Dimension dimension) {
+    constexpr int fewest = 3;
+    constexpr int most = 6;
+    const double apart = std::abs(value / (value - other));
+    const int digits = std::isfinite(apart) ? static_cast<int>(std::ceil(std::log10(std::max(apart, 1.0)))) + 1 : most;
+    const DisplayUnit unit = shown_unit(dimension);
+    const std::string number = human_number(value / unit.si_per_unit, std::clamp(digits, fewest, most));
+    return unit.symbol.empty() ? number : number + " " + std::string(unit.symbol);
+}
+
 Cell value_or_status(const PathValue& value) {
     if (value.status == CriticalStatus::found) {
         return value.value();
@@ -63,7 +74,8 @@ std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) 
     const double at = value.status == CriticalStatus::found ? value.fails : value.last;
     const std::string on_path =
         plan.path.size() > 1 ? "On the path " + std::string(word_of(value.path)) + ": at " : "At ";
-    std::string text = on_path + in_six_digits(at, dimension);
+    const bool found = value.status == CriticalStatus::found;
+    std::string text = on_path + bracket_in_words(at, found ? value.stands : at, dimension);
     if (value.held_by_corners) {
         text += " the blocks rest, but faces cannot take forces in equilibrium: corners on corners hold what is marked";
     } else if (failed.result.start_balance) {
@@ -80,8 +92,9 @@ std::string decision_in_words(const CriticalPlan& plan, const PathValue& value) 
                 : "; in the run blocks passed the thresholds of onset, a rotation of " +
                       value_in_words(failed.settings.onset_rotation, Dimension::angle) + " or a displacement of " +
                       number_in_words(failed.settings.onset_slide) + " radii.";
-    if (value.status == CriticalStatus::found) {
-        text += " At " + in_six_digits(value.stands, dimension) + " they came to rest, out of balance by less than " +
+    if (found) {
+        text += " At " + bracket_in_words(value.stands, value.fails, dimension) +
+                " they came to rest, out of balance by less than " +
                 number_in_words(failed.settings.equilibrium_ratio) + " of a block's weight.";
     }
     return text;
@@ -117,8 +130,9 @@ void append_paths(const CriticalPlan& plan, const CriticalAnswer& critical, cons
                   Report& report) {
     const Dimension dimension = dimension_of(plan.parameter);
     const std::string name = human_name(name_of_critical(plan.parameter));
-    Table table{"The " + name + " on each loading path; headers of critical_request.hpp say what they are.",
-                {"path", {name, true}, "stands"_number, "fails"_number, "failing blocks"_number, "runs"_number}};
+    Table table{
+        capitalised(name) + " on each loading path; stands and fails are the nearest values that were found to.",
+        {"path", {name, true}, "stands"_number, "fails"_number, "failing blocks"_number, "runs"_number}};
     CsvTable csv({"path", "status", column_name(name_of_critical(plan.parameter), dimension),
                   column_name("stands", dimension), column_name("fails", dimension), "failing_blocks", "runs"});
     const auto add = [&](const PathValue& value) {
@@ -152,11 +166,10 @@ std::vector<std::string> search_sentences(const CriticalPlan& plan, const Critic
     if (critical.status != CriticalStatus::found) {
         return {"No " + (is_factor ? "factor of safety" : name) + " found: " + path_in_words(plan, critical) + "."};
     }
-    std::string verdict = name + " " + value_in_words(critical.value(), dimension);
-    verdict[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(verdict[0])));
-    return {verdict + (is_factor ? (critical.value() >= 1 ? ", by strength reduction: stands." : ": fails.") : "."),
-            "At " + in_six_digits(critical.stands, dimension) + " the blocks stand, at " +
-                in_six_digits(critical.fails, dimension) + " they fail."};
+    return {capitalised(name + " " + value_in_words(critical.value(), dimension)) +
+                (is_factor ? (critical.value() >= 1 ? ", by strength reduction: stands." : ": fails.") : "."),
+            "At " + bracket_in_words(critical.stands, critical.fails, dimension) + " the blocks stand, at " +
+                bracket_in_words(critical.fails, critical.stands, dimension) + " they fail."};
 }
 
 // How a run ended, for those who look at nothing else.
@@ -189,6 +202,13 @@ std::string end_in_words(const RelaxationRun& made) {
     default:
         return "No answer: the run was stopped" + after + ", " + human_name(word_of(result.outcome)) + ".";
     }
+}
+
+// "Failed: 12 m2 in ruins" -> "failed, 12 m2 in ruins", for after a colon.
+std::string continued(std::string sentence) {
+    sentence.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence.front())));
+    const std::size_t colon = sentence.find(": ");
+    return colon == std::string::npos ? sentence : sentence.replace(colon, 1, ",");
 }
 
 AnswerTone tone_of(const RelaxationRun& made) {
@@ -233,7 +253,7 @@ HeadCard head_card(const RelaxationStudy& study, const RelaxationStudyAnswer& an
                                                           : AnswerTone::good,
                       search_sentences(*answer.plan, critical),
                       {}};
-        head.sentences.push_back("With the strength and loads as given: " + end_in_words(made));
+        head.sentences.push_back("With the strength and loads as given: " + continued(end_in_words(made)));
         return head;
     }
     HeadCard head{tone_of(made), {end_in_words(made)}, {}};
@@ -313,7 +333,7 @@ std::string search_in_words(const CriticalPlan& plan, const CriticalAnswer& crit
 
 void append_critical_figures(const CriticalPlan& plan, const CriticalAnswer& critical, const ResultFolder& folder,
                              Report& report) {
-    report.blocks.emplace_back(Heading{human_name(name_of_critical(plan.parameter))});
+    report.blocks.emplace_back(Heading{capitalised(human_name(name_of_critical(plan.parameter)))});
     append_paths(plan, critical, folder, report);
     append_failure(plan, critical, folder, report);
     for (const PathValue& other : critical.other) {

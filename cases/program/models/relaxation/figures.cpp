@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace delabole {
 
@@ -15,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_rows = 60;
 // The numbers of more blocks would hide the picture.
-constexpr std::size_t most_numbered_blocks = 300;
+constexpr std::size_t most_numbered_blocks = 80;
 
 DrawnMode drawn(BlockMovement movement) {
     using enum DrawnMode;
@@ -140,15 +142,26 @@ std::optional<Figure> velocity_figure(const RelaxationRun& made, const Bodies& b
 }
 
 Table block_table(const RelaxationRun& made) {
-    Table table{"The blocks at the end; slip over the base is negative forward, towards the toe.",
-                {"block"_number, "movement", "rotation, °"_number, "displacement"_number, "slip over the base"_number}};
-    for (std::size_t block = 0; block < made.result.block.size() && table.rows.size() < most_rows; ++block) {
-        const BlockOutcome& outcome = made.result.block[block];
-        if (outcome.movement != BlockMovement::fixed) {
-            table.rows.push_back({std::to_string(block + 1), human_name(word_of(outcome.movement)),
-                                  human_number(outcome.rotation / degrees(1), 3), length_in_words(outcome.displacement),
-                                  length_in_words(outcome.base_slip)});
+    std::vector<std::size_t> shown;
+    for (std::size_t block = 0; block < made.result.block.size(); ++block) {
+        if (made.result.block[block].movement != BlockMovement::fixed) {
+            shown.push_back(block);
         }
+    }
+    std::string caption = "The blocks at the end; slip over the base is negative forward, towards the toe.";
+    if (shown.size() > most_rows) {
+        std::ranges::stable_sort(shown, std::greater{},
+                                 [&](std::size_t block) { return made.result.block[block].displacement; });
+        shown.resize(most_rows);
+        caption += " The " + std::to_string(most_rows) + " that moved farthest, results.csv has all.";
+    }
+    Table table{std::move(caption),
+                {"block"_number, "movement", "rotation, °"_number, "displacement"_number, "slip over the base"_number}};
+    for (const std::size_t block : shown) {
+        const BlockOutcome& outcome = made.result.block[block];
+        table.rows.push_back({std::to_string(block + 1), human_name(word_of(outcome.movement)),
+                              degrees_in_words(outcome.rotation), length_in_words(outcome.displacement),
+                              length_in_words(outcome.base_slip)});
     }
     return table;
 }
@@ -158,8 +171,8 @@ Table block_table(const RelaxationRun& made) {
 std::string length_in_words(double length) {
     constexpr double metre = 1;
     constexpr double millimetre = 1e-3;
-    constexpr double rounding = 1e-12;
-    if (std::abs(length) < rounding) {
+    constexpr double unseen = 5e-7;  // half a thousandth of a millimetre
+    if (std::abs(length) < unseen) {
         return "0";
     }
     const DisplayUnit shown = shown_unit(Dimension::length);
@@ -169,6 +182,12 @@ std::string length_in_words(double length) {
                                                      : number_in_words(length / inch) + " in";
     }
     return std::abs(length) >= metre ? number_in_words(length) + " m" : number_in_words(length / millimetre) + " mm";
+}
+
+std::string degrees_in_words(double angle) {
+    constexpr double unseen = 5e-4;  // deg
+    const double shown = angle / degrees(1);
+    return std::abs(shown) < unseen ? "0" : number_in_words(shown);
 }
 
 Figure mechanism_figure(const RelaxationRun& made, const std::string& title) {

@@ -11,16 +11,12 @@ namespace delabole {
 
 namespace {
 
-std::string in_degrees(double angle) {
-    return human_number(angle / degrees(1), 3);
-}
-
 Table crack_table(const PostFailure& failure) {
     Table table{"Open joints at the ground behind the crest of the slope.",
                 {"behind the crest"_number, "joint", "dip, °"_number, "opening"_number}};
     for (const CrestCrack& crack : failure.crack) {
         table.rows.push_back({length_in_words(crack.position), failure.answer.joint[crack.joint].joint,
-                              in_degrees(crack.dip), length_in_words(crack.opening)});
+                              degrees_in_words(crack.dip), length_in_words(crack.opening)});
     }
     return table;
 }
@@ -32,7 +28,7 @@ Table crest_table(const PostFailure& failure) {
     for (const CrestBlock& block : failure.block) {
         table.rows.push_back({length_in_words(block.position), std::to_string(block.block + 1),
                               length_in_words(block.movement.horizontal), length_in_words(block.movement.vertical),
-                              in_degrees(block.movement.rotation)});
+                              degrees_in_words(block.movement.rotation)});
     }
     return table;
 }
@@ -105,7 +101,7 @@ BlockDrawing slope_drawing(const RelaxationRun& made, const std::vector<Motion>&
             std::to_string(shade));
     }
     if (stages == 0) {
-        drawing.rocks.emplace_back("failed");
+        drawing.rocks.insert(drawing.rocks.end(), {"failed", "moving"});
     }
     for (std::size_t block = 0; block < bodies.size(); ++block) {
         if (gone(block)) {
@@ -118,7 +114,11 @@ BlockDrawing slope_drawing(const RelaxationRun& made, const std::vector<Motion>&
         constexpr double half = 0.5;
         shown.mode = bodies.fixed[block] != 0 ? DrawnMode::fixed : DrawnMode::plain;
         if (bodies.fixed[block] == 0) {
-            shown.rock = stage[block] > 0 ? std::min(stage[block], most_shades) : failure.share[block] >= half ? 1 : 0;
+            const bool moving = made.stage.empty() && has_failed(made.result.block[block].movement);
+            shown.rock = stage[block] > 0               ? std::min(stage[block], most_shades)
+                         : failure.share[block] >= half ? 1
+                         : moving                       ? 2
+                                                        : 0;
         }
         drawing.blocks.push_back(std::move(shown));
     }
@@ -149,7 +149,7 @@ Figure left_standing_figure(const RelaxationRun& made, const PostFailure& failur
     figure.series.emplace_back(
         Line{.points = drawn(failure.left_standing), .legend = "ground left standing", .colour = Colour::black});
     figure.series.emplace_back(Points{.points = drawn(failure.surface),
-                                      .legend = "foot, knee and top",
+                                      .legend = "its foot, knee and top",
                                       .colour = Colour::blue,
                                       .marker = Marker::filled_square});
     std::vector<Point> cracks;
@@ -176,11 +176,12 @@ void append_post_failure(const RelaxationRun& made, const ResultFolder& folder, 
     report.blocks.emplace_back(Heading{"What failed and what is left standing"});
     if (made.scene.block.size() <= most_drawn_blocks) {
         report.blocks.emplace_back(folder.draw(
-            left_standing_figure(made, failure, "Left standing"), "left_standing",
-            made.in_stages ? "The blocks in the initial geometry, those that failed marked by the stage in which they "
-                             "did: each mass is taken away before the rest has to stand by itself."
-                           : "The blocks in the initial geometry, those that failed in the course of the run marked; "
-                             "the level left standing is that of the ground less the share of what failed below it."));
+            left_standing_figure(made, failure, "What failed, and the ground left standing"), "left_standing",
+            made.in_stages
+                ? "The blocks where they were at the start, those that failed marked by the stage in which they "
+                  "did: each mass is taken away before the rest has to stand by itself."
+                : "The blocks where they were at the start, with those marked that had left their places at the "
+                  "end of the run or were moving. The ground left standing lies lower by what has left."));
     }
     if (made.in_stages) {
         report.blocks.emplace_back(stage_table(made));
