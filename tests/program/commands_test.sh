@@ -101,6 +101,12 @@ delabole check good.toml --set slope.height='40 km'
 expect_status 0
 expect_error 'good.toml: slope.height is 40000 m high: is that meant?'
 
+title "check: what is nearly an output is asked about"
+{ cat good.toml; printf '\n[[expect]]\nquantity = "factor_of_safty"\nvalue = 1\ntolerance = 0.1\n'; } >misspelt.toml
+delabole check misspelt.toml
+expect_status 0
+expect_error ': is factor_of_safty an output of the model? (did you mean factor_of_safety?)'
+
 title "run: a slope whose factor of safety is infinite"
 delabole run good.toml --set failure_plane.dip='0 deg' --set water.water_depth='0 m' --out level
 if [[ $status == 0 ]]; then

@@ -1,5 +1,6 @@
 // delabole check, show and init
 #include "cases/program/case/case_writer.hpp"
+#include "cases/program/case/model_outputs.hpp"
 #include "cases/program/case/starting_cases.hpp"
 #include "cases/program/commands/commands.hpp"
 #include "cases/program/reader/case_error.hpp"
@@ -12,8 +13,31 @@
 
 #include <algorithm>
 #include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
 
 namespace delabole {
+
+namespace {
+
+// Only the result tells what a model answers under the conditions of an entry: what is nearly the name of an output is
+// asked about, not refused.
+std::vector<std::string> doubts_about_expectations(const CaseFile& file) {
+    const std::vector<std::string> outputs = names_in(known_outputs(file.model));
+    std::vector<std::string> doubts;
+    for (const Expectation& expected : file.expectations) {
+        const bool is_number = expected.tolerance || expected.relative_tolerance;
+        const std::string meant = is_number && !expected.dimension ? suggestion(expected.quantity, outputs) : "";
+        if (!meant.empty()) {
+            doubts.push_back("line " + std::to_string(expected.place.line) + ": is " + expected.quantity +
+                             " an output of the model?" + meant);
+        }
+    }
+    return doubts;
+}
+
+}  // namespace
 
 ExitCode check_command(const Paths& cases, const Options& options) {
     Json json = Json::array();
@@ -25,7 +49,8 @@ ExitCode check_command(const Paths& cases, const Options& options) {
             const CaseFile file = read_case(path, settings_of(options));
             refuse_impossible(file);
             entry["status"] = "ok";
-            const std::vector<std::string> questions = questions_about(file.model);
+            std::vector<std::string> questions = questions_about(file.model);
+            std::ranges::move(doubts_about_expectations(file), std::back_inserter(questions));
             entry["questions"] = questions;
             for (const std::string& question : questions) {
                 std::cerr << path.string() << ": " << question << '\n';
