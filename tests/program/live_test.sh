@@ -235,7 +235,7 @@ evaluate "(async () => {
     return said.includes('friction angle 35.9 deg (30.9 deg to 39.6 deg with 95 %)');
 })()"
 expect "fitted ranges on demand, gone when the slope is another" test "$value" == true
-expect_value "observed and predicted" "find('observations').tBodies[0].rows[0].cells[2].textContent" '"1.54"'
+wait_for "find('observations').tBodies[0].rows[0].cells[2].textContent === '1.54'"  # observed and predicted
 [[ -z ${DELABOLE_SCREENSHOTS:-} ]] || screenshot "$DELABOLE_SCREENSHOTS/live_fit.png"
 expect "the console is empty" test ! -s "$scratch/console"
 close_browser
