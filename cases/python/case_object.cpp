@@ -3,6 +3,7 @@
 #include "cases/program/case/case_writer.hpp"
 #include "cases/program/results/analysis.hpp"
 #include "cases/program/results/impossible_case.hpp"
+#include "cases/program/results/model_reports.hpp"
 #include "cases/program/results/problems_of_case.hpp"
 #include "cases/program/results/result_folder.hpp"
 #include "cases/program/sweeps/support_report.hpp"
@@ -47,6 +48,7 @@ py::dict run_case(const CaseObject& object, const py::object& progress, unsigned
     CaseFile file = object.file;
     std::optional<DesignedSupport> support;
     Analysis analysis;
+    HeadCard head;
     in_background(progress, [&](BackgroundWatch& watch) {
         support = design_support_of(file, telling(watch, "patterns of support"));
         AnalysisWork work;
@@ -55,7 +57,11 @@ py::dict run_case(const CaseObject& object, const py::object& progress, unsigned
             watch.tell(share, what);
             return !watch.stopped();
         };
-        analysis = analyse_model(file.model, work);
+        const CaseAnswer answer = analyse_case(file.model, work);
+        analysis = named_outputs(file.model, answer);
+        if (analysis.failure.empty()) {
+            head = head_card(file.model, answer);
+        }
     });
     if (!analysis.failure.empty()) {
         throw CaseError({impossible(file, analysis.failure)});
@@ -76,7 +82,9 @@ py::dict run_case(const CaseObject& object, const py::object& progress, unsigned
     if (support) {
         Report unused;
         json["support_design"] = document_support(*support, ResultFolder(), unused);
+        add_to_head(*support, head);
     }
+    result["sentences"] = head.sentences;
     result["json"] = json_text(json);
     return result;
 }

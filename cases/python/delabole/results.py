@@ -45,6 +45,8 @@ class Result(_Named):
         self.status: str = made["status"]
         self.unfinished: str = made["unfinished"]
         self.warnings: list[str] = made["warnings"]
+        self.sentences: list[str] = made["sentences"]
+        """The answer in words, as a report begins."""
 
     def __getitem__(self, name: str) -> Answer:
         return self._values[name]
@@ -57,6 +59,9 @@ class Result(_Named):
 
     def __repr__(self) -> str:
         return f"<delabole.Result {self.status}, {len(self)} answers>"
+
+    def __str__(self) -> str:
+        return "\n".join(self.sentences)
 
     def meaning(self, name: str) -> str:
         """Of an answer, in words."""
@@ -206,6 +211,9 @@ class Fit:
     def __repr__(self) -> str:
         return f"<delabole.Fit {self.status}: {', '.join(mechanism.name for mechanism in self.mechanisms)}>"
 
+    def __str__(self) -> str:
+        return "\n".join(f"{mechanism.title or mechanism.name}: {mechanism.verdict}" for mechanism in self.mechanisms)
+
     def to_dict(self) -> dict[str, Any]:
         """What `delabole fit --json` prints, without the provenance: names carry units."""
         return dict(json.loads(self._json))
@@ -228,6 +236,9 @@ class Sensitivity:
 
     def __repr__(self) -> str:
         return f"<delabole.Sensitivity {self.status}>"
+
+    def __str__(self) -> str:
+        return "\n".join(self._found["findings"])
 
     def to_dict(self) -> dict[str, Any]:
         return dict(self._found)
