@@ -29,6 +29,10 @@ TEST(Units, UnitsOfRockMechanics) {
     EXPECT_DOUBLE_EQ(si("26 kN/m3", Dimension::unit_weight), 26e3);
     EXPECT_DOUBLE_EQ(si("26 kN m-3", Dimension::unit_weight), 26e3);
     EXPECT_DOUBLE_EQ(si("165 lbf/ft3", Dimension::unit_weight), 165 * 157.08746384624618);
+    EXPECT_DOUBLE_EQ(si("2000 psf", Dimension::stress), si("2000 lbf/ft2", Dimension::stress));
+    EXPECT_DOUBLE_EQ(si("2 ksf", Dimension::stress), si("2000 lbf/ft2", Dimension::stress));
+    EXPECT_DOUBLE_EQ(si("165 pcf", Dimension::unit_weight), si("165 lbf/ft3", Dimension::unit_weight));
+    EXPECT_DOUBLE_EQ(si("25 KPa", Dimension::stress), 25e3);
     EXPECT_DOUBLE_EQ(si("400 kN/m", Dimension::force_per_length), 400e3);
     EXPECT_DOUBLE_EQ(si("100 lbf", Dimension::force), 444.82216152605);
     EXPECT_DOUBLE_EQ(si("2 yd3", Dimension::volume), 2 * 0.764554857984);
