@@ -108,7 +108,8 @@ std::vector<Orientation> drawn_planes(const std::vector<Orientation>& measured, 
     return planes;
 }
 
-OrientationStatistics orientation_statistics(const std::vector<Orientation>& planes) {
+OrientationStatistics orientation_statistics(const std::vector<Orientation>& planes,
+                                             const std::vector<double>& weights) {
     Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
     for (const Orientation& plane : planes) {
         const Direction normal = upward_normal(plane);
@@ -117,15 +118,21 @@ OrientationStatistics orientation_statistics(const std::vector<Orientation>& pla
     // Eigenvalues ascend.
     const Direction axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tensor).eigenvectors().col(2);
     Direction sum = Direction::Zero();
-    for (const Orientation& plane : planes) {
-        const Direction normal = upward_normal(plane);
-        sum += normal.dot(axis) < 0 ? Direction(-normal) : normal;
+    double total = 0;
+    for (std::size_t index = 0; index < planes.size(); ++index) {
+        const Direction normal = upward_normal(planes[index]);
+        const double weight = weights.empty() ? 1 : weights[index];
+        sum += (normal.dot(axis) < 0 ? -weight : weight) * normal;
+        total += weight;
     }
     const auto count = static_cast<double>(planes.size());
-    const double missing = std::max(0.0, count - sum.norm());
+    sum *= count / total;
+    const double resultant = std::min(sum.norm(), count);
+    const double missing = count - resultant;
     // The resultant itself is known to about `count` roundings.
-    const bool scatters = missing > count * count * std::numeric_limits<double>::epsilon();
-    return {plane_with_normal(sum), scatters ? (count - 1) / missing : std::numeric_limits<double>::infinity(),
+    const bool scatters = planes.size() > 1 && missing > count * count * std::numeric_limits<double>::epsilon();
+    return {plane_with_normal(sum), resultant,
+            scatters ? (count - 1) / missing : std::numeric_limits<double>::infinity(),
             scatters ? std::acos(1 - missing / count) : 0};
 }
 

@@ -90,13 +90,16 @@ std::vector<Orientation> drawn_planes(const std::vector<Orientation>& measured, 
                                       std::size_t count, std::uint64_t seed, std::uint64_t stream);
 
 struct OrientationStatistics {
-    Orientation mean;                   // principal axis of the poles
+    Orientation mean;                   // of the resultant
+    double resultant;                   // R
     double concentration;               // (N - 1) / (N - R); infinite where nothing scatters
     double angular_standard_deviation;  // acos(R / N)
 };
 
-// Statistics of planes whose poles, turned to the side of their principal axis, have the resultant R. Poles spread over
-// more than a hemisphere have no meaningful mean. At least one plane; a single one has an infinite concentration.
-OrientationStatistics orientation_statistics(const std::vector<Orientation>& planes);
+// Statistics of N planes whose poles, turned to the side of their principal axis, have the resultant R. Poles spread
+// over more than a hemisphere have no meaningful mean. At least one plane; a single one has an infinite concentration.
+// `weights`, as many, count in the resultant, scaled so that their sum is N; empty: all alike.
+OrientationStatistics orientation_statistics(const std::vector<Orientation>& planes,
+                                             const std::vector<double>& weights = {});
 
 }  // namespace delabole

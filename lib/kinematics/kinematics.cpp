@@ -177,16 +177,6 @@ double share_of(const AnalysedSet& set, Predicate&& predicate) {
     return such / all;
 }
 
-// Of measured planes by their weights.
-double angular_standard_deviation(const AnalysedSet& set) {
-    if (!set.measured) {
-        return orientation_statistics(set.planes).angular_standard_deviation;
-    }
-    const FisherStatistics& measured = *set.measured;
-    return std::isinf(measured.concentration) ? 0
-                                              : std::acos(1 - (measured.count - measured.resultant) / measured.count);
-}
-
 JointSetFeasibility set_feasibility(const Kinematics& model, const AnalysedSet& set) {
     const double friction = model.strength.friction_angle;
     const auto base = [&](const Orientation& plane) {
@@ -201,7 +191,7 @@ JointSetFeasibility set_feasibility(const Kinematics& model, const AnalysedSet& 
     return {.name = set.name,
             .mean = set.mean,
             .apparent_dip = apparent_dip(set.mean, model.slope.face_dip_direction),
-            .angular_standard_deviation = angular_standard_deviation(set),
+            .angular_standard_deviation = orientation_statistics(set.planes, set.weights).angular_standard_deviation,
             .planar_sliding = mechanism([&](const Orientation& plane) {
                 return planar_sliding(model.slope, plane, friction, model.lateral_limit.planar_sliding);
             }),

@@ -194,31 +194,21 @@ double terzaghi_weight(const Orientation& plane, const LineOrientation& line, do
 }
 
 FisherStatistics fisher_statistics(const std::vector<Orientation>& planes, const std::vector<double>& weights) {
-    const Direction side = upward_normal(orientation_statistics(planes).mean);
+    const OrientationStatistics own = orientation_statistics(planes, weights);
     const auto count = static_cast<double>(planes.size());
-    Direction sum = Direction::Zero();
-    for (std::size_t index = 0; index < planes.size(); ++index) {
-        const Direction normal = upward_normal(planes[index]);
-        sum += (normal.dot(side) < 0 ? -weights[index] : weights[index]) * normal;
-    }
-    sum *= count / sum_of(weights);
-    const Orientation mean = plane_with_normal(sum);
-    const double resultant = std::min(sum.norm(), count);
+    const double resultant = own.resultant;
     const double missing = count - resultant;
-    FisherStatistics statistics{
-        mean.dip, mean.dip_direction, count, resultant, std::numeric_limits<double>::infinity(), 0, 0, 0, 0};
+    FisherStatistics statistics{own.mean.dip, own.mean.dip_direction, count, resultant, own.concentration, 0, 0, 0, 0};
     if (planes.size() < 2) {
         statistics.upper_concentration = statistics.concentration;
         statistics.confidence_cone = std::numbers::pi;
         return statistics;
     }
-    // The resultant is known to about `count` roundings.
-    if (!(missing > count * count * std::numeric_limits<double>::epsilon())) {
+    if (std::isinf(own.concentration)) {
         statistics.lower_concentration = statistics.upper_concentration = statistics.concentration;
         return statistics;
     }
     constexpr double tail = 0.025;
-    statistics.concentration = (count - 1) / missing;
     statistics.lower_concentration = gsl_cdf_chisq_Pinv(tail, 2 * count - 2) / (2 * missing);
     statistics.upper_concentration = gsl_cdf_chisq_Qinv(tail, 2 * count - 2) / (2 * missing);
     statistics.confidence_cone =
