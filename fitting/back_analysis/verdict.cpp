@@ -198,9 +198,10 @@ std::string Words::priors() const {
         return "The priors settle what the data leave open: the fitted values are a compromise that depends on "
                "them.";
     }
+    const std::string of_all = " of " + std::to_string(count());
     return "Even with the priors " + std::to_string(still_open) +
-           (still_open == 1 ? " direction of " : " directions of ") + std::to_string(count()) +
-           (still_open == 1 ? " stays" : " stay") + " open: the fitted values are one choice out of many.";
+           (still_open == 1 ? " direction" + of_all + " stays" : " directions" + of_all + " stay") +
+           " open: the fitted values are one choice out of many.";
 }
 
 std::string Words::all() const {

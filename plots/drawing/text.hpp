@@ -17,7 +17,7 @@ std::string wrapped(std::string_view text, std::size_t letters);
 // "strength.friction_angle" -> "strength: friction angle".
 std::string human_name(std::string_view name);
 
-// With a capital, as a sentence begins.
+// The text with a capital letter first, as a sentence begins.
 std::string capitalised(std::string text);
 
 // The words for a value of an enum, given for all of them in their order.

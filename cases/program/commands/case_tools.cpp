@@ -24,12 +24,16 @@ namespace {
 // Only the result tells what a model answers under the conditions of an entry: what is nearly the name of an output is
 // asked about, not refused.
 std::vector<std::string> doubts_about_expectations(const CaseFile& file) {
-    const std::vector<std::string> outputs = names_in(known_outputs(file.model));
+    std::vector<std::string> outputs;  // found where they are needed: for that a slope is cut
     std::vector<std::string> doubts;
     for (const Expectation& expected : file.expectations) {
-        const bool is_number = expected.tolerance || expected.relative_tolerance;
-        const std::string meant = is_number && !expected.dimension ? suggestion(expected.quantity, outputs) : "";
-        if (!meant.empty()) {
+        if (expected.dimension || !(expected.tolerance || expected.relative_tolerance)) {
+            continue;
+        }
+        if (outputs.empty()) {
+            outputs = names_in(known_outputs(file.model));
+        }
+        if (const std::string meant = suggestion(expected.quantity, outputs); !meant.empty()) {
             doubts.push_back("line " + std::to_string(expected.place.line) + ": is " + expected.quantity +
                              " an output of the model?" + meant);
         }

@@ -64,6 +64,7 @@ void add_slope(const SlopeSection<>& slope, std::vector<Handle>& handles) {
         add(handles, "toe", {"slope.toe_elevation"}, up);
     } else {
         add(handles, "toe", {"slope.height", "slope.face_dip"}, up);
+        handles.back().is_origin = true;
     }
     add(handles, "crest", {"slope.height", "slope.face_dip"}, crest + up);
     if (slope.bench) {
@@ -178,13 +179,16 @@ void add_sets(const RelaxationSlope& slope, const std::vector<Quantity>& inputs,
     for (const SectionPoint& corner : slope.geometry.outline) {
         box.extend(Point(corner.x, corner.y));
     }
-    for (std::size_t index = 0; index < slope.geometry.cut.size() && !box.isEmpty(); ++index) {
+    if (box.isEmpty()) {
+        return;
+    }
+    constexpr double spoke = 0.3;
+    const double length = spoke * box.sizes().minCoeff();
+    for (std::size_t index = 0; index < slope.geometry.cut.size(); ++index) {
         const std::string key = "scene.cut[" + std::to_string(index + 1) + "].trace";
         const Quantity* dip = find_quantity(inputs, key + ".dip");
         const Quantity* spacing = find_quantity(inputs, key + ".spacing");
         if (dip != nullptr && spacing != nullptr) {
-            constexpr double spoke = 0.3;
-            const double length = spoke * box.sizes().minCoeff();
             add(handles, "joint set " + slope.geometry.cut[index].name, {key + ".dip"},
                 box.center() + length * Point(std::cos(dip->value), std::sin(dip->value)));
         }
@@ -254,10 +258,11 @@ std::vector<Condition> dragged(const CaseModel& model, const std::string& name, 
     std::vector<Condition> values;
     std::vector<const Quantity*> quantities;
     const std::vector<Handle> before = handles_of(model);
-    if (name == "toe" && named(before, name).inputs.size() == 2) {
+    const Handle& handle = named(before, name);
+    if (handle.is_origin) {
         return with_toe_at(to, inputs);
     }
-    for (const std::string& input : named(before, name).inputs) {
+    for (const std::string& input : handle.inputs) {
         quantities.push_back(find_quantity(inputs, input));
         values.push_back({input, quantities.back()->value});
     }

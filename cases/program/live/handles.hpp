@@ -13,6 +13,8 @@ struct Handle {
     std::string name;  // "crest"; of a point that the case gives by coordinates its name: "scene.outline[2]"
     std::vector<std::string> inputs;  // one or two, by the names of named_inputs: what a drag changes
     Point at;                         // m, in the axes of the section's figure
+    // The point from which all others are measured: a drag leaves these where they are seen.
+    bool is_origin = false;
 };
 
 // Toe (the origin of the section: where it has no elevation, a drag leaves the crest in its place), crest, bench,

@@ -16,7 +16,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <stdexcept>
 #include <type_traits>
 
@@ -57,8 +56,6 @@ Type member_or(const Json& json, const char* name, Type otherwise) {
 Json finite(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
-
-using LongLists = std::map<std::string, std::size_t, std::less<>>;
 
 // "strength" of "strength.friction_angle", "bolt[1]" of "bolt[1].force"; "case" for what stands in no section. All
 // members of a long list are one group.
@@ -115,7 +112,8 @@ Json json_of_handles(const CaseModel& model) {
         if (handles.size() < most_handles) {
             handles.push_back({{"name", handle.name},
                                {"inputs", handle.inputs},
-                               {"at", Json::array({handle.at.x(), handle.at.y()})}});
+                               {"at", Json::array({handle.at.x(), handle.at.y()})},
+                               {"is_origin", handle.is_origin}});
         }
     }
     return handles;

@@ -161,8 +161,8 @@ std::string list_of(std::string_view name) {
     return std::string(bracket == std::string_view::npos ? std::string_view() : name.substr(0, bracket));
 }
 
-std::map<std::string, std::size_t, std::less<>> long_lists(const std::vector<Quantity>& quantities) {
-    std::map<std::string, std::size_t, std::less<>> lists;
+LongLists long_lists(const std::vector<Quantity>& quantities) {
+    LongLists lists;
     std::string_view member;
     for (const Quantity& quantity : quantities) {  // those of a member follow each other
         const std::string_view name = quantity.name;

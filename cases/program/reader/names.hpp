@@ -34,7 +34,8 @@ std::string choices(const std::vector<std::string>& words);
 std::string list_of(std::string_view name);
 
 // Lists of more members than anyone would set one by one, as measured poles are, and how many each has.
-std::map<std::string, std::size_t, std::less<>> long_lists(const std::vector<Quantity>& quantities);
+using LongLists = std::map<std::string, std::size_t, std::less<>>;
+LongLists long_lists(const std::vector<Quantity>& quantities);
 
 std::vector<std::string> names_in(const std::vector<Quantity>& quantities);
 

@@ -11,7 +11,7 @@ namespace delabole {
 void append_inputs(const CaseFile& file, Report& report) {
     Table table{"Inputs of the case", {"input", "value"_number, "meaning", "source"}};
     const std::vector<Quantity> inputs = named_inputs(file.model);
-    auto lists = long_lists(inputs);
+    LongLists lists = long_lists(inputs);
     for (const Quantity& input : inputs) {
         const auto list = lists.find(list_of(input.name));
         if (list != lists.end()) {

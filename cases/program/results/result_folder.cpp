@@ -88,13 +88,17 @@ double in_display_unit(double value, Dimension dimension) {
     return value / display_unit(dimension).si_per_unit;
 }
 
-std::string in_six_digits(double value, Dimension dimension) {
+std::string in_digits(double value, Dimension dimension, int digits) {
     const DisplayUnit unit = shown_unit(dimension);
-    std::string text = human_number(in_display_unit(value, dimension) == 0 ? 0 : value / unit.si_per_unit, 6);
+    std::string text = human_number(in_display_unit(value, dimension) == 0 ? 0 : value / unit.si_per_unit, digits);
     if (!unit.symbol.empty()) {
         text.append(" ").append(unit.symbol);
     }
     return text;
+}
+
+std::string in_six_digits(double value, Dimension dimension) {
+    return in_digits(value, dimension, 6);
 }
 
 Json json_number(double value) {

@@ -38,8 +38,10 @@ std::string title_of(const CaseFile& file, const Options& options);
 
 // A number in its display unit under a name that carries the unit: "crack_depth_m", "plane_dip_deg".
 std::string column_name(std::string_view name, Dimension dimension);
-// Rounding of lengths, areas, angles and forces (1e-12 in SI) is 0.
+// Rounding of lengths, areas, angles and forces (1e-11 in SI) is 0.
 double in_display_unit(double value, Dimension dimension);
+// With its unit, in so many digits.
+std::string in_digits(double value, Dimension dimension, int digits);
 // Six digits for a reader, who compares with printed values; CSV and JSON have all of them.
 std::string in_six_digits(double value, Dimension dimension);
 

@@ -199,7 +199,7 @@ function addHandles(picture, answer) {
       let dragging = null;
       const move = moved => {
         if (!dragging) remember();
-        dragging = drag(handle.name, dataAt(picture, moved, toPicture), isOrigin(handle) && start);
+        dragging = drag(handle.name, dataAt(picture, moved, toPicture), handle.is_origin && start);
       };
       const end = async () => {
         window.removeEventListener('pointermove', move);
@@ -223,10 +223,7 @@ function addHandles(picture, answer) {
   }
 }
 
-// The toe, from which everything is measured: it stays under the pointer when the picture is shifted.
-const isOrigin = handle => handle.name === 'toe' && handle.inputs.length === 2;
-
-// `start` is what a drag of the origin counts from.
+// `start` is what a drag of the origin counts from: it stays under the pointer while the picture is shifted.
 const drag = latest(async (handle, to, start) => {
   const answer = await ask('/drag', {values: start ? start.values : state.values, handle, to});
   const goes = start && Object.entries(answer.values).some(([name, value]) => digits(value) !== digits(start.values[name] ?? state.inputs.get(name).value));

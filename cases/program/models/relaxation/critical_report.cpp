@@ -55,9 +55,7 @@ std::string bracket_in_words(double value, double other, Dimension dimension) {
     constexpr int most = 6;
     const double apart = std::abs(value / (value - other));
     const int digits = std::isfinite(apart) ? static_cast<int>(std::ceil(std::log10(std::max(apart, 1.0)))) + 1 : most;
-    const DisplayUnit unit = shown_unit(dimension);
-    const std::string number = human_number(value / unit.si_per_unit, std::clamp(digits, fewest, most));
-    return unit.symbol.empty() ? number : number + " " + std::string(unit.symbol);
+    return in_digits(value, dimension, std::clamp(digits, fewest, most));
 }
 
 Cell value_or_status(const PathValue& value) {

@@ -34,7 +34,7 @@ inline std::string label_of(std::size_t block, bool fixed) {
 // A length in metres or, below one, millimetres (feet or inches); 0 where it is rounding.
 std::string length_in_words(double length);
 
-// Degrees without their sign; 0 where nobody would see it.
+// An angle in degrees, for a column that names the unit; 0 where nobody would see it.
 std::string degrees_in_words(double angle);
 
 // Blocks at the start and at the end, velocities, contact forces, the table of blocks; nothing where there was no run.

@@ -114,11 +114,14 @@ BlockDrawing slope_drawing(const RelaxationRun& made, const std::vector<Motion>&
         constexpr double half = 0.5;
         shown.mode = bodies.fixed[block] != 0 ? DrawnMode::fixed : DrawnMode::plain;
         if (bodies.fixed[block] == 0) {
-            const bool moving = made.stage.empty() && has_failed(made.result.block[block].movement);
-            shown.rock = stage[block] > 0               ? std::min(stage[block], most_shades)
-                         : failure.share[block] >= half ? 1
-                         : moving                       ? 2
-                                                        : 0;
+            shown.rock = 0;
+            if (stage[block] > 0) {
+                shown.rock = std::min(stage[block], most_shades);
+            } else if (failure.share[block] >= half) {
+                shown.rock = 1;
+            } else if (made.stage.empty() && has_failed(made.result.block[block].movement)) {
+                shown.rock = 2;
+            }
         }
         drawing.blocks.push_back(std::move(shown));
     }
