@@ -1,7 +1,9 @@
 #include "dynamic_relaxation/study/critical.hpp"
 
+#include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace delabole {
 
@@ -29,58 +31,124 @@ std::optional<CriticalStatus> no_answer(RelaxationOutcome outcome) {
     return CriticalStatus::not_valid;
 }
 
+constexpr std::array milder_shares = {0.98, 0.96, 0.93, 0.9};
+
+class Bisection {
+  public:
+    Bisection(const std::function<CriticalProbe(double)>& probe, double should_stand, double should_fail,
+              double tolerance, BracketMean mean)
+        : probe_(probe), tolerance_(tolerance), mean_(mean), stands_low_(should_stand < should_fail) {
+        critical_.stands = should_stand;
+        critical_.fails = should_fail;
+    }
+
+    CriticalValue find() {
+        const double should_stand = critical_.stands;
+        const std::optional<bool> first = stands_at(should_stand);
+        if (!first) {
+            return critical_;
+        }
+        if (!*first) {
+            critical_.status = CriticalStatus::fails_everywhere;
+            return critical_;
+        }
+        const std::optional<bool> second = stands_at(critical_.fails);
+        if (!second) {
+            return critical_;
+        }
+        if (*second) {
+            critical_.status = CriticalStatus::stands_everywhere;
+            return critical_;
+        }
+        while (bisect() && mean_ == BracketMean::geometric && rested_in_motion_ && fails_milder(should_stand)) {
+        }
+        return critical_;
+    }
+
+  private:
+    // Nothing, with the status set, where the run had no answer.
+    std::optional<bool> stands_at(double value) {
+        const CriticalProbe run = probe_(value);
+        critical_.last = value;
+        ++critical_.runs;
+        critical_.steps += run.steps;
+        critical_.contacts_evaluated += run.contacts_evaluated;
+        if (const auto status = no_answer(run.outcome)) {
+            critical_.status = *status;
+            return std::nullopt;
+        }
+        const bool stands = run.outcome == RelaxationOutcome::equilibrium;
+        if (stands) {
+            stood_.push_back(value);
+            rested_in_motion_ = run.rested_in_motion;
+        } else {
+            critical_.held_by_corners = run.outcome == RelaxationOutcome::held_by_corners;
+        }
+        return stands;
+    }
+
+    // False, with the status set, where a run had no answer.
+    bool bisect() {
+        while (std::abs(critical_.stands - critical_.fails) > tolerance_) {
+            const double middle =
+                mean_ == BracketMean::geometric ? std::sqrt(critical_.stands * critical_.fails) : critical_.value();
+            if (middle == critical_.stands || middle == critical_.fails) {
+                break;
+            }
+            const std::optional<bool> stands = stands_at(middle);
+            if (!stands) {
+                return false;
+            }
+            (*stands ? critical_.stands : critical_.fails) = middle;
+        }
+        return true;
+    }
+
+    bool is_milder(double one, double other) const { return stands_low_ ? one < other : one > other; }
+
+    // Whether the blocks fail at a value milder than the one that bisection found to stand; the bracket is then that
+    // value and the nearest milder one that stood. A run without an answer says nothing here.
+    bool fails_milder(double should_stand) {
+        const double found = critical_.stands;
+        for (const double share : milder_shares) {
+            const double value = stands_low_ ? found * share : found / share;
+            if (!is_milder(should_stand, value)) {
+                break;
+            }
+            const std::optional<bool> stands = stands_at(value);
+            if (critical_.status == CriticalStatus::interrupted) {
+                break;
+            }
+            critical_.status = CriticalStatus::found;
+            if (stands && !*stands) {
+                critical_.stands_again = critical_.stands_again.value_or(found);
+                critical_.fails = value;
+                critical_.stands = should_stand;
+                for (const double stood : stood_) {
+                    if (is_milder(critical_.stands, stood) && is_milder(stood, value)) {
+                        critical_.stands = stood;
+                    }
+                }
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const std::function<CriticalProbe(double)>& probe_;
+    double tolerance_;
+    BracketMean mean_;
+    bool stands_low_;
+    std::vector<double> stood_;
+    bool rested_in_motion_ = false;  // in the last run that stood
+    CriticalValue critical_;
+};
+
 }  // namespace
 
 CriticalValue find_critical(const std::function<CriticalProbe(double)>& probe, double should_stand, double should_fail,
                             double tolerance, BracketMean mean) {
-    CriticalValue critical;
-    critical.stands = should_stand;
-    critical.fails = should_fail;
-    // Returns nothing, with the status set, where the run had no answer.
-    const auto stands_at = [&](double value) -> std::optional<bool> {
-        const CriticalProbe run = probe(value);
-        critical.last = value;
-        ++critical.runs;
-        critical.steps += run.steps;
-        critical.contacts_evaluated += run.contacts_evaluated;
-        if (const auto status = no_answer(run.outcome)) {
-            critical.status = *status;
-            return std::nullopt;
-        }
-        const bool stands = run.outcome == RelaxationOutcome::equilibrium;
-        critical.held_by_corners =
-            stands ? critical.held_by_corners : run.outcome == RelaxationOutcome::held_by_corners;
-        return stands;
-    };
-    const std::optional<bool> first = stands_at(should_stand);
-    if (!first) {
-        return critical;
-    }
-    if (!*first) {
-        critical.status = CriticalStatus::fails_everywhere;
-        return critical;
-    }
-    const std::optional<bool> second = stands_at(should_fail);
-    if (!second) {
-        return critical;
-    }
-    if (*second) {
-        critical.status = CriticalStatus::stands_everywhere;
-        return critical;
-    }
-    while (std::abs(critical.stands - critical.fails) > tolerance) {
-        const double middle =
-            mean == BracketMean::geometric ? std::sqrt(critical.stands * critical.fails) : critical.value();
-        if (middle == critical.stands || middle == critical.fails) {
-            break;
-        }
-        const std::optional<bool> stands = stands_at(middle);
-        if (!stands) {
-            break;
-        }
-        (*stands ? critical.stands : critical.fails) = middle;
-    }
-    return critical;
+    return Bisection(probe, should_stand, should_fail, tolerance, mean).find();
 }
 
 }  // namespace delabole

@@ -178,7 +178,7 @@ class PathSearch {
             return {RelaxationOutcome::scene_not_valid, 0};
         }
         Simulation simulation = begun(scene, begin);
-        const double expected = 3 + std::ceil(std::log2(std::max(2.0, (plan_.upper - plan_.lower) / plan_.tolerance)));
+        const double expected = 5 + std::ceil(std::log2(std::max(2.0, (plan_.upper - plan_.lower) / plan_.tolerance)));
         const bool ended = go_on(
             simulation, work_,
             [&](double share) {
@@ -190,11 +190,14 @@ class PathSearch {
                 progress_.probe_state.reset();
             },
             [] {});
-        const RelaxationCost cost = simulation.result().cost;
+        const RelaxationResult result = simulation.result();
+        const RelaxationCost& cost = result.cost;
         if (!ended) {
             return {RelaxationOutcome::interrupted, cost.steps, cost.contacts_evaluated};
         }
-        progress_.probe.push_back({simulation.outcome(), cost.steps, cost.contacts_evaluated});
+        const bool balanced =
+            result.start_balance && result.start_balance->unbalanced_ratio <= settings_.equilibrium_ratio;
+        progress_.probe.push_back({simulation.outcome(), cost.steps, cost.contacts_evaluated, !balanced});
         if (simulation.outcome() == RelaxationOutcome::onset || simulation.outcome() == RelaxationOutcome::collapse ||
             simulation.outcome() == RelaxationOutcome::held_by_corners) {
             progress_.failed = simulation.state();

@@ -300,6 +300,15 @@ void append_critical(Analysis& analysis, const CriticalPlan& plan, const Critica
                                     " the blocks rest only because corners bear on corners, which is not taken for "
                                     "standing: settings.corners_bear = \"on\" finds where they move in spite of that");
     }
+    if (critical.stands_again) {
+        const std::string again = in_six_digits(*critical.stands_again, dimension);
+        append("critical.stands_again", "value at which the blocks stand although they fail at a milder one", dimension,
+               *critical.stands_again, true);
+        analysis.warnings.push_back("the blocks stand again at " + again + ", although they fail at " +
+                                    in_six_digits(critical.fails, dimension) +
+                                    ": whether they jam on the way depends on details such as rounding; the answer is "
+                                    "the mildest value at which they were found to fail");
+    }
     append("critical.runs", "runs made", Dimension::ratio, static_cast<double>(critical.runs), true);
     append("critical.steps", "time steps of all runs", Dimension::ratio, static_cast<double>(critical.steps), true);
     for (std::size_t index = 0; index < critical.other.size(); ++index) {

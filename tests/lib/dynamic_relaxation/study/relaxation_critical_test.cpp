@@ -30,6 +30,33 @@ TEST(FindCritical, BracketsTheChangeFromEitherSide) {
     }
 }
 
+// Bisection of 1 to 4 goes 2, 1.41, 1.68, 1.54, 1.47 and would end between 1.47 and 1.51, beyond the values from 1.40
+// to 1.46 at which it fails.
+TEST(FindCritical, RatiosAtWhichItStandsAgainAreNoAnswer) {
+    const auto probe = [](double value) { return stands_if(value < 1.34 || (value > 1.405 && value < 1.5)); };
+    const auto in_motion = [](CriticalProbe run) {
+        run.rested_in_motion = true;
+        return run;
+    };
+    for (const bool stands_low : {true, false}) {
+        const auto turned = [&](double value) { return in_motion(probe(stands_low ? value : 4 / value)); };
+        const double mild = stands_low ? 1 : 4;
+        const double strong = stands_low ? 4 : 1;
+        const CriticalValue critical = find_critical(turned, mild, strong, 0.01, BracketMean::geometric);
+        ASSERT_EQ(critical.status, CriticalStatus::found);
+        ASSERT_TRUE(critical.stands_again);
+        EXPECT_NEAR(stands_low ? *critical.stands_again : 4 / *critical.stands_again, 1.5, 0.01);
+        EXPECT_NEAR(stands_low ? critical.value() : 4 / critical.value(), 1.34, 0.01);
+    }
+    const CriticalValue in_balance = find_critical(probe, 1, 4, 0.01, BracketMean::geometric);
+    EXPECT_FALSE(in_balance.stands_again);
+    EXPECT_NEAR(in_balance.value(), 1.5, 0.01);
+    const CriticalValue once = find_critical([&](double value) { return in_motion(stands_if(value < 1.38)); }, 1, 4,
+                                             0.01, BracketMean::geometric);
+    EXPECT_FALSE(once.stands_again);
+    EXPECT_NEAR(once.value(), 1.38, 0.01);
+}
+
 TEST(FindCritical, CollapseCountsAsFailure) {
     const auto probe = [](double value) {
         return CriticalProbe{value < 0.5 ? RelaxationOutcome::equilibrium : RelaxationOutcome::collapse, 1};
