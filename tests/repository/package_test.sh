@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The library as its user gets it: installed, found by find_package, and the README's own example built on it and run.
+# The library as its user gets it: installed, found by find_package, and the READMEs' own examples built on it and run.
 set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -14,11 +14,23 @@ fi
 
 mkdir "$work/consumer"
 cd "$work/consumer"
-fenced() { # language: the README's blocks of that language
-    awk -v fence="\`\`\`$1" '$0 == fence { inside = 1; next } /^```$/ { inside = 0 } inside' "$DELABOLE_SOURCE/README.md"
+fenced() { # language [README]: the blocks of that language
+    awk -v fence="\`\`\`$1" '$0 == fence { inside = 1; next } /^```$/ { inside = 0 } inside' \
+        "$DELABOLE_SOURCE/${2:-README.md}"
 }
 fenced cmake >CMakeLists.txt
 fenced cpp >slope.cpp
+
+# The examples of lib/README.md, one scope each, and what their comments say that they print.
+{
+    fenced cpp lib/README.md | grep '^#include'
+    printf '#include <iostream>\nusing namespace delabole;\nint main() {\n'
+    awk '$0 == "```cpp" { inside = 1; print "{"; next } inside && /^```$/ { inside = 0; print "}" } inside && !/^#/' \
+        "$DELABOLE_SOURCE/lib/README.md"
+    echo '}'
+} >one_per_model.cpp
+fenced cpp lib/README.md | sed -n 's|^std::cout .*// \([0-9.]*\).*|\1|p' >printed
+test "$(wc -l <printed)" -ge 9
 
 # Beside it a source that includes every header installed, so that one left behind is missed here and not by a user.
 {
@@ -29,6 +41,8 @@ fenced cpp >slope.cpp
 cat >>CMakeLists.txt <<'CMAKE'
 add_executable(every_header every_header.cpp)
 target_link_libraries(every_header PRIVATE delabole::lib)
+add_executable(one_per_model one_per_model.cpp)
+target_link_libraries(one_per_model PRIVATE delabole::lib)
 file(WRITE ${CMAKE_BINARY_DIR}/version_found ${delabole_VERSION}\n)
 CMAKE
 
@@ -36,3 +50,4 @@ cmake -S . -B build -G Ninja -D CMAKE_PREFIX_PATH="$work/prefix"
 cmake --build build
 ./build/slope
 ./build/every_header | diff - build/version_found
+./build/one_per_model | diff printed -
