@@ -109,8 +109,9 @@ void document_mechanism(const MechanismRecovery& recovery, const ResultFolder& f
             rank_figure(recovery, recovery.parameters[index]),
             "ranks_" + recovery.name + "_" + std::to_string(index + 1),
             "How many of the draws of its posterior lay below the truth. Truths drawn from the prior have every rank "
-            "equally often; a hump in the middle would mean intervals that are too wide, horns at the ends too narrow, "
-            "a slope a bias."));
+            "equally often; a peak in the middle means that intervals are too wide, peaks at both ends that they are "
+            "too "
+            "narrow, a slope that they are biased."));
     }
     write_repetitions(recovery, folder);
 }

@@ -68,8 +68,8 @@ struct RelaxationNumerics {
             number("viscous_damping", &N::viscous_damping, Dimension::ratio, within(0, 2),
                    "dashpots of contacts, share of critical; absent: 0.2"),
             number("local_damping", &N::local_damping, Dimension::ratio, right_open(0, 1),
-                   "share of the unbalanced force that opposes the velocity: what fails is slower by as much; absent: "
-                   "0.2, but 0 with a record of shaking"),
+                   "share of the unbalanced force that acts against the velocity: failing blocks accelerate that much "
+                   "less; absent: 0.2, but 0 with a record of shaking"),
             section("kinetic_damping", &N::kinetic_damping, "all velocities to zero at energy peaks; absent: off"),
             section("mass_scaling", &N::mass_scaling,
                     "light blocks have the inertia of heavy ones: quicker to equilibrium, motion wrong; absent: off"),
