@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace delabole {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 struct Box {
-    double left = std::numeric_limits<double>::infinity();
-    double right = -std::numeric_limits<double>::infinity();
-    double bottom = std::numeric_limits<double>::infinity();
-    double top = -std::numeric_limits<double>::infinity();
+    double left = infinity;
+    double right = -infinity;
+    double bottom = infinity;
+    double top = -infinity;
 
     bool overlaps(const Box& other) const {
         return left <= other.right && other.left <= right && bottom <= other.top && other.bottom <= top;
@@ -56,15 +59,59 @@ double cell_width(const Bodies& bodies, const std::vector<char>& removed) {
     return 2 * *middle;
 }
 
+struct Extent {
+    double low;
+    double high;
+    std::uint32_t block;
+};
+
+// The extents of blocks across the longest edge of the middle one of them, drawn out by each block's reach, in
+// increasing order of `low`. A block whose position is not a number has an extent that overlaps none.
+std::vector<Extent> extents(const Bodies& bodies, const std::vector<Motion>& motion, const std::vector<double>& reach,
+                            const std::vector<std::uint32_t>& crowd) {
+    const CornerRange& middle = bodies.range[crowd[crowd.size() / 2]];
+    PlanePoint<> longest(0, 0);
+    for (std::size_t corner = middle.begin; corner < middle.end; ++corner) {
+        const PlanePoint<> edge =
+            moved_corner(bodies, motion, middle.after(corner)) - moved_corner(bodies, motion, corner);
+        longest = edge.norm() > longest.norm() ? edge : longest;
+    }
+    const PlanePoint<> across = PlanePoint<>(-longest.y(), longest.x()) / longest.norm();
+    std::vector<Extent> result;
+    result.reserve(crowd.size());
+    for (const std::uint32_t block : crowd) {
+        Extent extent{infinity, -infinity, block};
+        for (std::size_t corner = bodies.range[block].begin; corner < bodies.range[block].end; ++corner) {
+            const double at = across.dot(moved_corner(bodies, motion, corner));
+            extent.low = std::min(extent.low, at - reach[block]);
+            extent.high = std::max(extent.high, at + reach[block]);
+        }
+        result.push_back(extent);
+    }
+    std::ranges::sort(result, {}, &Extent::low);
+    return result;
+}
+
+template <class Visit>
+void for_overlapping(const std::vector<Extent>& sorted, const Visit& visit) {
+    for (auto first = sorted.begin(); first != sorted.end(); ++first) {
+        for (auto second = first + 1; second != sorted.end() && second->low <= first->high; ++second) {
+            visit(first->block, second->block);
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vector<Motion>& motion,
                                            const std::vector<char>& removed, const std::vector<double>& reach) {
-    // A block that covers more cells than this is compared with all others instead; so are all where they are few, and
-    // those that were shot so far away that cells cannot be numbered there.
+    // A block that covers more cells than this is compared with all others instead. So are all blocks if they are few,
+    // and those that were shot so far away that cells cannot be numbered there.
     constexpr double most_cells = 4096;
     constexpr double farthest = 1e15;  // cells
     constexpr std::size_t few_blocks = 16;
+    // Flat, inclined blocks fill a cell by thousands, each in the bounding boxes of all others.
+    constexpr std::size_t crowded = 64;
     const double width = cell_width(bodies, removed);
     const auto cell = [&](double coordinate) { return static_cast<std::int64_t>(std::floor(coordinate / width)); };
     const auto may_touch = [&](std::uint32_t first, std::uint32_t second) {
@@ -72,12 +119,15 @@ std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vect
     };
     std::vector<Box> boxes(bodies.size());
     std::vector<Entry> entries;
+    std::vector<std::uint32_t> present;
     std::vector<std::uint32_t> large;
+    std::vector<std::uint32_t> crowd;
     entries.reserve(4 * bodies.size());
     for (std::uint32_t block = 0; block < bodies.size(); ++block) {
         if (removed[block] != 0) {
             continue;
         }
+        present.push_back(block);
         const Box& box = boxes[block] = box_of(bodies, motion, block, reach[block]);
         const double away = std::max({-box.left, box.right, -box.bottom, box.top});
         if (bodies.size() <= few_blocks || !(away < farthest * width) ||
@@ -96,30 +146,43 @@ std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vect
     const auto add = [&](std::uint32_t first, std::uint32_t second) {
         pairs.emplace_back(std::min(first, second), std::max(first, second));
     };
-    for (std::size_t first = 0; first < entries.size(); ++first) {
-        const Entry& entry = entries[first];
-        for (std::size_t second = first + 1;
-             second < entries.size() && entries[second].row == entry.row && entries[second].column == entry.column;
-             ++second) {
-            const Box& one = boxes[entry.block];
-            const Box& two = boxes[entries[second].block];
+    for (auto begin = entries.begin(); begin != entries.end();) {
+        const auto end = std::find_if(begin, entries.end(), [&](const Entry& entry) {
+            return entry.row != begin->row || entry.column != begin->column;
+        });
+        const auto compare = [&](std::uint32_t first, std::uint32_t second) {
+            const Box& one = boxes[first];
+            const Box& two = boxes[second];
             // A pair that shares several cells is counted in the one with the lower left corner of what they share.
-            if (may_touch(entry.block, entries[second].block) && one.overlaps(two) &&
-                cell(std::max(one.bottom, two.bottom)) == entry.row &&
-                cell(std::max(one.left, two.left)) == entry.column) {
-                add(entry.block, entries[second].block);
+            if (may_touch(first, second) && one.overlaps(two) && cell(std::max(one.bottom, two.bottom)) == begin->row &&
+                cell(std::max(one.left, two.left)) == begin->column) {
+                add(first, second);
             }
+        };
+        if (end - begin <= static_cast<std::ptrdiff_t>(crowded)) {
+            for (auto first = begin; first != end; ++first) {
+                for (auto second = first + 1; second != end; ++second) {
+                    compare(first->block, second->block);
+                }
+            }
+        } else {
+            crowd.clear();
+            std::transform(begin, end, std::back_inserter(crowd), [](const Entry& entry) { return entry.block; });
+            for_overlapping(extents(bodies, motion, reach, crowd), compare);
         }
+        begin = end;
     }
-    for (std::size_t index = 0; index < large.size(); ++index) {
-        for (std::uint32_t block = 0; block < bodies.size(); ++block) {
-            const bool earlier_large = std::find(large.begin(), large.begin() + static_cast<std::ptrdiff_t>(index) + 1,
-                                                 block) != large.begin() + static_cast<std::ptrdiff_t>(index) + 1;
-            if (removed[block] == 0 && !earlier_large && may_touch(large[index], block) &&
-                boxes[large[index]].overlaps(boxes[block])) {
-                add(large[index], block);
-            }
+    if (!large.empty()) {
+        std::vector<char> is_large(bodies.size(), 0);
+        for (const std::uint32_t block : large) {
+            is_large[block] = 1;
         }
+        for_overlapping(extents(bodies, motion, reach, present), [&](std::uint32_t first, std::uint32_t second) {
+            if ((is_large[first] != 0 || is_large[second] != 0) && may_touch(first, second) &&
+                boxes[first].overlaps(boxes[second])) {
+                add(first, second);
+            }
+        });
     }
     std::sort(pairs.begin(), pairs.end());
     return pairs;
