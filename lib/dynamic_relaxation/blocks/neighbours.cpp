@@ -40,7 +40,7 @@ Box box_of(const Bodies& bodies, const std::vector<Motion>& motion, std::size_t 
     return {box.left - reach, box.right + reach, box.bottom - reach, box.top + reach};
 }
 
-// Cells are as wide as a middling free block.
+// Cells are as wide as a free block of median size.
 double cell_width(const Bodies& bodies, const std::vector<char>& removed) {
     std::vector<double> radius;
     for (std::size_t block = 0; block < bodies.size(); ++block) {
@@ -60,8 +60,8 @@ double cell_width(const Bodies& bodies, const std::vector<char>& removed) {
 
 std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vector<Motion>& motion,
                                            const std::vector<char>& removed, const std::vector<double>& reach) {
-    // A block that covers more cells than this is compared with all others instead; so are all where they are few, and
-    // those that were shot so far away that cells cannot be numbered there.
+    // A block that covers more cells than this is compared with all others instead. So is every block where there are
+    // few, and any block thrown so far away that its cells cannot be numbered.
     constexpr double most_cells = 4096;
     constexpr double farthest = 1e15;  // cells
     constexpr std::size_t few_blocks = 16;
@@ -103,7 +103,8 @@ std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vect
              ++second) {
             const Box& one = boxes[entry.block];
             const Box& two = boxes[entries[second].block];
-            // A pair that shares several cells is counted in the one with the lower left corner of what they share.
+            // A pair that shares several cells is counted in the cell of the lower left corner of the common area of
+            // its boxes.
             if (may_touch(entry.block, entries[second].block) && one.overlaps(two) &&
                 cell(std::max(one.bottom, two.bottom)) == entry.row &&
                 cell(std::max(one.left, two.left)) == entry.column) {
