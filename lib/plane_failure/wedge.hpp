@@ -151,8 +151,7 @@ bool find_height(const Ground<T>& ground, const T& height, T& x, CrackLocation& 
         if ((difference != 0 && (difference > 0) != (rate > 0)) || rate == 0) {
             continue;
         }
-        const T candidate = segment.x + difference / rate;  // The division is also needed where it gives 0, because its
-                                                            // derivative is not 0.
+        const T candidate = segment.x + difference / rate;  // divided even where it is 0, as its derivative is not
         if (last || candidate <= ground.segments[index + 1].x) {
             x = candidate;
             location = segment.location;
@@ -320,8 +319,7 @@ void set_stations(Wedge<T>& wedge, const Ground<T>& ground) {
             add(wedge.base_top_x, height_above_plane(wedge, ground, wedge.base_top_x), T(0));
             base_top_passed = true;
         }
-        const bool over_crack = leaning_out && x >= wedge.base_top_x;  // includes the end of the base: the floor there
-                                                                       // has a slope
+        const bool over_crack = leaning_out && x >= wedge.base_top_x;  // includes the base's end: its floor has a slope
         add(x, above,
             over_crack
                 ? T((x - wedge.base_top_x) * wedge.sine_crack_minus_plane / (wedge.crack.cosine * wedge.plane.cosine))

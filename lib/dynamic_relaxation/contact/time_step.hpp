@@ -16,8 +16,8 @@ namespace delabole {
 //   step^2 stiffness / 4 + step damping / 2 = 1,
 // where stiffness and damping are the greatest eigenvalues of (mass matrix)^-1 (sum over all contacts of the list and
 // all whole bonds, each taken with the contacts that would replace it), contacts and bonds with free blocks counted
-// twice: no system of such blocks can be stiffer, whichever of the contacts close. Without damping the step is 2 /
-// (circular frequency). The least step of all blocks is stable for the whole system.
+// twice: no system of such blocks can be stiffer, whichever of the contacts close. Without damping the step is
+// 2 / (circular frequency). The least step of all blocks is stable for the whole system.
 class SpringsOnBlock {
   public:
     SpringsOnBlock(const Bodies& bodies, std::size_t block) : bodies_(bodies), block_(block) {}

@@ -34,8 +34,8 @@ struct JointMaterial {
     double residual_cohesion = 0;
 };
 
-// Intact rock between two blocks (bonds.hpp). Young's modulus is that of the plane problem: E in plane stress, E / (1 -
-// nu^2) in plane strain.
+// Intact rock between two blocks (bonds.hpp). Young's modulus is that of the plane problem: E in plane stress,
+// E / (1 - nu^2) in plane strain.
 struct BondMaterial {
     double young_modulus;     // Pa, more than 0
     double shear_modulus;     // Pa, more than 0
@@ -120,10 +120,10 @@ struct TimedVector {
 };
 
 struct PrescribedMotion {
-    std::size_t block;                  // a fixed one
-    std::vector<TimedVector> velocity;  // m/s, of the centroid, in section axes; zero before the first, constant after
-                                        // the last
-    double angular_velocity = 0;        // rad/s about `pivot`, from `start` for `duration`
+    std::size_t block;  // a fixed one
+    std::vector<TimedVector>
+        velocity;  // m/s, of the centroid, section axes; zero before the first, then constant after the last
+    double angular_velocity = 0;  // rad/s about `pivot`, from `start` for `duration`
     PlanePoint<> pivot = {0, 0};
     double start = 0;
     double duration = 0;

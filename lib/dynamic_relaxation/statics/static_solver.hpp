@@ -26,10 +26,8 @@ struct StaticSolveSettings {
 
 struct StaticSolution {
     double ratio;                       // unbalanced ratio of the most balanced state met
-    bool cut_short;                     // ended at the limit of solutions: with more of them there may be an
-                                        // equilibrium
-    bool at_farthest;                   // blocks still crept at the farthest distance allowed: they may go on from
-                                        // there
+    bool cut_short;                     // ended at the limit of solutions; with more there may be an equilibrium
+    bool at_farthest;                   // blocks still crept at the farthest distance allowed
     std::vector<Motion> most_balanced;  // motion in the most balanced state
     MemoryArray memory;                 // of the contacts in that state; empty if the call before this one met it
     std::uint64_t contacts_evaluated;

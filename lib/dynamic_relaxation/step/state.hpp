@@ -120,8 +120,7 @@ struct RelaxationState {
     std::optional<FirstCrack> first_crack = {};
     std::optional<BlockOverlap> overlap = {};  // the greatest share that was measured so far
     std::uint64_t outcome = 0;                 // RelaxationOutcome
-    std::vector<char> held_by_corners = {};    // for each block whether it is held by corners, if that is the outcome;
-                                               // otherwise empty
+    std::vector<char> held_by_corners = {};    // for each block, if that is the outcome; otherwise empty
 };
 
 // A state at rest from which other runs begin. They take over its motion, springs, slip, broken contacts and time (no

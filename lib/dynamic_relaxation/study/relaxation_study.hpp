@@ -230,8 +230,7 @@ struct StudyProgress {
     RelaxationHistory history = {};
     MotionRecord record = {};
     MotionRecord slope = {};                  // motion of a jointed slope
-    std::vector<FailureStage> stage = {};     // finished stages of retrogression; `state` is that of the stage in
-                                              // progress
+    std::vector<FailureStage> stage = {};     // finished stages of retrogression; `state` is of the next one
     std::vector<SearchProgress> search = {};  // on the paths of the plan that have begun
 };
 
@@ -261,8 +260,7 @@ struct RelaxationRun {
     double early_time = 0;              // s
     bool ends_with_duration = false;    // the duration is the intended end, also of an undecided run
     bool in_stages = false;             // by retrogression
-    std::vector<FailureStage> stage{};  // stages of retrogression that failed; `end` and `result` are those of the run
-                                        // after them
+    std::vector<FailureStage> stage{};  // failed stages of retrogression; `end` and `result` are of the run after them
 
     // Whether the run reached its limit of time or steps before the requested end.
     bool unfinished() const {

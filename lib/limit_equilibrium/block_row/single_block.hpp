@@ -106,8 +106,7 @@ enum class SingleBlockCheck {
 enum class BlockMotion { stable, slides, topples, slides_and_topples, lifts_off };
 
 struct SingleBlockResult {
-    SingleBlockCheck check = SingleBlockCheck::input_out_of_range;  // the other members are valid only if `check` is
-                                                                    // valid
+    SingleBlockCheck check = SingleBlockCheck::input_out_of_range;  // the rest is meaningful only if valid
     BlockMotion static_mode{};                                      // superposition of the two criteria
     BlockMotion onset_mode{};                                       // of the rigid body released from rest
     double factor_of_safety{};                                      // against sliding; infinite if no force drives

@@ -16,11 +16,11 @@
 // cohesion: a joint that touches at a corner has no area for it.
 //
 // Where c m >= 1 (friction angles adding to 90 deg) pushing the column up no longer unloads it: the friction of the
-// push reduces the base's resistance by more than the push itself provides. A column that its own base holds (D - c N -
-// C + P_n (1 - c m) <= 0) needs no push; any other cannot be held by a push, and the force becomes infinite. There a
-// column changes at once from needing no push to being held by none, and the slope from standing to failing, without a
-// strength at which the toe column is in limiting equilibrium. The same applies to a column that topples without a
-// neighbour to lean on.
+// push reduces the base's resistance by more than the push itself provides. A column that its own base holds
+// (D - c N - C + P_n (1 - c m) <= 0) needs no push; any other cannot be held by a push, and the force becomes infinite.
+// There a column changes at once from needing no push to being held by none, and the slope from standing to failing,
+// without a strength at which the toe column is in limiting equilibrium. The same applies to a column that topples
+// without a neighbour to lean on.
 #pragma once
 
 #include "limit_equilibrium/columns/column.hpp"

@@ -10,8 +10,8 @@
 //   along the joint   A = m_A R + c_A l_A + Q (cos d + m sin d)
 //   normal to it      R = B - U + Q (sin d - m cos d)
 //   Q [cos d (1 - m_A m) + sin d (m_A + m)] = A - m_A (B - U) - c_A l_A.
-// The right side is the force that the wedge lacks to stand by itself. The bracket is cos(d - phi_A - phi) / (cos phi_A
-// cos phi): positive unless phi_A + phi >= 90 deg + d, where the wedge jams.
+// The right side is the force that the wedge lacks to stand by itself. The bracket is
+// cos(d - phi_A - phi) / (cos phi_A cos phi): positive unless phi_A + phi >= 90 deg + d, where the wedge jams.
 //
 // Cohesion also holds the wedge where water takes its weight off the joint, B < U, as in plane failure. Where it does
 // not and R would be negative, water or the columns' friction lifts the wedge off: it rests on the last column alone

@@ -25,9 +25,9 @@
 // which for bases normal to the joints, s = 90 deg, is the 1 - c m of Goodman & Bray (1976). Columns touch at the
 // ground, d = 0; a wedge behind the last one touches it at the height given in slide_head.hpp. At a given strength more
 // push on a column requires more push below it, so that of all surfaces above a column the one with the greatest need
-// governs: dynamic programming over columns and levels finds the surface whose toe lacks most. This does not hold if e
-// < 0, nor for a column whose loads rotate it rather than slide it and that is so squat that drag holds it, O > 0 and A
-// + m B < 0. Above such columns the needs of all surfaces are passed down, from the 65th on those of evenly spaced
+// governs: dynamic programming over columns and levels finds the surface whose toe lacks most. This does not hold if
+// e < 0, nor for a column whose loads rotate it rather than slide it and that is so squat that drag holds it, O > 0 and
+// A + m B < 0. Above such columns the needs of all surfaces are passed down, from the 65th on those of evenly spaced
 // ranks. Such a column is also the more stable the more the weak ones above it push, so that a slope may stand at one
 // strength and fail at a greater one. F is searched from the weak side: strengths above the first at which all surfaces
 // stand are not tried. A wedge that is lifted off its riser drags by less than m (slide_head.hpp). The factor of safety
