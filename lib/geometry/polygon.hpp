@@ -1,9 +1,9 @@
 // Simple polygons in the section plane: area, centroid, second moment, cutting.
 //
 // Closed chains without repetition of the first vertex, anticlockwise for positive area. Exact up to rounding: vertices
-// are taken relative to the first one, so that a sliver far from the origin loses nothing but the rounding of its own
-// coordinates. Any scalar (double; more digits in tests). Formulas: Green's theorem over the triangles that each edge
-// makes with the first vertex.
+// are taken relative to the first one, so that even for a sliver far from the origin only the rounding of its own
+// coordinates matters. Any scalar (double; more digits in tests). Formulas: Green's theorem over the triangles that
+// each edge makes with the first vertex.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,7 +23,7 @@ using Polygon = std::vector<PlanePoint<T>>;
 template <class T = double>
 struct AreaProperties {
     T area;                  // m2, negative for clockwise polygons
-    PlanePoint<T> centroid;  // of a polygon without area: the mean of its vertices; of one without vertices: zero
+    PlanePoint<T> centroid;  // of a polygon without area: the mean of its vertices; without vertices: zero
     T polar_second_moment;   // m4, about the centroid, with the sign of the area
 };
 
@@ -63,7 +63,7 @@ AreaProperties<T> area_properties(const Polygon<T>& polygon) {
     return {area, PlanePoint<T>(T(x0 + x), T(y0 + y)), T(polar / 12 - area * (x * x + y * y))};
 }
 
-// Points on the left of the line from `from` to `to`, and on it.
+// Points on the line from `from` to `to` and to the left of it.
 template <class T = double>
 struct HalfPlane {
     PlanePoint<T> from;
@@ -81,9 +81,9 @@ struct SplitPolygon {
     Polygon<T> right;
 };
 
-// The two parts of a polygon; either may be empty. Both get the same points of intersection, so that no area is lost or
-// counted twice. Parts of a polygon that is not convex may be joined along the line by edges of no area: area, centroid
-// and second moment stay right.
+// The two parts of a polygon; either may be empty. Both have the same points of intersection, so that no area is lost
+// or counted twice. Parts of a polygon that is not convex may be joined along the line by edges that enclose no area:
+// area, centroid and second moment remain correct.
 template <class T>
 SplitPolygon<T> split(const Polygon<T>& polygon, const HalfPlane<T>& line) {
     SplitPolygon<T> parts;
@@ -117,7 +117,7 @@ SplitPolygon<T> split(const Polygon<T>& polygon, const HalfPlane<T>& line) {
     return parts;
 }
 
-// Decided by the number of edges to the right of the point. On an edge either answer may come.
+// Determined from the number of edges to the right of the point. For a point on an edge the answer may be either.
 inline bool inside(const Polygon<>& polygon, const PlanePoint<>& point) {
     bool result = false;
     for (std::size_t index = 0; index < polygon.size(); ++index) {
@@ -131,7 +131,7 @@ inline bool inside(const Polygon<>& polygon, const PlanePoint<>& point) {
     return result;
 }
 
-// The part of a polygon in a half-plane; empty where there is none.
+// The part of a polygon in a half-plane; empty if there is none.
 template <class T>
 Polygon<T> clip(const Polygon<T>& polygon, const HalfPlane<T>& half_plane) {
     return split(polygon, half_plane).left;

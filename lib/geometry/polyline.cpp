@@ -25,11 +25,12 @@ double signed_distance(const Polyline& line, const Point& point) {
         }
         const Point offset = point - line[index - 1];
         const double position = std::clamp(offset.dot(along) / length_squared, 0.0, 1.0);
-        // Beyond an end the distance is to the vertex as given: both segments that share it must find the same number.
+        // Beyond an end the distance is to the given vertex, so that both segments which share it give the same number.
         const Point away = position < 1 ? Point(offset - position * along) : Point(point - line[index]);
         const double distance_squared = away.squaredNorm();
         const double cross = (along.x() * offset.y() - along.y() * offset.x()) / std::sqrt(length_squared);
-        // At a shared vertex two segments are equally near: the one the point is more squarely beside tells the side.
+        // At a shared vertex two segments are equally near: the one with the greater normal distance determines the
+        // side.
         const bool tie = distance_squared == nearest_squared && std::abs(cross) > std::abs(side);
         if (distance_squared < nearest_squared || tie) {
             nearest_squared = distance_squared;

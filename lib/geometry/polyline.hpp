@@ -13,12 +13,13 @@ using Polyline = std::vector<Point>;
 // Length along the chain; 0 for fewer than two points.
 double length(const Polyline& line);
 
-// Shortest distance from a point to the chain, positive where the point lies to the left of the nearest segment walked
-// from first to last point, negative to the right. The chain needs at least two distinct points; NaN otherwise.
+// Shortest distance from a point to the chain, positive if the point lies to the left of the nearest segment in the
+// direction from the first to the last point, negative to the right. The chain needs at least two distinct points; NaN
+// otherwise.
 double signed_distance(const Polyline& line, const Point& point);
 
-// `count` points equally spaced along the chain, ends included. count >= 2 and at least two distinct points, otherwise
-// empty.
+// `count` points equally spaced along the chain, ends included. Empty unless count >= 2 and the chain has at least two
+// distinct points.
 Polyline resample(const Polyline& line, std::size_t count);
 
 }  // namespace delabole

@@ -1,6 +1,8 @@
-// Random numbers by their count: the n-th of a stream without the ones before it, the same on every machine.
+// Random numbers by their index: the n-th number of a stream is computed without the ones before it, and is the same on
+// every machine.
 //
-// The mixing of splitmix64 (Steele, Lea and Flood 2014), once for the seed, once for the stream and once for the count.
+// The mixing function is that of splitmix64 (Steele, Lea and Flood 2014), applied to the seed, the stream and the
+// index.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +16,7 @@ constexpr std::uint64_t mixed_bits(std::uint64_t bits) {
     return bits ^ (bits >> 31U);
 }
 
-// Uniform in [0, 1), a multiple of 2^-53. Counts may be negative.
+// Uniform in [0, 1), a multiple of 2^-53. The index `count` may be negative.
 constexpr double counted_uniform(std::uint64_t seed, std::uint64_t stream, std::int64_t count) {
     const std::uint64_t bits = mixed_bits(mixed_bits(mixed_bits(seed) + stream) + static_cast<std::uint64_t>(count));
     return static_cast<double>(bits >> 11U) * 0x1p-53;

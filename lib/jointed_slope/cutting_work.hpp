@@ -1,4 +1,4 @@
-// The state that the steps of cutting a slope share; see jointed_section.hpp.
+// The common state of the steps of cutting a slope; see jointed_section.hpp.
 #pragma once
 
 #include "geometry/polyline.hpp"
@@ -11,14 +11,14 @@
 
 namespace delabole {
 
-// The joints of a set as they were cut, for what refers to them.
+// The joints of a set as they were cut, for other sets that refer to them.
 struct CutSet {
     PlanePoint<> normal;
     std::vector<double> position;  // increasing
     double spacing;
 };
 
-// Coordinates are counted from the outline's first corner.
+// Coordinates are relative to the outline's first corner.
 struct CuttingWork {
     SectionMesh mesh;
     PlanePoint<> origin;
@@ -28,33 +28,35 @@ struct CuttingWork {
     std::vector<MeshIndex> gouge = {};  // rocks that may be thin
 };
 
-// Twice what has been run. So many take some seconds to be cut and checked; ten times as many took minutes.
+// Twice the largest number that has been run. Cutting and checking this many blocks takes some seconds; ten times as
+// many took minutes.
 inline constexpr std::size_t most_slope_blocks = 200'000;
 
 PlanePoint<> centroid_of(const SectionMesh& mesh, MeshIndex face);
 
-// The outline's corners from the first one on, anticlockwise, without repetitions; fault and counts in the section.
+// The outline's corners from the first one on, anticlockwise, without repetitions; faults and counts are stored in
+// `section`.
 Polygon<> prepared_outline(const SlopeGeometry& geometry, JointedSection& section);
 bool crosses_itself(const Polygon<>& outline, double snap);
 
-// Divides the faces that are not convex.
+// Divides faces that are not convex.
 void divide_into_convex(SectionMesh& mesh, double snap);
 
-// `number` of the cut seeds a set that has no seed of its own. `rock`: the only one that is cut, or no_index.
+// `number` of the cut seeds a set that has no seed of its own. `rock`: the only rock that is cut, or no_index.
 CutCount cut_set(CuttingWork& work, const SlopeCut& named, const JointSetCut& set, std::size_t number, MeshIndex joint,
                  MeshIndex rock, SlopeCheck& check);
 
 struct RocksOfLine {
-    MeshIndex gouge;  // each no_index where there is none
+    MeshIndex gouge;  // each is no_index if there is none
     MeshIndex above;
     MeshIndex below;
 };
 CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line, MeshIndex joint,
                   const RocksOfLine& rocks, SlopeCheck& check);
 
-// Puts together what was divided only to stay convex.
+// Joins again the faces that were divided only to stay convex.
 void rejoin_intact(SectionMesh& mesh);
-// Area of the middling face that is no gouge.
+// Median area of the faces that are not gouge.
 double typical_area(const CuttingWork& work);
 void merge_slivers(CuttingWork& work, double share, JointedSection& section);
 

@@ -1,8 +1,8 @@
 // Cutting one convex face of a section along a straight line.
 //
-// A corner nearer to the line than the snap distance counts as on it: the cut then runs through the corner, bent by no
-// more than that. Both faces beside an edge find the same point on it, and no edge becomes shorter than the snap
-// distance but by a stated repair, so that the blocks are ones that the engine takes.
+// A corner nearer to the line than the snap distance counts as on it: the cut then passes through the corner, and bends
+// by no more than that distance. Both faces at an edge find the same point on it, and no edge becomes shorter than the
+// snap distance except by a reported repair, so that dynamic relaxation accepts the blocks.
 #pragma once
 
 #include "jointed_slope/section_mesh.hpp"
@@ -13,7 +13,7 @@
 
 namespace delabole {
 
-// The points p with normal . p = position. Of a mirrored section all parts are the mirrored ones to the last bit.
+// The points p with normal . p = position. For a mirrored section all parts are mirror images to the last bit.
 struct StraightLine {
     PlanePoint<> normal;
     PlanePoint<> along;
@@ -27,7 +27,8 @@ struct StraightLine {
 
 enum class FaceCut {
     missed,   // the line passes beside the face, or along one of its edges
-    dropped,  // it would cut the face, but does not reach from side to side, or would cut off less than can be kept
+    dropped,  // the line crosses the face, but the joint does not reach from side to side, or would cut off too small a
+              // part
     made,
 };
 
@@ -37,22 +38,22 @@ struct FaceCutResult {
 };
 
 struct ChordEnd {
-    MeshIndex edge;  // that begins at the end, or on which the end lies
+    MeshIndex edge;  // edge that begins at the end, or on which the end lies
     bool at_corner;
     PlanePoint<> at;
 };
 
 struct Chord {
-    ChordEnd rising;  // where the outline, anticlockwise, comes over to the side of the normal
+    ChordEnd rising;  // where the outline, anticlockwise, crosses to the side of the normal
     ChordEnd falling;
 };
 
-// Returns nothing where the face does not lie on both sides of the line.
+// Returns nothing if the face does not lie on both sides of the line.
 std::optional<Chord> find_chord(const SectionMesh& mesh, MeshIndex face, const StraightLine& line, double snap);
 
 FaceCutResult cut_along(SectionMesh& mesh, const Chord& chord, MeshIndex joint);
 
-// `allowed(first, last)` says whether the joint reaches along the line from one place to the other.
+// `allowed(first, last)` returns whether the joint extends along the line from one place to the other.
 template <class Allowed>
 FaceCutResult cut_face(SectionMesh& mesh, MeshIndex face, const StraightLine& line, double snap, MeshIndex joint,
                        Allowed&& allowed) {
@@ -62,7 +63,7 @@ FaceCutResult cut_face(SectionMesh& mesh, MeshIndex face, const StraightLine& li
     }
     const double one = line.place(chord->rising.at);
     const double other = line.place(chord->falling.at);
-    // Across the tip of a wedge a cut may be as short as it likes: too short for a face of a block.
+    // Near the tip of a wedge a cut could be arbitrarily short; one shorter than a block's face may be is not made.
     if (!(std::abs(one - other) >= snap) || !allowed(std::min(one, other), std::max(one, other))) {
         return {FaceCut::dropped, no_index};
     }

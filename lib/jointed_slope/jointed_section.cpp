@@ -45,7 +45,7 @@ std::optional<FinestSet> finest_set(const SlopeGeometry& geometry) {
     return finest;
 }
 
-// Too many blocks where a set is so fine that no snap distance suits both it and the section.
+// Returns too_many_blocks if a set is so fine that no snap distance suits both it and the section.
 SlopeCheck choose_snap(const SlopeGeometry& geometry, double size, JointedSection& section) {
     const std::optional<FinestSet> finest = finest_set(geometry);
     const double least = least_snap * size;

@@ -1,13 +1,14 @@
-// Blocks of a slope that joints, faults and boundaries cut, in exact contact.
+// Blocks of a slope that are cut by joints, faults and boundaries, in exact contact.
 //
-// The outline is first divided into convex parts, from each corner that points inwards to the opposite side. Then the
-// cuts are made in their order, each through every block that it crosses from side to side. Last, what was divided only
-// to stay convex is put together again where that leaves a convex block, and so are slivers. Blocks that share an edge
-// share the numbers of its ends: the areas add up to that of the outline to rounding, and nothing overlaps.
+// The outline is first divided into convex parts, from each re-entrant corner to the opposite side. Then the cuts are
+// made in their order, each through every block that it crosses from side to side. Finally, parts that were divided
+// only to stay convex are joined again if the result is a convex block, and slivers are merged in the same way. Blocks
+// that share an edge share the numbers of its ends: the areas add up to that of the outline to rounding, and nothing
+// overlaps.
 //
-// All lengths count from the outline's first corner: a section moved by a number that its coordinates can hold,
-// mirrored or scaled by a power of two gives the same blocks to the last bit. Cost: about the number of blocks times
-// that of the corners of a block; a hundred thousand blocks take less than a few seconds.
+// All lengths are relative to the outline's first corner: a section moved by a number that its coordinates can
+// represent, mirrored or scaled by a power of two gives the same blocks to the last bit. Cost: proportional to the
+// number of blocks times the number of corners of a block; a hundred thousand blocks take less than a few seconds.
 #pragma once
 
 #include "jointed_slope/section_mesh.hpp"
@@ -31,49 +32,51 @@ enum class SlopeCheck {
     region_too_short,
     persistence_without_trace_length,
     gouge_and_thickness,  // one without the other
-    feature_and_side,     // likewise
-    stagger_without_set,  // likewise
+    feature_and_side,     // one without the other
+    stagger_without_set,  // one without the other
     unknown_rock,
     unknown_joint,
     unknown_line,
     unknown_set,
-    intact_joint_missing,  // rock is divided where a block would not be convex, and the division has no properties
-    frame_without_edge,    // nothing of the outline lies along a side of the frame
+    intact_joint_missing,  // rock is divided where a block would not be convex, and the joint of that division has no
+                           // properties
+    frame_without_edge,    // no part of the outline lies along a side of the frame
     water_table_too_short,
     water_table_not_increasing,  // in x
     area_too_short,              // fewer than three corners
-    area_without_block,          // holds the centre of none
+    area_without_block,          // no block has its centre in the area
 };
 
 struct SlopeBlock {
-    std::vector<MeshIndex> vertex;  // anticlockwise; corners of neighbours on its faces are among them
+    std::vector<MeshIndex> vertex;  // anticlockwise; includes corners of neighbours on its faces
     std::vector<MeshIndex> joint;   // along each edge, to the next vertex: index of a name, free_surface or intact_rock
     MeshIndex rock;                 // index of a name
 };
 
-// The joints that a cut has made, in the order of the cuts. None: it misses the section, or its spacing is larger.
+// Numbers of divisions by each cut, in the order of the cuts. Both are 0 if it misses the section or its spacing is
+// larger.
 struct CutCount {
     std::size_t made = 0;     // blocks divided
-    std::size_t dropped = 0;  // blocks that a joint of it would divide if it reached from side to side
+    std::size_t dropped = 0;  // blocks that one of its joints would divide if it reached from side to side
 };
 
 struct JointedSection {
     SlopeCheck check = SlopeCheck::valid;
-    std::size_t cut_at_fault = 0;  // where the check concerns a cut
+    std::size_t cut_at_fault = 0;  // set if the check concerns a cut
     std::vector<PlanePoint<>> vertex = {};
     std::vector<SlopeBlock> block = {};
     std::vector<CutCount> cut = {};
-    bool outline_reversed = false;    // was clockwise
-    std::size_t corners_dropped = 0;  // of the outline, that repeated the one before or the first
+    bool outline_reversed = false;    // it was clockwise
+    std::size_t corners_dropped = 0;  // corners of the outline that repeated the one before or the first
     std::size_t slivers_merged = 0;
-    std::size_t slivers_kept = 0;  // no neighbour makes a convex block with it
+    std::size_t slivers_kept = 0;  // with no neighbour do they form a convex block
     std::size_t intact_edges = 0;  // left between blocks of the same rock
     double snap_distance = 0;      // m
-    double typical_area = 0;       // m2, of the middling block
+    double typical_area = 0;       // m2, median of the blocks
 };
 
-// Names of rocks and joints, to whose indices blocks refer. All of the section is of the first rock until a line says
-// otherwise; there is at least one of each.
+// `rocks` and `joints` are the names to whose indices blocks refer; there is at least one of each. The whole section is
+// of the first rock unless a line assigns another.
 JointedSection cut_slope(const SlopeGeometry& geometry, const std::vector<std::string>& rocks,
                          const std::vector<std::string>& joints);
 

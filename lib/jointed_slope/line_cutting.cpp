@@ -1,7 +1,7 @@
 // Single joints, faults with gouge, boundaries of rocks: lines of straight pieces.
 //
-// At a bend inside a block the block is first divided along the line that halves the bend, so that both pieces of the
-// line run from side to side of convex blocks; what of that division is not needed is taken back in the end.
+// At a bend inside a block the block is first divided along the bisector of the bend, so that both pieces of the line
+// run from side to side of convex blocks; unnecessary parts of that division are removed at the end.
 #include "jointed_slope/cutting_work.hpp"
 
 #include <algorithm>
@@ -16,10 +16,10 @@ PlanePoint<> left_of(const PlanePoint<>& way) {
     return {-way.y(), way.x()};
 }
 
-// Both faces of a fault, or the line itself, and the ways along which its bends are halved.
+// Both faces of a fault, or the line itself, and the bisectors of its bends.
 struct Faces {
     std::vector<Polyline> line;
-    Polyline halving;  // of each point; unused at the ends
+    Polyline halving;  // bisector at each point; unused at the ends
     bool folds_back = false;
 };
 
@@ -35,7 +35,7 @@ Faces faces_of(const Polyline& middle, double half_thickness) {
         const PlanePoint<>& before = normals[index == 0 ? 0 : index - 1];
         const PlanePoint<>& after = normals[std::min(index, count - 2)];
         const PlanePoint<> sum = before + after;
-        // Beyond 150 deg a mitre is four times as long as the fault is thick, and more.
+        // Beyond 150 deg a mitre is at least four times as long as the fault is thick.
         constexpr double sharpest = 0.26;
         const double cosine = sum.norm() / 2;
         faces.folds_back = faces.folds_back || !(cosine > sharpest);
@@ -53,7 +53,7 @@ Faces faces_of(const Polyline& middle, double half_thickness) {
     return faces;
 }
 
-// The face that holds a point well inside; no_index where there is none.
+// The face that contains a point well inside it; no_index if there is none.
 MeshIndex face_around(const SectionMesh& mesh, const PlanePoint<>& point, double snap) {
     for (MeshIndex face = 0; face < mesh.face_count(); ++face) {
         bool inside = mesh.alive(face);
@@ -70,7 +70,7 @@ MeshIndex face_around(const SectionMesh& mesh, const PlanePoint<>& point, double
     return no_index;
 }
 
-// A vertex at a point that lies on an edge.
+// Puts a vertex at a point that lies on an edge.
 void put_vertex(SectionMesh& mesh, const PlanePoint<>& point, double snap) {
     const auto edges = static_cast<MeshIndex>(mesh.edge_count());
     for (MeshIndex edge = 0; edge < edges; ++edge) {
@@ -82,7 +82,7 @@ void put_vertex(SectionMesh& mesh, const PlanePoint<>& point, double snap) {
         const double passed = way.dot(from_start);
         const double left = way.dot(mesh.end(edge) - point);
         if (std::abs(left_of(way).dot(from_start)) < snap && passed > snap && left > snap) {
-            // The point lies on the edge itself, which a snapped cut may bend a little past it.
+            // The point must lie on the original edge, from which a snapped cut may deviate slightly.
             const MeshSegment& segment = mesh.segment_of(edge);
             mesh.split_edge(edge, point_between(segment, std::abs(way.dot(point - segment.first)),
                                                 std::abs(way.dot(segment.second - point))));
@@ -98,14 +98,14 @@ void divide_at_bend(SectionMesh& mesh, const PlanePoint<>& bend, const PlanePoin
         const StraightLine line{normal, halving, normal.dot(bend)};
         cut_face(mesh, face, line, snap, intact_rock, [](double, double) { return true; });
     }
-    // A bend on an edge, be it the division just made, one made for the fault's other face, or a joint.
+    // The bend lies on an edge: that of the division just made, of one made for the fault's other face, or of a joint.
     put_vertex(mesh, bend, snap);
 }
 
 StraightLine line_through(const PlanePoint<>& a, const PlanePoint<>& b) {
     const PlanePoint<> along = (b - a).normalized();
     const PlanePoint<> normal = left_of(along);
-    // Between the distances of both ends, neither preferred.
+    // The mean of both ends' distances, which prefers neither.
     return {normal, along, (normal.dot(a) + normal.dot(b)) / 2};
 }
 
@@ -115,7 +115,7 @@ void give_rocks(CuttingWork& work, const Polyline& middle, double half_thickness
         if (half_thickness > 0) {
             bool between = true;
             mesh.for_each_edge(face, [&](MeshIndex edge) {
-                // Over a bend a mitre reaches farther than the thickness.
+                // At a bend a mitre extends beyond the thickness.
                 between = between && std::abs(signed_distance(middle, mesh.start(edge))) < 4 * half_thickness;
             });
             if (between && std::abs(signed_distance(middle, centroid_of(mesh, face))) < half_thickness) {
@@ -170,7 +170,7 @@ CutCount cut_line(CuttingWork& work, const SlopeCut& named, const LineCut& line,
     for (const Polyline& face_line : faces.line) {
         for (std::size_t piece = 1; piece < face_line.size(); ++piece) {
             const StraightLine straight = line_through(face_line[piece - 1], face_line[piece]);
-            // A cut ends at the corner that a bend has snapped to.
+            // A cut ends at the corner to which a bend has snapped.
             const double first = straight.place(face_line[piece - 1]) - 2 * work.snap;
             const double last = straight.place(face_line[piece]) + 2 * work.snap;
             const std::size_t before = mesh.face_count();

@@ -1,4 +1,4 @@
-// The outline of a section: repaired, checked, divided into convex parts.
+// Repair and check of the outline of a section, and its division into convex parts.
 #include "jointed_slope/cutting_work.hpp"
 
 #include <algorithm>
@@ -39,10 +39,10 @@ bool come_near(const PlanePoint<>& a, const PlanePoint<>& b, const PlanePoint<>&
 }
 
 struct Ray {
-    MeshIndex edge = no_index;  // hit; or that begins at the corner hit
+    MeshIndex edge = no_index;  // edge that is hit, or that begins at the corner hit
     bool at_corner = false;
     PlanePoint<> at = {0, 0};
-    double clearance = 0;  // of other corners from the way there
+    double clearance = 0;  // distance of other corners from the ray
 };
 
 // The point at which a ray from the start of an edge into its face meets the outline.
@@ -58,7 +58,7 @@ std::optional<Ray> cast(const SectionMesh& mesh, MeshIndex from, const PlanePoin
         const PlanePoint<> b = mesh.end(edge) - start;
         const double of_a = cross(way, a);
         const double of_b = cross(way, b);
-        // The ray leaves the face where the outline, anticlockwise, crosses it from right to left.
+        // The ray leaves the face where the anticlockwise outline crosses it from right to left.
         if (!(of_a <= 0 && of_b > 0)) {
             return;
         }
@@ -141,7 +141,7 @@ bool crosses_itself(const Polygon<>& outline, double snap) {
         if ((b - a).norm() < snap) {
             return true;
         }
-        // The edge after it may only leave, not fold back on it.
+        // The next edge may only continue, not fold back on this one.
         const PlanePoint<>& next = outline[(one + 2) % count];
         if (distance_to_segment(next, a, b) < snap || distance_to_segment(a, b, next) < snap) {
             return true;
@@ -166,7 +166,7 @@ void divide_into_convex(SectionMesh& mesh, double snap) {
         }
         const PlanePoint<> in = (mesh.start(corner) - mesh.start(mesh.edge(corner).previous)).normalized();
         const PlanePoint<> out = (mesh.end(corner) - mesh.start(corner)).normalized();
-        // Between the continuations of both edges every way leaves two corners that are convex.
+        // Any direction between the continuations of both edges leaves two convex corners.
         const std::array<PlanePoint<>, 5> ways{PlanePoint<>(in - out), PlanePoint<>(2 * in - out),
                                                PlanePoint<>(in - 2 * out), in, PlanePoint<>(-out)};
         std::optional<Ray> best;

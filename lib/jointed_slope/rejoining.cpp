@@ -1,4 +1,4 @@
-// Puts together again, after all cuts, what was divided artificially, and slivers.
+// Joins again, after all cuts, the faces that were divided artificially, and merges slivers.
 #include "jointed_slope/cutting_work.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ bool same_rock(const SectionMesh& mesh, MeshIndex edge) {
     return mesh.face(mesh.edge(edge).face).rock == mesh.face(mesh.edge(mesh.edge(edge).twin).face).rock;
 }
 
-// Least distance between two parallel lines that hold a convex polygon; one of them lies along an edge.
+// Least distance between two parallel lines that enclose a convex polygon; one of them lies along an edge.
 double width_of(const Polygon<>& outline) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t index = 0; index < outline.size(); ++index) {
@@ -32,7 +32,7 @@ bool is_gouge(const CuttingWork& work, MeshIndex face) {
     return std::find(work.gouge.begin(), work.gouge.end(), work.mesh.face(face).rock) != work.gouge.end();
 }
 
-// Into the neighbour with which it shares most, of those with which it makes a convex block.
+// Merges a sliver into the neighbour with the longest common boundary among those with which it forms a convex block.
 bool merge_sliver(SectionMesh& mesh, MeshIndex face) {
     MeshIndex best = no_index;
     double longest = 0;

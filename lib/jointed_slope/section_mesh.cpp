@@ -60,7 +60,7 @@ MeshIndex SectionMesh::split_edge(MeshIndex edge, const PlanePoint<>& at) {
 MeshIndex SectionMesh::split_face(MeshIndex from, MeshIndex to, MeshIndex joint) {
     const MeshIndex old_face = edges_[from].face;
     const auto new_face = static_cast<MeshIndex>(faces_.size());
-    const auto closing = static_cast<MeshIndex>(edges_.size());  // of the new face, back to the start of `from`
+    const auto closing = static_cast<MeshIndex>(edges_.size());  // edge of the new face, back to the start of `from`
     const MeshIndex opposite = closing + 1;
     const MeshIndex before_from = edges_[from].previous;
     const MeshIndex before_to = edges_[to].previous;

@@ -1,4 +1,4 @@
-// A section divided into faces that share vertices and edges: no gaps, no overlaps, whatever rounding does.
+// A section divided into faces that share vertices and edges, so that rounding causes neither gaps nor overlaps.
 //
 // Half-edges: each edge between two faces is a pair of directed ones, each with its face on the left; an edge of the
 // outline has no twin. Vertices are only ever added, and only on edges or as ends of chords between existing ones, so
@@ -16,9 +16,9 @@ namespace delabole {
 using MeshIndex = std::uint32_t;
 inline constexpr MeshIndex no_index = std::numeric_limits<MeshIndex>::max();
 
-// Names for edges that are no joint.
-inline constexpr MeshIndex free_surface = no_index;     // of the outline
-inline constexpr MeshIndex intact_rock = no_index - 1;  // divided only because blocks are convex
+// Names for edges that are not joints.
+inline constexpr MeshIndex free_surface = no_index;     // edge of the outline
+inline constexpr MeshIndex intact_rock = no_index - 1;  // a division made only to keep blocks convex
 
 struct HalfEdge {
     MeshIndex origin;
@@ -30,7 +30,7 @@ struct HalfEdge {
     MeshIndex segment;
 };
 
-// The line that an edge was cut from: its points are found between these ends, in whatever order it is divided.
+// The line from which an edge was cut: its points are interpolated between these ends, whatever the order of divisions.
 struct MeshSegment {
     PlanePoint<> first;
     PlanePoint<> second;
@@ -43,7 +43,7 @@ struct MeshFace {
 
 class SectionMesh {
   public:
-    // One face; the outline anticlockwise.
+    // Begins with one face; the outline is anticlockwise.
     SectionMesh(const Polygon<>& outline, MeshIndex rock);
 
     std::size_t face_count() const { return faces_.size(); }
@@ -69,20 +69,20 @@ class SectionMesh {
     }
     Polygon<> outline_of(MeshIndex face) const;
 
-    // Puts a vertex on an edge, in both its faces. The edge keeps its start; returned is the part from the new vertex.
+    // Puts a vertex on an edge, in both its faces. The edge keeps its start; the part from the new vertex is returned.
     MeshIndex split_edge(MeshIndex edge, const PlanePoint<>& at);
 
     // Splits a face along the chord between the starts of two of its edges. The part from `from` to `to` becomes a new
     // face, which is returned.
     MeshIndex split_face(MeshIndex from, MeshIndex to, MeshIndex joint);
 
-    // Whether the faces on both sides of an edge, which has a twin, make one convex face.
+    // Whether the faces on both sides of an edge, which has a twin, form one convex face.
     bool union_is_convex(MeshIndex edge) const;
-    // Whether all that two faces share at an edge is of one joint.
+    // Whether the whole common boundary of the two faces at an edge is of one joint.
     bool shares_only(MeshIndex edge, MeshIndex joint) const;
-    // Length of all that two faces share at an edge.
+    // Length of the common boundary of the two faces at an edge.
     double shared_length(MeshIndex edge) const;
-    // Takes away all that two faces share at an edge, which has a twin; the face on its left remains.
+    // Removes the common boundary of the two faces at an edge, which has a twin; the face on its left remains.
     void merge(MeshIndex edge);
 
   private:
@@ -98,13 +98,14 @@ class SectionMesh {
     std::vector<MeshFace> faces_ = {};
 };
 
-// Sine of the anticlockwise turn at b on the way from a to c: negative where a polygon is not convex.
+// Sine of the anticlockwise turn at b from the direction a-b to b-c: negative where a polygon is not convex.
 double sine_of_turn(const PlanePoint<>& a, const PlanePoint<>& b, const PlanePoint<>& c);
 
 // The point between the ends of a segment at these distances from them; neither end is preferred.
 PlanePoint<> point_between(const MeshSegment& segment, double from_first, double from_second);
 
-// A corner on a straight face is off it by rounding: far below what the engine takes for convex, 1e-9.
+// A corner on a straight face may deviate from it by rounding, far below the tolerance of convexity in dynamic
+// relaxation, 1e-9.
 inline constexpr double straight_sine = 1e-10;
 
 }  // namespace delabole

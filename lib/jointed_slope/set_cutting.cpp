@@ -1,4 +1,4 @@
-// Joint sets: where their joints run and which faces they cut.
+// Joint sets: positions of their joints, and the faces that they cut.
 #include "jointed_slope/counted_random.hpp"
 #include "jointed_slope/cutting_work.hpp"
 
@@ -23,14 +23,15 @@ struct Extent {
     }
 };
 
-// Unit vectors of a dip: `along` up-dip, `normal` downwards; of the opposite dip they are the mirror images.
+// Unit vectors of a dip: `along` up-dip, `normal` downwards; for the opposite dip they are the mirror images.
 StraightLine line_of_dip(double dip) {
     const double size = std::abs(dip);
     const double out = dip < 0 ? -1 : 1;
     return {{out * std::sin(size), -std::cos(size)}, {out * std::cos(size), std::sin(size)}, 0};
 }
 
-// Joints are numbered from the one at the offset, downwards. Empty, with too_many_blocks, where there are too many.
+// Joints are numbered downwards from the one at the offset. Returns an empty list and too_many_blocks if there are too
+// many.
 std::vector<double> joint_positions(const JointSetCut& set, std::uint64_t seed, double first, const Extent& extent,
                                     std::int64_t& number_of_first, SlopeCheck& check) {
     const double scatter = set.scatter.value_or(0);
@@ -40,11 +41,11 @@ std::vector<double> joint_positions(const JointSetCut& set, std::uint64_t seed, 
         check = SlopeCheck::too_many_blocks;
         return positions;
     }
-    // The number between two joints is that of the upper one.
+    // The spacing between two joints has the number of the upper one.
     const auto spacing_after = [&](std::int64_t number) {
         return set.spacing * (1 + scatter * (2 * counted_uniform(seed, of_spacing, number) - 1));
     };
-    // Staggering moves joints by up to a spacing either way.
+    // Staggering moves joints by up to one spacing in either direction.
     const double reach = 2 * set.spacing * (1 + scatter);
     number_of_first = 0;
     double position = first;
@@ -54,13 +55,13 @@ std::vector<double> joint_positions(const JointSetCut& set, std::uint64_t seed, 
     }
     for (std::int64_t number = number_of_first; position < extent.highest + reach; ++number) {
         positions.push_back(position);
-        // The joint at the offset is exact, whichever side the sum comes from.
+        // The joint at the offset is exact, from whichever side the sum approaches it.
         position = number + 1 == 0 ? first : position + spacing_after(number);
     }
     return positions;
 }
 
-// The parts of a joint along which it may cut: its traces and the region.
+// The parts of a joint along which it may cut: its traces, limited to the region.
 class Reach {
   public:
     Reach(const JointSetCut& set, std::uint64_t seed, Polygon<> region, double snap, double anchor)
@@ -118,7 +119,7 @@ class Reach {
     double anchor_;
 };
 
-// The shift of the joints of the set in the column of another set that holds a point.
+// The shift of the joints of the set at a point, in the column of another set that contains it.
 double shift_at(const JointSetCut& set, const CutSet* columns, const PlanePoint<>& point) {
     if (columns == nullptr) {
         return 0;
@@ -129,11 +130,12 @@ double shift_at(const JointSetCut& set, const CutSet* columns, const PlanePoint<
     return set.spacing * (shift - std::floor(shift));
 }
 
-// Cuts a face along the joints from `begin` to `end`, which lie in it from above downwards. What a joint leaves below
-// it lies above none that follow, and is returned.
+// Cuts a face along the joints from `begin` to `end`, which cross it in order from above downwards. The part below the
+// last joint lies above no later joint, and is returned.
 //
-// A face may have a corner on its side for every joint of the column beside it. Looked through again for each of many
-// joints, those would cost the square of their number: many are halved first, few are cut one after the other.
+// A face may have a corner on its side for every joint of the column beside it. Searching all of these corners again
+// for each of many joints would cost the square of their number: many joints are first halved, few are cut one after
+// the other.
 template <class Cut>
 MeshIndex cut_along_joints(MeshIndex face, std::ptrdiff_t begin, std::ptrdiff_t end, const Cut& cut) {
     constexpr std::ptrdiff_t few = 256;
@@ -209,8 +211,8 @@ CutCount cut_set(CuttingWork& work, const SlopeCut& named, const JointSetCut& se
             return JointsInFace{face, shift, begin - made.position.begin(), end - made.position.begin()};
         };
         to_cut.push_back(joints_between(own.lowest, own.highest));
-        // Counted before anything is cut: what is refused should not take as long as what is made. No joint cuts beyond
-        // the region that bounds it.
+        // The joints are counted before any cut, so that a refusal takes less time than a section. No joint cuts beyond
+        // its region.
         const JointsInFace allowed = joints_between(std::max(own.lowest, in_region.lowest - work.snap),
                                                     std::min(own.highest, in_region.highest + work.snap));
         most_blocks += static_cast<std::size_t>(allowed.end - allowed.begin);

@@ -1,5 +1,5 @@
-// A section through a jointed slope as a case file has it: its outline and the cuts that make blocks of it, in the
-// order in which they are made.
+// A section through a jointed slope in a case file: its outline and the cuts that divide it into blocks, in their
+// order.
 //
 // Section axes: x into the slope, y up, origin at the toe, metres. The dip of a joint set is positive towards -x, out
 // of the slope, and negative into it: joint A of Delabole dips 70 deg, joint B -85 deg. Rocks and joints have names.
@@ -21,7 +21,8 @@ struct SectionPoint {
     double y;
     static constexpr auto fields() {
         using P = SectionPoint;
-        // Within these, areas and their quotients neither overflow nor lose the section in its distance.
+        // Within this range areas and their quotients do not overflow, and the section does not vanish beside its
+        // distance.
         constexpr Interval range = within(-1e12, 1e12);
         return std::tuple{number("x", &P::x, Dimension::length, range, "in the section"),
                           number("y", &P::y, Dimension::length, range, "in the section")};
@@ -33,8 +34,8 @@ enum class SideOfLine { above, below };
 
 // Parallel joints. A spacing is uniformly distributed between (1 - scatter) and (1 + scatter) times the mean. With a
 // persistence below 1 each joint is a row of traces of equal length with gaps between them, which begins at random.
-// Whatever bounds a joint (trace, region, feature, rock), only blocks that it cuts from side to side are cut: blocks
-// stay convex, and a trace that ends inside a block does not count there.
+// Whatever bounds a joint (trace, region, feature, rock), it divides only blocks that it crosses from side to side:
+// blocks stay convex, and a trace that ends inside a block does not divide it.
 struct JointSetCut {
     double dip;
     double spacing;
@@ -83,8 +84,8 @@ struct JointSetCut {
     bool operator==(const JointSetCut&) const = default;
 };
 
-// A single joint, a fault or a boundary between rocks. A fault with a thickness has two faces that far apart, half on
-// either side of the line, with gouge between them.
+// A single joint, a fault or a boundary between rocks. A fault with a thickness has two faces at that distance, half of
+// it on either side of the line, with gouge between them.
 struct LineCut {
     std::optional<double> thickness;
     std::optional<std::string> gouge;

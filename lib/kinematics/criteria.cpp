@@ -12,7 +12,7 @@ namespace {
 
 constexpr double right_angle = std::numbers::pi / 2;
 
-// Directions are known to a few roundings; a plane parallel to the face must not daylight by one of them.
+// Directions are accurate to a few rounding errors, which must not let a plane parallel to the face daylight.
 constexpr double direction_rounding = 1e-12;
 
 Orientation face_of(const SlopeOrientation& slope) {
@@ -23,7 +23,7 @@ Orientation upper_surface_of(const SlopeOrientation& slope) {
     return slope.upper_surface.value_or(Orientation{0, 0});
 }
 
-// Whether a mass that moves along this direction leaves through the face and is cut off by the ground behind the crest.
+// Whether a mass that moves in this direction leaves through the face and is cut off by the ground behind the crest.
 Feasibility way_out(const SlopeOrientation& slope, const Direction& movement) {
     if (!(movement.dot(upward_normal(face_of(slope))) > direction_rounding)) {
         return Feasibility::does_not_daylight;
@@ -42,7 +42,8 @@ double angle_in_plan(double first_azimuth, double second_azimuth) {
     return std::abs(azimuth_difference(first_azimuth, second_azimuth));
 }
 
-// The sliding contact of a line that leaves through the face and is cut off behind the crest. Notation: header.
+// The sliding contact for a line that leaves through the face and is cut off behind the crest. Notation: see the
+// header.
 SlidingContact contact_of(const SlopeOrientation& slope, const LineOrientation& line, const Orientation& first,
                           const Orientation& second) {
     const Direction along = direction_of(line);
@@ -64,7 +65,7 @@ SlidingContact contact_of(const SlopeOrientation& slope, const LineOrientation& 
                                                                         : SlidingContact::both_planes;
 }
 
-// Weight 1 on both planes: across the line i it is carried by normal forces N1, N2 on the planes,
+// Unit weight on both planes: across the line i normal forces N1, N2 on the planes carry it,
 //     (1 - i i) g + N1 m1 + N2 m2 = 0;   along it  g . i = tan(friction) (N1 + N2).
 // The signs of m1, m2 follow from the block's side of each plane; the magnitudes of N1, N2 do not depend on them.
 double limiting_friction_on_both(const LineOrientation& line, const Orientation& first, const Orientation& second) {
@@ -125,7 +126,7 @@ FeasibilityVerdict flexural_toppling(const SlopeOrientation& slope, const Orient
     const bool vertical = !steeper(right_angle, layers.dip);
     double out_of_slope = azimuth_difference(slope.face_dip_direction, layers.dip_direction + 2 * right_angle);
     if (vertical && std::cos(out_of_slope) < 0) {
-        // Vertical layers lean neither way, whichever of their two dip directions was written down.
+        // Vertical layers lean neither way, whichever of their two dip directions is given.
         out_of_slope = azimuth_difference(slope.face_dip_direction, layers.dip_direction);
     }
     if (!(std::cos(out_of_slope) > direction_rounding) || !steeper(layers.dip, 0)) {

@@ -29,7 +29,7 @@ class UniformStream {
     double next() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
 
   private:
-    // Finaliser of splitmix64 (Steele, Lea & Flood 2014): neighbouring seeds become unrelated ones.
+    // The finaliser of splitmix64 (Steele, Lea & Flood 2014) makes neighbouring seeds independent.
     static std::uint64_t mixed(std::uint64_t value) {
         value += 0x9e3779b97f4a7c15U;
         value = (value ^ (value >> 30U)) * 0xbf58476d1ce4e5b9U;
@@ -57,7 +57,7 @@ Orientation sampled_plane(const MeanOrientation& mean, UniformStream& uniform) {
     const double versine = -std::log1p(uniform.next() * std::expm1(-2 * concentration)) / concentration;
     const double sine = std::sqrt(std::max(0.0, versine * (2 - versine)));
     const double turned = turn * uniform.next();
-    // The frame goes with the plane, so that a set turned about the vertical has the same samples, turned.
+    // The frame is fixed to the plane, so that a set rotated about the vertical has the same samples, rotated.
     const Direction normal = upward_normal(centre);
     const Direction down_dip = dip_vector(centre);
     const Direction strike = normal.cross(down_dip);
@@ -115,7 +115,7 @@ OrientationStatistics orientation_statistics(const std::vector<Orientation>& pla
         const Direction normal = upward_normal(plane);
         tensor += normal * normal.transpose();
     }
-    // Eigenvalues ascend.
+    // Eigenvalues are in ascending order.
     const Direction axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tensor).eigenvectors().col(2);
     Direction sum = Direction::Zero();
     double total = 0;
@@ -129,7 +129,7 @@ OrientationStatistics orientation_statistics(const std::vector<Orientation>& pla
     sum *= count / total;
     const double resultant = std::min(sum.norm(), count);
     const double missing = count - resultant;
-    // The resultant itself is known to about `count` roundings.
+    // The error of the resultant itself is about `count` rounding errors.
     const bool scatters = planes.size() > 1 && missing > count * count * std::numeric_limits<double>::epsilon();
     return {plane_with_normal(sum), resultant,
             scatters ? (count - 1) / missing : std::numeric_limits<double>::infinity(),

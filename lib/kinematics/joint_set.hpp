@@ -16,8 +16,8 @@
 
 namespace delabole {
 
-// Orientations known by their ranges, as field reports print them. Dip and dip direction are taken as independent and
-// each as equally likely all over its range. The range of dip direction is walked clockwise, through north if need be.
+// Orientations given by their ranges, as in field reports. Dip and dip direction are taken as independent, each with a
+// uniform distribution over its range. The range of dip direction runs clockwise, through north if necessary.
 struct OrientationRange {
     double lower_dip;
     double upper_dip;
@@ -51,7 +51,7 @@ struct MeanOrientation {
     }
 };
 
-// The measured poles within an angle of a direction: a set picked by eye.
+// The measured poles within an angle of a direction: a set selected by eye.
 struct PoleWindow {
     double window_dip;
     double window_dip_direction;
@@ -76,29 +76,30 @@ struct JointSet {
     }
 };
 
-// Middle of the ranges or of the window, or the mean given.
+// Middle of the ranges or of the window, or the given mean.
 Orientation mean_orientation(const JointSet& set);
 
-// `count` planes of the set; of a window, its middle, for what lies in it is measured. The same for the same seed and
-// stream on every machine up to the rounding of sin, cos and log: the generator is std::mt19937_64, the transforms are
-// ours. Different streams of one seed are independent.
+// `count` planes of the set; for a window its middle, because the poles in it are measured. The result is the same for
+// the same seed and stream on every machine, up to the rounding of sin, cos and log: the generator is std::mt19937_64,
+// and the transforms are implemented here. Different streams of one seed are independent.
 std::vector<Orientation> sampled_planes(const JointSet& set, std::size_t count, std::uint64_t seed,
                                         std::uint64_t stream);
 
-// `count` planes out of measured ones, each as likely as its weight, with the generator above. At least one plane.
+// `count` planes drawn from measured ones with probabilities in proportion to their weights, with the generator above.
+// Needs at least one plane.
 std::vector<Orientation> drawn_planes(const std::vector<Orientation>& measured, const std::vector<double>& weights,
                                       std::size_t count, std::uint64_t seed, std::uint64_t stream);
 
 struct OrientationStatistics {
     Orientation mean;                   // of the resultant
     double resultant;                   // R
-    double concentration;               // (N - 1) / (N - R); infinite where nothing scatters
+    double concentration;               // (N - 1) / (N - R); infinite without scatter
     double angular_standard_deviation;  // acos(R / N)
 };
 
 // Statistics of N planes whose poles, turned to the side of their principal axis, have the resultant R. Poles spread
-// over more than a hemisphere have no meaningful mean. At least one plane; a single one has an infinite concentration.
-// `weights`, as many, count in the resultant, scaled so that their sum is N; empty: all alike.
+// over more than a hemisphere have no meaningful mean. Needs at least one plane; a single one has an infinite
+// concentration. `weights`, one for each plane, apply to the resultant, scaled to the sum N; empty: equal weights.
 OrientationStatistics orientation_statistics(const std::vector<Orientation>& planes,
                                              const std::vector<double>& weights = {});
 

@@ -33,16 +33,16 @@ bool name_repeated(const std::vector<JointSet>& sets) {
     return false;
 }
 
-// A set as it is analysed: as the case gives it, or as its poles were measured.
+// A set in the analysis: as given in the case, or with its measured poles.
 struct AnalysedSet {
     std::string name;
     Orientation mean;
     std::vector<Orientation> planes;  // sampled or measured
-    std::vector<double> weights;      // as many
+    std::vector<double> weights;      // one for each plane
     std::optional<FisherStatistics> measured;
 };
 
-// Poles of all surveys, and which of the sets each belongs to.
+// Poles of all surveys, and the set to which each belongs.
 struct Poles {
     std::vector<Orientation> planes;
     std::vector<double> weights;
@@ -85,7 +85,7 @@ bool in_window(const PoleWindow& window, const Orientation& plane) {
 struct SetsOfStudy {
     KinematicsCheck check = KinematicsCheck::valid;
     std::vector<AnalysedSet> sets = {};
-    std::vector<bool> has_set = {};  // of each pole
+    std::vector<bool> has_set = {};  // for each pole
     std::vector<double> information_criterion = {};
 };
 
@@ -134,10 +134,10 @@ SetsOfStudy sets_of(const KinematicsStudy& study, const Poles& poles) {
     return result;
 }
 
-// Planes of all sets, as many of each, and what direct toppling needs to know of each of them.
+// Planes of all sets, the same number of each, and the properties of each that direct toppling needs.
 struct Samples {
     std::vector<std::vector<Orientation>> planes;  // planes[set][sample]
-    std::vector<std::vector<bool>> can_be_base;    // as above
+    std::vector<std::vector<bool>> can_be_base;    // indices as for `planes`
     std::vector<Orientation> means;                // means[set]
     std::vector<Feasibility> base_at_mean;         // base_at_mean[set]
     std::size_t count() const { return planes.front().size(); }
@@ -165,7 +165,7 @@ Samples samples_of(const KinematicsStudy& study, const std::vector<AnalysedSet>&
     return samples;
 }
 
-// Counts the planes of a set by their weights.
+// Share of the planes of a set, by their weights.
 template <class Predicate>
 double share_of(const AnalysedSet& set, Predicate&& predicate) {
     double all = 0;
@@ -210,7 +210,7 @@ Feasibility axis_between(const Kinematics& model, const Orientation& first, cons
                 : Feasibility::planes_parallel;
 }
 
-// The other set whose mean plane can be a base, the flattest if there are several.
+// The other set whose mean plane can be a base; if there are several, the flattest.
 std::optional<std::size_t> base_at_mean(const Samples& samples, std::size_t first, std::size_t second) {
     std::optional<std::size_t> flattest;
     for (std::size_t set = 0; set < samples.means.size(); ++set) {
@@ -388,7 +388,7 @@ KinematicsResult analyse(const KinematicsStudy& study) {
 }
 
 std::size_t most_sets_searched(const Kinematics& model) {
-    constexpr double most = 12;  // of the field's range
+    constexpr double most = 12;  // upper end of the field's range
     return model.set_search ? static_cast<std::size_t>(std::clamp(model.set_search->most_sets, 1.0, most)) : 8;
 }
 
@@ -403,14 +403,14 @@ std::vector<Orientation> measured_planes(const Kinematics& model) {
 ModelInterface model_interface(const KinematicsStudy& study) {
     ModelInterface model;
     model.inputs = inputs_of(study.model);
-    // The number of outputs depends on the numbers of sets and poles alone: an invalid study, which has none, predicts
-    // none either.
+    // The number of outputs depends on the numbers of sets and poles alone. An invalid study has no outputs and
+    // predicts none.
     KinematicsStudy cheapest = study;
     cheapest.sampling = OrientationSampling{.sample_count = 1, .seed = {}};
     model.outputs = outputs_of(analyse(cheapest));
     model.predict = [study, outputs = model.outputs.size()](std::span<const Assignment> assignments) -> Prediction {
         Prediction prediction = predict(study, assignments);
-        // Poles that move may come to be other sets.
+        // With other poles a different number of sets may be found.
         const bool other_sets = prediction.failure.empty() && prediction.outputs.size() != outputs;
         return other_sets ? Prediction{"other_number_of_sets", {}, {}} : prediction;
     };

@@ -1,12 +1,14 @@
 // Kinematic feasibility of sliding and toppling for every joint set and every pair of sets, at the mean orientations
 // and as the share of sampled orientations. Criteria and sources: kinematics/criteria.hpp.
 //
-// Measured poles are used as they are: a set picked by a window, or found in them (kinematics/poles.hpp), is its poles,
-// and shares are shares of them by weight. Where no joint set is given, sets are found. Pairs of sets are drawn from
-// both independently of one another. Besides, every pole and every intersection of two poles is counted.
+// Measured poles are used as they are: a set selected by a window, or found in the poles (kinematics/poles.hpp),
+// consists of its poles, and its shares are shares of them by weight. If no joint set is given, sets are found. Pairs
+// of sets are drawn from both independently of one another. In addition, every pole and every intersection of two poles
+// is counted.
 //
-// Limits: says which movements geometry and friction leave open, not which of them happens. Cohesion, water, spacing,
-// persistence and the height of the slope play no part. The sets are sampled independently of one another.
+// Limits: the result shows which movements geometry and friction allow, not which of them happens. Cohesion, water,
+// spacing, persistence and the height of the slope are not considered. The sets are sampled independently of one
+// another.
 #pragma once
 
 #include "kinematics/criteria.hpp"
@@ -24,11 +26,11 @@ namespace delabole {
 // Time and the number of answers grow with the square of the number of sets.
 inline constexpr std::size_t most_joint_sets = 30;
 
-// The search for sets takes a time that grows with the square of their number.
+// The time of the search for sets grows with the square of the number of poles.
 inline constexpr std::size_t most_poles = 10'000;
-// Where there are more poles, this many evenly chosen ones are intersected.
+// If there are more poles, this many evenly chosen ones are intersected.
 inline constexpr std::size_t most_poles_intersected = 1'000;
-// The number is 8 unless the case says otherwise, and at most 12.
+// The number is 8 unless the case sets another, at most 12.
 std::size_t most_sets_searched(const Kinematics& model);
 
 enum class KinematicsCheck {
@@ -41,7 +43,7 @@ enum class KinematicsCheck {
     survey_without_planes,
     too_many_poles,  // more than most_poles
     window_without_poles,
-    no_set_found,        // the poles are as likely to scatter evenly
+    no_set_found,        // the poles may as well be uniformly scattered
     setting_not_whole,   // sample_count, seed or most_sets
     input_out_of_range,  // a number outside the range of its field, or not finite
 };
@@ -90,13 +92,13 @@ struct JointSetFeasibility {
 struct PairFeasibility {
     std::string first;
     std::string second;
-    LineOrientation intersection;  // of the means; 0, 0 where they are parallel
+    LineOrientation intersection;  // of the means; 0, 0 if they are parallel
     MechanismFeasibility wedge_sliding;
     SlidingContact wedge_contact;
     double wedge_limiting_friction_angle;
     Feasibility direct_toppling;
     double direct_toppling_share;
-    std::string toppling_base;  // the set whose mean is a base, the flattest if several; empty: none
+    std::string toppling_base;  // the set whose mean can be a base, the flattest if several; empty: none
     static constexpr auto fields() {
         using P = PairFeasibility;
         return std::tuple{
@@ -148,12 +150,12 @@ struct KinematicsResult {
     KinematicsCheck check = KinematicsCheck::input_out_of_range;  // the rest is empty unless valid
     std::vector<JointSetFeasibility> joint_set{};                 // in the order of the input
     std::vector<PairFeasibility> pair{};                          // 1-2, 1-3, ... 2-3, ...
-    std::optional<PoleCounts> poles{};                            // where there are measured ones
+    std::optional<PoleCounts> poles{};                            // set if there are measured poles
     std::vector<std::vector<Orientation>> sampled{};              // the planes drawn from each set, or measured in it
-    std::vector<std::vector<double>> sampled_weights{};           // of the same
+    std::vector<std::vector<double>> sampled_weights{};           // one for each of the same planes
     std::vector<Orientation> without_set{};                       // measured planes that belong to no set
     std::vector<double> weights_without_set{};
-    std::vector<double> information_criterion{};  // of PoleClusters, where sets were searched for
+    std::vector<double> information_criterion{};  // of PoleClusters, if sets were searched for
     static constexpr auto fields() {
         using R = KinematicsResult;
         return std::tuple{section("joint_set", &R::joint_set, "every joint set"),
@@ -167,7 +169,7 @@ KinematicsCheck check_input(const KinematicsStudy& study);
 // All measured planes, survey by survey.
 std::vector<Orientation> measured_planes(const Kinematics& model);
 
-// Time grows with samples times pairs.
+// Time grows with the number of samples times the number of pairs.
 KinematicsResult analyse(const KinematicsStudy& study);
 
 // Inputs: every number of the model, "joint_set[1].upper_dip". Outputs: every number of KinematicsResult,

@@ -34,7 +34,7 @@ Orientation plane_with_normal(const Direction& normal) {
 LineOrientation line_along(const Direction& axis) {
     const Direction down = downward(axis);
     const double horizontal = std::hypot(down.x(), down.y());
-    // Not -down.z(): a horizontal line plunges 0, not -0.
+    // With -down.z() a horizontal line would plunge -0 instead of 0.
     return {std::atan2(std::abs(down.z()), horizontal),
             horizontal > 0 ? wrapped_azimuth(std::atan2(down.x(), down.y())) : 0};
 }
@@ -47,7 +47,7 @@ double wrapped_azimuth(double azimuth) {
     constexpr double turn = 2 * std::numbers::pi;
     const double wrapped = std::fmod(azimuth, turn);
     const double positive = wrapped < 0 ? wrapped + turn : wrapped;
-    // A tiny negative azimuth rounds up to the whole turn.
+    // Rounding turns a minute negative azimuth into the whole turn.
     return positive < turn ? positive : 0;
 }
 

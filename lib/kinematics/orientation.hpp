@@ -1,4 +1,4 @@
-// Planes and lines in space, as a geologist's compass gives them.
+// Planes and lines in space, by the angles that a geologist's compass measures.
 //
 // Directions are unit vectors (east, north, up). Azimuths run clockwise from north; dip and plunge are measured below
 // the horizontal. A plane with dip d and dip direction a has
@@ -43,15 +43,14 @@ Direction upward_normal(const Orientation& plane);
 Direction dip_vector(const Orientation& plane);
 Direction direction_of(const LineOrientation& line);
 
-// The end of the axis that points downwards; a horizontal axis is left as it is.
+// The downward end of the axis; a horizontal axis is left as it is.
 Direction downward(const Direction& axis);
 
-// Orientation of the plane with this normal, either way round and of any length but 0. A horizontal plane has dip
+// Orientation of the plane with this normal, in either sense and of any length but 0. A horizontal plane has dip
 // direction 0.
 Orientation plane_with_normal(const Direction& normal);
 
-// Trend and plunge of the axis in this direction, either way round and of any length but 0. A vertical line has trend
-// 0.
+// Trend and plunge of the axis in this direction, in either sense and of any length but 0. A vertical line has trend 0.
 LineOrientation line_along(const Direction& axis);
 
 // Clockwise angle from one azimuth to another, -180 to 180 deg.
@@ -64,7 +63,7 @@ double wrapped_azimuth(double azimuth);
 // tan(apparent dip) = tan(dip) cos(azimuth - dip direction).
 double apparent_dip(const Orientation& plane, double azimuth);
 
-// Absent where the planes are parallel to within 1e-9 rad.
+// Absent if the planes are parallel to within 1e-9 rad.
 std::optional<LineOrientation> intersection(const Orientation& first, const Orientation& second);
 
 }  // namespace delabole

@@ -1,4 +1,4 @@
-// Kinematic feasibility: what a face, its joint sets and the limits of the test are.
+// Input of kinematic feasibility: a face, its joint sets and the limits of the test.
 #pragma once
 
 #include "kinematics/joint_set.hpp"
@@ -34,9 +34,9 @@ struct JointFriction {
     }
 };
 
-// How far from the dip direction of the face, to either side, a movement may point and still leave the slope.
+// Greatest angle, to either side, between the dip direction of the face and a movement that can still leave the slope.
 // Customary: 20 deg for planar sliding and direct toppling, 30 deg for flexural toppling (Goodman 1980; Wyllie & Mah
-// 2004 take 10 deg). Wedges need no such limit, their planes release them.
+// 2004 take 10 deg). Wedges need no such limit, because their planes release them.
 struct LateralLimit {
     double planar_sliding;
     double flexural_toppling;
@@ -53,7 +53,7 @@ struct LateralLimit {
     }
 };
 
-// The line along which joints were counted, a tape or a borehole: it meets joints parallel to it too seldom.
+// The line along which joints were counted, a tape or a borehole: it meets too few of the joints parallel to it.
 struct Scanline {
     double plunge;
     double trend;

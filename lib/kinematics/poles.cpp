@@ -59,7 +59,7 @@ class MixtureFit {
 
     Mixture empty() const { return {{}, 1, 0, {}}; }
 
-    // One set more than `fewer`, the best of those that begin at some of its unexplained poles.
+    // Adds one set to `fewer`: the best fit of those that begin at some of its unexplained poles.
     Mixture with_another(const Mixture& fewer) const {
         Mixture best = fewer;
         best.log_likelihood = -std::numeric_limits<double>::infinity();
@@ -79,7 +79,7 @@ class MixtureFit {
     }
 
   private:
-    // The densest of the poles by what no set explains, far from each other.
+    // The densest of the poles that no set explains, far from each other.
     std::vector<Direction> unexplained_poles(const Mixture& mixture) const {
         constexpr std::size_t candidates = 4;
         constexpr double kernel = 50;
@@ -111,7 +111,7 @@ class MixtureFit {
         return found;
     }
 
-    // Probabilities and likelihood of the sets as they are.
+    // Expectation step: probabilities and likelihood of the present sets.
     void expect(Mixture& mixture) const {
         mixture.probability.assign(mixture.sets.size(), std::vector<double>(poles_.size()));
         mixture.log_likelihood = 0;
@@ -130,7 +130,7 @@ class MixtureFit {
         }
     }
 
-    // The sign of each pole is unknown, too: its mean is tanh(K x.m).
+    // Maximisation step. The sign of each pole is unknown, too: its mean is tanh(K x.m).
     void maximise(Mixture& mixture) const {
         double explained = 0;
         for (std::size_t set = 0; set < mixture.sets.size(); ++set) {
@@ -173,7 +173,7 @@ class MixtureFit {
 
 std::optional<std::size_t> likeliest(const Mixture& mixture, std::size_t pole) {
     std::optional<std::size_t> best;
-    double greatest = 1;  // what is left is the background's
+    double greatest = 1;  // the rest is the probability of the background
     for (const std::vector<double>& probability : mixture.probability) {
         greatest -= probability[pole];
     }
@@ -240,7 +240,7 @@ PoleClusters find_clusters(const std::vector<Orientation>& planes, const std::ve
         }
         clusters.information_criterion.push_back(criterion);
     }
-    // The largest first; equal ones in the order in which they were found.
+    // The largest set comes first; sets of equal share are in the order in which they were found.
     std::vector<std::size_t> order(best.sets.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::greater{}, [&](std::size_t set) { return best.sets[set].share; });

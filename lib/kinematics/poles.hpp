@@ -15,10 +15,10 @@
 
 namespace delabole {
 
-// A line meets a plane at the angle d the more seldom the smaller d is: a plane met counts for 1 / sin d. Planes nearly
-// parallel to the line would count for all the others: d is taken as `least_angle` where it is smaller.
+// A line meets a plane at an angle d with a frequency proportional to sin d, so that a plane met counts for 1 / sin d.
+// Planes nearly parallel to the line would outweigh all others: a smaller d than `least_angle` is replaced by it.
 double terzaghi_weight(const Orientation& plane, const LineOrientation& line, double least_angle);
-// Customary: larger weights would rest on too few planes.
+// Customary value: larger weights would depend on too few planes.
 inline constexpr double customary_least_angle = degrees(15);
 
 // Statistics of poles turned to the side of their principal axis, with weights w scaled to the sum N. R is the length
@@ -28,13 +28,13 @@ struct FisherStatistics {
     double mean_dip_direction;
     double count;          // N
     double resultant;      // R
-    double concentration;  // K = (N - 1) / (N - R); infinite where nothing scatters
+    double concentration;  // K = (N - 1) / (N - R); infinite without scatter
     double
         lower_concentration;  // 95 % bounds: 2 K (N - R) is distributed as chi-square with 2 N - 2 degrees of freedom
     double upper_concentration;
-    double confidence_cone;   // 95 %: half-angle about the mean that holds the true mean,
-                              // cos a = 1 - (N - R) / R (20^(1 / (N - 1)) - 1)
-    double variability_cone;  // 68 %: half-angle about the mean that holds that share of the poles
+    double confidence_cone;   // 95 %: half-angle about the mean that contains the true mean, cos a = 1 - (N - R) / R
+                              // (20^(1 / (N - 1)) - 1)
+    double variability_cone;  // 68 %: half-angle about the mean that contains that share of the poles
     static constexpr auto fields() {
         using F = FisherStatistics;
         constexpr Interval any = any_number();
@@ -55,8 +55,8 @@ struct FisherStatistics {
     }
 };
 
-// At least one plane; as many weights. Of a single plane K is infinite, its lower bound 0 and the confidence cone
-// 180 deg. The bounds and cones are good for K above 3.
+// Needs at least one plane and one weight for each. For a single plane K is infinite, its lower bound 0 and the
+// confidence cone 180 deg. The bounds and cones are valid for K above 3.
 FisherStatistics fisher_statistics(const std::vector<Orientation>& planes, const std::vector<double>& weights);
 
 struct PoleCluster {
@@ -69,20 +69,22 @@ struct PoleCluster {
 // over a uniform background of poles that belong to no set.
 struct PoleClusters {
     std::vector<PoleCluster> sets;               // the largest first
-    std::vector<std::optional<std::size_t>> of;  // the set of each pole; none: background
-    std::vector<double> information_criterion;  // Bayesian, less that of no set: of 0, 1, 2 ... sets; the least decides
+    std::vector<std::optional<std::size_t>> of;  // the set of each pole; absent: background
+    std::vector<double> information_criterion;   // Bayesian, of 0, 1, 2 ... sets, less that of none; the least decides
 };
 
-// The number of sets, at most `most_sets`, is that of the least Bayesian information criterion, -2 log L + 4 k log N;
-// the parameters for each number are those of greatest likelihood that expectation-maximisation finds from the sets of
-// one fewer and a new one at one of the densest of their unexplained poles. Deterministic. K is held below 1e4 (a
-// scatter of 0.8 deg, what a compass resolves). A pole belongs to the set of greatest probability. Time grows with
-// poles times the square of most_sets. Two sets whose scatter overlaps by more than their distance count as one.
+// The number of sets, at most `most_sets`, is that of the least Bayesian information criterion, -2 log L + 4 k log N.
+// For each number the parameters are those of greatest likelihood that expectation-maximisation finds, starting from
+// the sets of one fewer and a new one at one of the densest of their unexplained poles. Deterministic. K is limited to
+// 1e4 (a scatter of 0.8 deg, the resolution of a compass). A pole belongs to its most probable set. Time grows with the
+// number of poles times the square of most_sets. Two sets whose scatter overlaps by more than their distance count as
+// one.
 PoleClusters find_clusters(const std::vector<Orientation>& planes, const std::vector<double>& weights,
                            std::size_t most_sets);
 
 // Kamb's density at a direction: the weight of the poles within the circle of area 9 / (N + 9) of the hemisphere, less
-// what uniform poles would give, in standard deviations of the latter. 3 and more is commonly called significant.
+// the value for uniform poles, in standard deviations of the latter. A value of 3 or more is commonly called
+// significant.
 double kamb_density(const std::vector<Direction>& poles, const std::vector<double>& weights, const Direction& at);
 
 }  // namespace delabole

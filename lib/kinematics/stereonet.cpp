@@ -13,7 +13,7 @@ namespace {
 constexpr double right_angle = std::numbers::pi / 2;
 constexpr double half_turn = std::numbers::pi;
 
-// `count` values from first to last.
+// `count` points for equally spaced values from first to last.
 template <class Function>
 Polyline curve(double first, double last, std::size_t count, Function&& point_at) {
     Polyline points;
@@ -25,8 +25,8 @@ Polyline curve(double first, double last, std::size_t count, Function&& point_at
     return points;
 }
 
-// Lines between two plunges that change with the trend, closed: out along one limit, back along the other. Trends at
-// which the limits have changed places leave no room and are skipped.
+// Closed outline of the lines between two plunges that change with the trend: out along one limit, back along the
+// other. Trends at which the limits cross contain no lines and are skipped.
 template <class Lower, class Upper>
 Polyline zone(double middle_trend, double half_width, std::size_t count, NetProjection projection, Lower&& lower_plunge,
               Upper&& upper_plunge) {
@@ -56,7 +56,7 @@ double apparent(double dip, double aside) {
     return apparent_dip({dip, 0}, aside);
 }
 
-// Half the angle in plan within which a plane of `dip` has an apparent dip of more than `least`.
+// Half the angle in plan within which a plane of `dip` has an apparent dip greater than `least`.
 double reach(double dip, double least) {
     if (!(dip > least)) {
         return 0;
@@ -153,7 +153,7 @@ double pole_density(const std::vector<Direction>& poles, const Direction& at, do
 
 namespace {
 
-// The kernels of all poles, by their weights.
+// The sum of the kernels of all poles, times their weights.
 double summed_kernels(const std::vector<Direction>& poles, const std::vector<double>& weights, const Direction& at,
                       double kernel_concentration) {
     constexpr double negligible = -30;  // exp(-30) = 1e-13
@@ -163,7 +163,7 @@ double summed_kernels(const std::vector<Direction>& poles, const std::vector<dou
         const double cosine = std::abs(poles[pole].dot(at));
         const double exponent = kernel_concentration * (cosine - 1);
         if (exponent > negligible) {
-            // The far end of the axis: left out where it is less than the rounding of the near one, exp(-37) = 2^-53.
+            // The far end of the axis is left out if it is less than the rounding of the near one, exp(-37) = 2^-53.
             const double far_end =
                 2 * kernel_concentration * cosine > 37 ? 0 : std::exp(-kernel_concentration * (cosine + 1));
             sum += weights[pole] * (std::exp(exponent) + far_end);
@@ -196,11 +196,11 @@ DensityGrid empty_grid(std::size_t side) {
     return grid;
 }
 
-// Values of every point near enough to the net, of every `stride`th row and column, that has none.
+// Computes missing values at points on or near the net, in every `stride`th row and column.
 template <class Value>
 void fill(DensityGrid& grid, Eigen::Index stride, Value&& value) {
     const double cell = grid.coordinates[1] - grid.coordinates[0];
-    // Every cell that the primitive crosses has its corners within a diagonal of it.
+    // The corners of every cell that the primitive crosses lie within a cell's diagonal of it.
     const double reach_out = 1 + std::numbers::sqrt2 * cell;
     for (Eigen::Index row = 0; row < grid.values.rows(); row += stride) {
         for (Eigen::Index column = 0; column < grid.values.cols(); column += stride) {
@@ -213,8 +213,8 @@ void fill(DensityGrid& grid, Eigen::Index stride, Value&& value) {
     }
 }
 
-// Halfway between the second and the third of four points, on the cubic through all of them. No number where one of
-// them has none or lies off the grid.
+// Value halfway between the second and the third of four points, on the cubic through all of them. NaN if one of them
+// has no value or lies off the grid.
 double halfway(const Eigen::MatrixXd& values, Eigen::Index row, Eigen::Index column, bool along_row) {
     const Eigen::Index at = along_row ? column : row;
     if (at < 3 || at + 3 >= values.rows()) {

@@ -22,8 +22,8 @@ namespace delabole {
 
 enum class NetProjection { equal_area, equal_angle };
 
-// The image of a direction as it points; the upward vertical has no image on the equal-angle net and a whole circle on
-// the equal-area net.
+// The image of a direction, upward or downward; the upward vertical has no image on the equal-angle net, and its image
+// on the equal-area net is a whole circle.
 Point projected(const Direction& direction, NetProjection projection);
 
 // The inverse; equal-area points lie within sqrt(2) of the centre.
@@ -32,7 +32,7 @@ Direction direction_at(const Point& point, NetProjection projection);
 Point projected_pole(const Orientation& plane, NetProjection projection);
 Point projected_line(const LineOrientation& line, NetProjection projection);
 
-// Curves of `count` points, count >= 2.
+// Curves have `count` points, count >= 2.
 
 // The plane itself, from strike to strike.
 Polyline great_circle(const Orientation& plane, NetProjection projection, std::size_t count = 181);
@@ -40,10 +40,10 @@ Polyline great_circle(const Orientation& plane, NetProjection projection, std::s
 // Lines of one plunge all around, closed. Poles of planes of dip d plunge 90 deg - d.
 Polyline plunge_circle(double plunge, NetProjection projection, std::size_t count = 181);
 
-// Poles of the planes whose dip vector lies in the face, from strike to strike: poles inside daylight.
+// Poles of the planes whose dip vector lies in the face, from strike to strike: planes with poles inside daylight.
 Polyline daylight_envelope(const SlopeOrientation& slope, NetProjection projection, std::size_t count = 181);
 
-// Outlines of the zones of kinematics/criteria.hpp, behind a level upper surface; empty where nothing is feasible.
+// Outlines of the zones of kinematics/criteria.hpp, behind a level upper surface; empty if nothing is feasible.
 
 // Poles of planes on which planar sliding is feasible.
 Polyline planar_sliding_zone(const SlopeOrientation& slope, double friction_angle, double lateral_limit,
@@ -58,8 +58,8 @@ Polyline flexural_toppling_zone(const SlopeOrientation& slope, double friction_a
 Polyline wedge_sliding_zone(const SlopeOrientation& slope, double friction_angle, NetProjection projection,
                             std::size_t count = 181);
 
-// Lines of intersection that can be axes of toppling columns: within the lateral limit, and the oblique ones near
-// vertical. The two overlap.
+// Lines of intersection that can be axes of toppling columns: those within the lateral limit, and the oblique ones near
+// vertical. The two zones overlap.
 Polyline toppling_axis_zone(const SlopeOrientation& slope, double lateral_limit, NetProjection projection,
                             std::size_t count = 181);
 Polyline oblique_toppling_axis_zone(const SlopeOrientation& slope, double friction_angle, NetProjection projection,
@@ -71,30 +71,31 @@ Polyline oblique_toppling_axis_zone(const SlopeOrientation& slope, double fricti
 // 1986, who use the same exponential kernel). A pole adds nothing where exp(K (|x.p| - 1)) falls under 1e-13.
 double pole_density(const std::vector<Direction>& poles, const Direction& at, double kernel_concentration);
 
-// The same of poles that weigh differently; as many weights.
+// The density of weighted poles; one weight for each.
 double pole_density(const std::vector<Direction>& poles, const std::vector<double>& weights, const Direction& at,
                     double kernel_concentration);
 
-// A single pole peaks at K = 100 times the uniform density, as it does under the customary counting circle of 1 % of
-// the net's area.
+// A single pole has a peak of K = 100 times the uniform density, as under the customary counting circle of 1 % of the
+// net's area.
 inline constexpr double customary_kernel_concentration = 100;
 
 struct DensityGrid {
-    std::vector<double> coordinates;  // of columns (x) and rows (y) alike, equally spaced
-    Eigen::MatrixXd values;           // not finite more than one cell outside the primitive
+    std::vector<double> coordinates;  // of columns (x) and of rows (y), equally spaced
+    Eigen::MatrixXd values;           // not finite farther than one cell outside the primitive
 };
 
 // The density on `side` times `side` points, side >= 4, one cell wider than the net on each side.
 DensityGrid density_grid(const std::function<double(const Direction&)>& density, NetProjection projection,
                          std::size_t side);
 
-// The density of poles that weigh differently. It is summed up at every second point and around the primitive, with
-// cubics through four points between: at a kernel concentration of 100 and 121 points a side within 1.1 % of a pole's
-// peak on the equal-area net, 2.1 % on the equal-angle one. Time grows with side^2 * poles.size().
+// The density of weighted poles. It is computed at every second point and around the primitive, and interpolated by
+// cubics through four points between them: at a kernel concentration of 100 and with 121 points a side the error is
+// within 1.1 % of a pole's peak on the equal-area net, 2.1 % on the equal-angle one. Time grows with
+// side^2 * poles.size().
 DensityGrid pole_density_grid(const std::vector<Direction>& poles, const std::vector<double>& weights,
                               double kernel_concentration, NetProjection projection, std::size_t side);
 
-// The parts of a line inside the primitive circle, cut at it.
+// The parts of a line inside the primitive circle, where it is cut.
 std::vector<Polyline> inside_primitive(const Polyline& line);
 
 }  // namespace delabole

@@ -1,6 +1,6 @@
-// Values as bytes that give the same bits again, on any machine: numbers low byte first, lists and texts after their
-// length, no padding. Checkpoints, kept evaluations and messages between processes consist of them. What is read may be
-// damaged: nothing is believed that the bytes cannot hold.
+// Conversion of values to bytes and back to the same bits, on any machine: numbers low byte first, lists and texts
+// after their length, no padding. It is used for checkpoints, stored evaluations and messages between processes. Bytes
+// that are read may be damaged: a length that they cannot contain is refused.
 #pragma once
 
 #include "parameters/fields.hpp"
@@ -19,11 +19,11 @@
 
 namespace delabole {
 
-// True for arrays whose items are put together from several columns when they are taken out.
+// True for arrays whose items are assembled from several columns when they are read.
 template <class T>
 inline constexpr bool is_put_together = false;
 
-// Structs whose members_of(object) is a tuple of references to what they consist of.
+// Structs whose members_of(object) is a tuple of references to their members.
 template <class T>
 concept HasMembers = requires(T& object) {
     members_of(object);
@@ -105,7 +105,7 @@ class ArchiveWriter {
     std::string bytes_;
 };
 
-// Bytes of an object whose lists are empty and that lacks all that may be absent.
+// Size in bytes of an object with empty lists and without its optional parts.
 template <class T>
 std::size_t smallest_size() {
     if constexpr (IsPoint<T>) {
@@ -117,13 +117,13 @@ std::size_t smallest_size() {
     }
 }
 
-// Takes what the writer put. Once something is wrong it stays so, and nothing is taken any more.
+// Reads the output of the writer. After the first error the reader stays in error and reads nothing more.
 class ArchiveReader {
   public:
     explicit ArchiveReader(std::string_view bytes) : rest_(bytes) {}
 
     bool good() const { return good_; }
-    // Everything was there, and nothing is left.
+    // Whether everything could be read and nothing is left.
     bool whole() const { return good_ && rest_.empty(); }
 
     void get(double& value) {
@@ -136,7 +136,7 @@ class ArchiveReader {
         get(byte);
         value = byte == 1;
     }
-    // Always a truth value here.
+    // A char is always a truth value here.
     void get(char& value) {
         if (ask_for(1)) {
             value = rest_.front();
@@ -212,7 +212,7 @@ class ArchiveReader {
         good_ = good_ && rest_.size() >= size;
         return good_;
     }
-    // How many items follow; where the rest cannot hold so many, none, and it is not good.
+    // Reads the number of items that follow; 0, with an error, if the rest cannot contain so many.
     template <class T>
     std::uint64_t get_count() {
         std::uint64_t count = 0;

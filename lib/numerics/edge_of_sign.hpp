@@ -1,5 +1,5 @@
-// Where a function of one variable changes sign, to the last bit: for margins of stability, which may be zero over a
-// range, jump, or have no finite value on one side.
+// The point at which a function of one variable changes sign, to the last bit: for margins of stability, which may be
+// zero over a range, jump, or have no finite value on one side.
 #pragma once
 
 #include <algorithm>
@@ -7,16 +7,16 @@
 
 namespace delabole {
 
-// Where a function changes from not positive to positive, in either direction.
+// Bracket in which a function changes from not positive to positive, in either direction.
 struct SignBracket {
     double lower, upper;
     double at_lower, at_upper;
     bool found = false;
 };
 
-// Regula falsi with halved weights (Illinois), bisection where that does not shrink the bracket or where a value is
-// zero (margins may be zero over a range, the end of which is sought) or infinite. To the last bit.
-// Not bracketed_root of the fits, which stops at any zero and takes a value that is not finite for a gap.
+// Regula falsi with halved weights (Illinois); bisection if that does not shrink the bracket, or if a value is zero (a
+// margin may be zero over a range, whose end is sought) or infinite. The result is exact to the last bit. The function
+// bracketed_root of the fits does not serve here: it stops at any zero and treats a value that is not finite as a gap.
 template <class Function>
 double edge_in(Function& function, SignBracket bracket) {
     const auto positive_above = bracket.at_upper > 0;
@@ -32,7 +32,7 @@ double edge_in(Function& function, SignBracket bracket) {
         const double product = weight_lower * weight_upper;
         if (product < 0 && std::isfinite(weight_lower) && std::isfinite(weight_upper) && count % 4 != 3) {
             const double secant = bracket.upper - width * weight_upper / (weight_upper - weight_lower);
-            // A step of at least a few bits off the ends, so that the far end moves too.
+            // The step stays a few bits away from the ends, so that the far end moves too.
             const double least = 4e-16 * (1 + std::abs(secant));
             middle = std::clamp(secant, bracket.lower + least, bracket.upper - least);
         }

@@ -1,5 +1,5 @@
-// FNV-1a over bytes: tells texts apart and finds damage, does not protect against forgery. Source: G. Fowler, L. C.
-// Noll, K.-P. Vo, D. Eastlake, The FNV non-cryptographic hash algorithm.
+// FNV-1a hash of bytes: distinguishes texts and detects damage, but does not protect against forgery. Source: G.
+// Fowler, L. C. Noll, K.-P. Vo, D. Eastlake, The FNV non-cryptographic hash algorithm.
 #pragma once
 
 #include <cstdint>

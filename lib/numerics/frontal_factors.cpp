@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// Groups that are eliminated together, and those beside them that they then act on, by their places in the order.
+// Groups that are eliminated together, and the other groups that their elimination affects, by their places in the
+// order.
 struct Set {
     std::vector<int> pivots;
     std::vector<int> others;  // in increasing order
@@ -23,7 +24,7 @@ struct Set {
     bool merged = false;
 };
 
-// Each group with what its elimination joins, all by places in the order.
+// Each group with those that its elimination affects, all by places in the order.
 std::vector<Set> sets_of_one(const std::vector<std::vector<int>>& neighbours, std::span<const int> order) {
     const std::size_t groups = order.size();
     std::vector<int> place(groups);
@@ -59,8 +60,8 @@ std::vector<Set> sets_of_one(const std::vector<std::vector<int>>& neighbours, st
     return sets;
 }
 
-// Sets with so few groups, or that have so nearly the same neighbours as the set above them, that one larger matrix
-// with some zeros costs less. From below upwards.
+// Merges a set into the set above it if they have few groups or nearly the same neighbours, so that one larger matrix
+// with some zeros costs less. The loop goes from the bottom upwards.
 void merge(std::vector<Set>& sets) {
     constexpr std::size_t few = 4;
     constexpr double most_zeros = 0.15;  // of the pivots' columns
@@ -89,7 +90,7 @@ void merge(std::vector<Set>& sets) {
     }
 }
 
-// The sets that are left, each after all below it, those below one another's neighbour together.
+// The remaining sets in an order in which each comes after all sets below it, and the sets below one set are adjacent.
 std::vector<std::size_t> from_below(const std::vector<Set>& sets) {
     std::vector<std::size_t> order;
     std::vector<std::size_t> to_visit;
@@ -122,7 +123,7 @@ DELABOLE_INLINED void load_rows(std::size_t rows, const double* from, EightLanes
     std::memcpy(&to, from, whole ? sizeof(to) : rows * sizeof(double));
 }
 
-// Up to eight rows and some columns of c - a b.
+// Subtracts a product: up to eight rows and some columns of c - a b.
 template <std::size_t columns, bool whole>
 DELABOLE_INLINED void subtract_tile(std::size_t rows, std::size_t inner, const Columns& a, const Columns& b,
                                     const Columns& c) {
@@ -142,7 +143,7 @@ DELABOLE_INLINED void subtract_tile(std::size_t rows, std::size_t inner, const C
     }
 }
 
-// c - a b; a has `rows` rows and `inner` columns.
+// Computes c - a b; a has `rows` rows and `inner` columns.
 DELABOLE_INLINED void subtract_product(std::size_t rows, std::size_t columns, std::size_t inner, const Columns& a,
                                        const Columns& b, const Columns& c) {
     constexpr std::size_t wide = 4;
@@ -169,7 +170,7 @@ DELABOLE_INLINED void subtract_product(std::size_t rows, std::size_t columns, st
     }
 }
 
-// Rows `begin` to `end` of columns that the pivots from `begin` to `end` are eliminated from.
+// Solves rows `begin` to `end` of the columns from which the pivots from `begin` to `end` are eliminated.
 DELABOLE_INLINED void solve_lower(std::size_t begin, std::size_t end, std::size_t columns, const Columns& lower,
                                   const Columns& right) {
     for (std::size_t column = 0; column < columns; ++column) {
@@ -193,9 +194,9 @@ struct DenseFront {
     int* exchanged;
 };
 
-// Pivots `begin` to `end` in their own columns.
+// Eliminates the pivots `begin` to `end` in their own columns.
 DELABOLE_INLINED bool eliminate_columns(const DenseFront& front, std::size_t begin, std::size_t end) {
-    // Rows stay where they are unless that would make entries grow.
+    // Rows are not exchanged unless entries would grow otherwise.
     constexpr double large_enough = 0.1;
     const std::size_t rows = front.pivots + front.others;
     const Columns& lower = front.lower;
@@ -283,7 +284,7 @@ FrontalFactors::FrontalFactors(const SparsePattern& pattern, int width, std::spa
     merge(sets);
     const std::vector<std::size_t> from_bottom = from_below(sets);
     std::vector<std::size_t> front_of_set(sets.size(), none);
-    std::vector<std::size_t> front_of_group(groups);  // in which it is a pivot
+    std::vector<std::size_t> front_of_group(groups);  // front in which the group is a pivot
     std::size_t numbers = 0;
     std::size_t pivots = 0;
     for (const std::size_t at : from_bottom) {
@@ -326,7 +327,7 @@ FrontalFactors::FrontalFactors(const SparsePattern& pattern, int width, std::spa
     exchanged_.resize(wide * groups);
 }
 
-// Notes where each unknown of a front stands in it; places of others are left as they are.
+// Records the position of each unknown of a front in it; places of other unknowns are left as they are.
 void FrontalFactors::note_places(const Front& front, std::vector<std::size_t>& place) const {
     for (std::size_t one = 0; one < front.pivots + front.others; ++one) {
         place[static_cast<std::size_t>(unknown_[front.unknowns + one])] = one;
@@ -359,7 +360,7 @@ void FrontalFactors::find_entries(const SparsePattern& pattern, std::size_t widt
             for (auto entry = static_cast<std::size_t>(pattern.column_begin[column]);
                  entry < static_cast<std::size_t>(pattern.column_begin[column + 1]); ++entry) {
                 const auto row = static_cast<std::size_t>(pattern.row[entry]);
-                // It belongs where the first of the two is a pivot.
+                // The entry belongs to the front in which the first of the two groups is a pivot.
                 if (std::min(pivot_in[row / width], pivot_in[column / width]) != at) {
                     continue;
                 }
@@ -371,7 +372,7 @@ void FrontalFactors::find_entries(const SparsePattern& pattern, std::size_t widt
     }
 }
 
-// Adds what a child has left over, which the parent's columns take up.
+// Adds the remainder of a child to the parent's columns and to the parent's own remainder.
 void FrontalFactors::take_up(const Front& child, const Front& front, const double* left, double* rest) {
     const std::span<const std::size_t> place(place_.data() + child.in_parent, child.others);
     const auto among_pivots =
@@ -412,7 +413,7 @@ bool FrontalFactors::factor(std::span<const double> values) {
     for (const Entry& entry : entry_) {
         factor_[entry.to] = values[entry.from];
     }
-    // The fronts whose leavings lie on the stack, the last one's on top.
+    // The fronts whose remainders lie on the stack, the last one on top.
     std::vector<std::size_t> waiting;
     stack_.clear();
     for (std::size_t at = 0; at < front_.size(); ++at) {

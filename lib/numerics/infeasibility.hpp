@@ -1,4 +1,4 @@
-// Whether linear equations have a solution without negative unknowns: phase one of the simplex method, dense, for some
+// Whether linear equations have a solution with non-negative unknowns: phase one of the simplex method, dense, for some
 // dozens of unknowns. A template over the scalar.
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace delabole {
 
-// coefficients x = right_sides, x >= 0, `coefficients` row by row. Returns by how much the equations must be violated
-// in sum, one-sidedly, before there is such an x: 0 but for rounding where there is one.
+// Solves coefficients x = right_sides, x >= 0, with `coefficients` row by row. Returns the least sum of one-sided
+// violations of the equations for such an x: 0, except for rounding, if there is a solution.
 //
-// The unknown that gains most enters the basis; after as many steps as there are numbers in the table the first that
-// gains, with which the method cannot cycle (Bland 1977, Math. Oper. Res. 2).
+// The unknown with the greatest gain enters the basis; after as many steps as there are numbers in the table the first
+// unknown with a gain does, with which the method cannot cycle (Bland 1977, Math. Oper. Res. 2).
 template <class T>
 class Infeasibility {
   public:
@@ -104,7 +104,7 @@ class Infeasibility {
 
     std::size_t rows_ = 0;
     std::size_t columns_ = 0;
-    std::vector<T> table_;  // the last row holds the sum of those whose slack is in the basis
+    std::vector<T> table_;  // the last row holds the sum of the rows whose slack is in the basis
     std::vector<std::size_t> basis_;
 };
 

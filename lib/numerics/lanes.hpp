@@ -1,5 +1,5 @@
-// Several numbers worked on at once: formulas written for `Number` are compiled for double and for lanes, and each lane
-// gets the same bits as the number alone. Comparisons give a mask, which `select` and `any` take, for either.
+// Calculation with several numbers at once: formulas written for `Number` are compiled for double and for lanes, and
+// each lane gets the same bits as the number alone. Comparisons give a mask, which `select` and `any` accept for both.
 #pragma once
 
 #include <array>
@@ -13,12 +13,13 @@
 #include <emmintrin.h>
 #endif
 
-// Lanes pass between inlined functions only, wherever these are compiled for.
+// Lanes pass only between inlined functions, whatever processor these are compiled for.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-// A function so marked is compiled for all processors and for those with wider registers, and the right one is taken at
-// the start of the program. All give the same bits: multiplications and additions are never contracted.
+// A function with this mark is compiled for all processors and for those with wider registers, and the suitable version
+// is selected at the start of the program. All versions give the same bits: multiplications and additions are never
+// contracted.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define DELABOLE_PROCESSORS_DIFFER  // functions can have targets of their own
@@ -27,12 +28,12 @@
 #define DELABOLE_FOR_EACH_PROCESSOR
 #endif
 
-// Into each of these: what is not inlined is compiled for all processors only.
+// Marks functions that are inlined into these: a function that is not inlined is compiled for all processors only.
 #define DELABOLE_INLINED [[gnu::always_inline]] inline
 
 namespace delabole {
 
-// Registers of 32 bytes, or pairs of half as long ones, as the function they are inlined into has them.
+// Registers of 32 bytes, or pairs of 16 bytes, as available in the function into which they are inlined.
 using FourLanes = double __attribute__((vector_size(4 * sizeof(double))));
 // Registers of 64 bytes.
 using EightLanes = double __attribute__((vector_size(8 * sizeof(double))));
@@ -54,17 +55,17 @@ DELABOLE_INLINED Lanes select(const MaskOf<Lanes>& first, const Lanes& one, cons
     return first ? one : two;
 }
 
-// One for each lane, the first one lowest.
+// One bit for each lane, the first lane lowest.
 template <IsLanes Lanes>
 constexpr unsigned all_lanes = (1U << lane_count<Lanes>)-1;
 
-// Bits as bytes 0 or 1, the lowest bit first.
+// Converts bits to bytes of 0 or 1, the lowest bit first.
 DELABOLE_INLINED std::uint64_t bytes_of(unsigned bits) {
     const std::uint64_t one_in_each = bits * 0x0101010101010101U & 0x8040201008040201U;
     return (one_in_each + 0x7f7f7f7f7f7f7f7fU) >> 7U & 0x0101010101010101U;
 }
 
-// The other way round.
+// Converts bytes of 0 or 1 to bits.
 DELABOLE_INLINED unsigned bits_of(std::uint64_t bytes) {
     return static_cast<unsigned>(bytes * 0x0102040810204080U >> 56U);
 }
@@ -110,7 +111,7 @@ DELABOLE_INLINED Lanes absolute(const Lanes& value) {
     return (Lanes)((MaskOf<Lanes>)value & INT64_MAX);
 }
 
-// Does what std::copysign does.
+// Equivalent to std::copysign.
 DELABOLE_INLINED double with_sign(const double& value, const double& sign) {
     return std::copysign(value, sign);
 }
@@ -133,7 +134,7 @@ DELABOLE_INLINED FourLanes square_root(const FourLanes& value) {
 #endif
 }
 
-// These do what std::min and std::max do.
+// Equivalent to std::min and std::max.
 template <class Number>
 DELABOLE_INLINED Number lesser(const Number& one, const Number& two) {
     return select(two < one, two, one);
@@ -143,13 +144,13 @@ DELABOLE_INLINED Number greater(const Number& one, const Number& two) {
     return select(one < two, two, one);
 }
 
-// The first two with the other sign, the last two exchanged.
+// Changes the sign of the first two and exchanges the last two.
 DELABOLE_INLINED FourLanes opposite(const FourLanes& value) {
     constexpr MaskOf<FourLanes> signs{INT64_MIN, INT64_MIN, 0, 0};
     return (FourLanes)((MaskOf<FourLanes>)__builtin_shufflevector(value, value, 0, 1, 3, 2) ^ signs);
 }
 
-// Anywhere in memory.
+// Types for access to any aligned double in memory.
 using FourInMemory __attribute__((aligned(sizeof(double)), may_alias)) = FourLanes;
 using EightInMemory __attribute__((aligned(sizeof(double)), may_alias)) = EightLanes;
 template <IsLanes Lanes>
@@ -169,11 +170,11 @@ DELABOLE_INLINED void store_lanes(const Lanes& lanes, double* to) {
     }
 }
 
-// Four numbers each of as many rows as there are lanes.
+// Four numbers of each row; there are as many rows as lanes.
 template <IsLanes Lanes>
 using FourOf = std::array<Lanes, 4>;
 
-// Four by four: what was a row becomes a column. Of eight lanes, each half by itself.
+// Transposes four by four numbers; with eight lanes, each half by itself.
 template <IsLanes Lanes>
 DELABOLE_INLINED FourOf<Lanes> transposed(const Lanes& one, const Lanes& two, const Lanes& three, const Lanes& four) {
     const auto low = [](const Lanes& first, const Lanes& second) __attribute__((always_inline)) {
@@ -215,13 +216,13 @@ DELABOLE_INLINED FourOf<Lanes> transposed(const Lanes& one, const Lanes& two, co
 template <IsLanes Lanes>
 using Rows = std::array<const double*, lane_count<Lanes>>;
 
-// Four places of all rows, from `place` on, side by side.
+// Four places of all rows, from `place` on, as one vector for each place.
 DELABOLE_INLINED FourOf<FourLanes> gather_four(const Rows<FourLanes>& rows, std::size_t place) {
     return transposed<FourLanes>(load_lanes<FourLanes>(rows[0] + place), load_lanes<FourLanes>(rows[1] + place),
                                  load_lanes<FourLanes>(rows[2] + place), load_lanes<FourLanes>(rows[3] + place));
 }
 
-// The first eight places of all rows, side by side.
+// The first eight places of all rows, as one vector for each place.
 template <IsLanes Lanes>
 DELABOLE_INLINED std::array<Lanes, 8> gather_eight(const Rows<Lanes>& rows) {
     if constexpr (std::same_as<Lanes, FourLanes>) {
@@ -229,7 +230,7 @@ DELABOLE_INLINED std::array<Lanes, 8> gather_eight(const Rows<Lanes>& rows) {
         const FourOf<Lanes> two = gather_four(rows, 4);
         return {one[0], one[1], one[2], one[3], two[0], two[1], two[2], two[3]};
     } else {
-        // Four rows each: places from 0 on in the first half, from 4 on in the second.
+        // Four rows at a time: the first half has the places from 0 on, the second those from 4 on.
         const auto four_from = [&](std::size_t row) __attribute__((always_inline)) {
             return transposed<Lanes>(load_lanes<Lanes>(rows[row]), load_lanes<Lanes>(rows[row + 1]),
                                      load_lanes<Lanes>(rows[row + 2]), load_lanes<Lanes>(rows[row + 3]));
@@ -247,7 +248,7 @@ DELABOLE_INLINED std::array<Lanes, 8> gather_eight(const Rows<Lanes>& rows) {
     }
 }
 
-// The row of a lane, of four numbers that have been transposed.
+// Stores the row of one lane, from four transposed numbers.
 template <IsLanes Lanes>
 DELABOLE_INLINED void store_row(const FourOf<Lanes>& rows, std::size_t lane, double* to) {
     if constexpr (std::same_as<Lanes, FourLanes>) {

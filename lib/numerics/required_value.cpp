@@ -11,7 +11,7 @@ namespace {
 constexpr int linear_points = 257;
 constexpr int points_per_decade = 12;
 constexpr int decades = 12;  // above and below one SI unit
-// Bounds beyond this only exclude what nobody means (parameters/lengths.hpp): evenly spaced points would miss the rest.
+// Bounds beyond this only exclude absurd values (parameters/lengths.hpp): evenly spaced points would be too far apart.
 constexpr double no_bound = 1e5;
 
 double near_or_infinite(double bound) {
@@ -30,7 +30,7 @@ std::vector<double> search_points(const Interval& range, double present) {
         }
     } else {
         const double bound = std::isfinite(lower) ? lower : std::isfinite(upper) ? upper : 0;
-        // About the present value too where nothing is bounded: an elevation has answers only in a short interval far
+        // Without bounds the present value is an origin as well: an elevation has answers only in a short interval far
         // from zero.
         std::vector<double> origins = {bound};
         if (std::isinf(lower) && std::isinf(upper)) {

@@ -17,22 +17,22 @@ enum class RequiredStatus { found, several, never_reached, always_exceeded, unkn
 
 struct Required {
     RequiredStatus status;
-    double value;  // SI, meaningful where found or several (then the smallest)
+    double value;  // SI, meaningful if found or several (then the smallest)
     Dimension dimension;
-    // Over the range searched, for the message where it is never reached; plus and minus infinity where the problem has
-    // no answer at all.
+    // Over the range searched, for the message if the target is never reached; plus and minus infinity if the problem
+    // has no answer at all.
     double lowest_factor_of_safety;
     double highest_factor_of_safety;
 };
 
-// Where to look for the root: the range of a field, or geometrically over 24 decades of distance from its bound (where
-// it has none, from zero and from the present value). A bound of 1e5 or more counts as none.
+// Points at which to search for the root: the range of a field, or geometrically over 24 decades of distance from its
+// bound (without a bound, from zero and from the present value). A bound of 1e5 or more is ignored.
 std::vector<double> search_points(const Interval& range, double present);
 
 // Searches the range of the input's field; the inputs of `also` take the same value. `factor_of_safety(problem)` gives
-// NaN where the problem has no answer (water above the crack, ...): such values are left out. Accuracy: full double
-// precision of the root, if the function is monotonic between neighbouring search points. Where the factor jumps over
-// the target it does not reach it.
+// NaN if the problem has no answer (water above the crack, ...): such values are left out. Accuracy: full double
+// precision of the root, if the function is monotonic between neighbouring search points. A factor that jumps over the
+// target does not reach it.
 template <Described Problem, class FactorOfSafety>
 Required find_required_value(const Problem& problem, const std::string& parameter, const std::vector<std::string>& also,
                              double target, const FactorOfSafety& factor_of_safety) {

@@ -15,8 +15,8 @@ namespace {
 
 using Function = std::function<double(double)>;
 
-// GSL ends the process at a value that is not finite, through a handler that is global and not ours to change. So it is
-// told that it has found a root, and the search that it has not.
+// At a value that is not finite GSL ends the process, through a global handler that is not changed here. Such a value
+// is therefore reported to GSL as a root, and to the caller as a failure.
 struct GuardedFunction {
     const Function& function;
     bool finite = true;
@@ -31,7 +31,7 @@ double call(double x, void* guarded) {
 
 constexpr int iteration_limit = 200;  // Brent's worst case is bisection: 60 halvings exhaust a double
 
-// Largest valid point between a valid and an invalid one.
+// The farthest valid point between a valid and an invalid one.
 double edge_of_validity(const Function& function, double valid, double invalid) {
     for (int halving = 0; halving < 60; ++halving) {
         const double middle = valid + (invalid - valid) / 2;
@@ -40,7 +40,7 @@ double edge_of_validity(const Function& function, double valid, double invalid) 
     return valid;
 }
 
-// Returns nothing where the function has no value somewhere on the way.
+// Returns nothing if the function has no value at some point of the search.
 std::optional<double> refine_root(const Function& function, double lower, double upper) {
     const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
         gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);
@@ -54,7 +54,7 @@ std::optional<double> refine_root(const Function& function, double lower, double
         }
         const double a = gsl_root_fsolver_x_lower(solver.get());
         const double b = gsl_root_fsolver_x_upper(solver.get());
-        // Once Brent's steps are this small it has converged, though the far end of its bracket may lag behind.
+        // With steps this small Brent's method has converged, although the far end of its bracket may lag behind.
         const double last_root = std::exchange(root, gsl_root_fsolver_root(solver.get()));
         const double resolution = 2 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
         if (b - a <= resolution || std::abs(root - last_root) <= resolution) {
@@ -64,15 +64,15 @@ std::optional<double> refine_root(const Function& function, double lower, double
     return guard.finite ? std::optional(gsl_root_fsolver_root(solver.get())) : std::nullopt;
 }
 
-// No at a jump, where the function keeps the order of the values beside it up to the last digit. A steep function is
-// known at its root to the rounding of the argument, some 1e-16 of the argument's distance from zero.
+// False at a jump, where the function keeps the order of magnitude of the neighbouring values up to the last digit. A
+// steep function is known at its root to the rounding of the argument, some 1e-16 of the argument's distance from zero.
 bool passes_through_zero(const Function& value, double root, double left_value, double right_value) {
     const double left = std::abs(left_value);
     const double right = std::abs(right_value);
     return std::abs(value(root)) <= std::max(1e-3 * std::min(left, right), 1e-9 * std::max(left, right));
 }
 
-// Last point, going from `lower_value` at `from` towards `to`, before values rise again: the foot of a jump.
+// Last point before values rise again, from `lower_value` at `from` towards `to`: the foot of a jump.
 double foot_of_jump(const Function& value, double from, double lower_value, double to) {
     for (int halving = 0; halving < 60; ++halving) {
         const double middle = from + (to - from) / 2;
@@ -87,7 +87,7 @@ double foot_of_jump(const Function& value, double from, double lower_value, doub
     return from;
 }
 
-// Lowest of the points that a search by values only passes on its way.
+// Returns the lowest of all points evaluated in a search by values only.
 double golden_section(const Function& value, double lower, double upper) {
     const double ratio = (std::sqrt(5.0) - 1) / 2;
     double lowest = lower;
@@ -171,7 +171,7 @@ ScalarMinimum minimise_scalar(const Function& value, const Function& slope, doub
     if (root) {
         minimum.position = *root;
     } else if (turns || !std::isfinite(end_slope)) {
-        minimum.position = golden_section(value, left, right);  // slopes do not lead to it
+        minimum.position = golden_section(value, left, right);  // derivatives do not lead to the minimum
     } else if (!at_edge) {
         minimum.position = foot_of_jump(value, start, best_value, end);
     }
@@ -211,7 +211,7 @@ ScalarRoot find_root(const Function& function, const std::vector<double>& candid
             const double edge = valid ? edge_of_validity(function, x, candidates[index - 1])
                                       : edge_of_validity(function, candidates[index - 1], x);
             if (valid) {
-                have_last = false;  // no value in between: a change of sign across the gap is no root
+                have_last = false;  // no value in between: a change of sign across the gap is not a root
             }
             if (edge != last || !have_last) {
                 visit(edge, function(edge));

@@ -1,4 +1,4 @@
-// Where a sparse matrix has entries.
+// Positions of the entries of a sparse matrix.
 #pragma once
 
 #include <vector>

@@ -28,10 +28,10 @@ struct SparseSystem::Factors {
 
 namespace {
 
-// Fewer are solved as fast without dense matrices.
+// With fewer unknowns the solution is as fast without dense matrices.
 constexpr int many_unknowns = 72;
 
-// The groups in an order in which elimination joins few of them.
+// An order of the groups in which elimination creates few new entries.
 std::vector<int> elimination_order(const SparsePattern& pattern, int group) {
     SparsePattern groups;
     for (int column = 0; column < pattern.size(); column += group) {
@@ -70,7 +70,7 @@ bool SparseSystem::solve(Eigen::VectorXd& vector) {
 }
 
 bool SparseSystem::solve_by_fronts(Eigen::VectorXd& vector) {
-    // What may be left over, as a share of the products that make up a row. KLU's pivots may cost it more digits.
+    // Greatest accepted residual, as a share of the products that make up a row. KLU's pivots may lose more digits.
     constexpr double little = 1e-11;
     constexpr int most_improvements = 2;
     FrontalFactors& fronts = *factors_->fronts;
@@ -125,7 +125,8 @@ bool SparseSystem::solve_by_klu(Eigen::VectorXd& vector) {
     if (symbolic == nullptr) {  // structurally singular
         return false;
     }
-    // Pivots are kept as long as elimination makes entries grow by no more than this: it costs as many digits.
+    // Pivots are kept as long as elimination makes entries grow by no more than this factor, which is also the loss of
+    // digits.
     constexpr double least_reciprocal_growth = 1e-6;
     const bool kept = numeric != nullptr && klu_refactor(begin, row, value_.data(), symbolic, numeric, &common) != 0 &&
                       common.status == KLU_OK &&

@@ -1,11 +1,11 @@
-// Linear equations whose pattern of entries stays while their values change from one solution to the next.
+// Linear equations with a constant pattern of entries and values that change from one solution to the next.
 //
 // Direct solution. Many unknowns in groups are eliminated by dense matrices (frontal_factors.hpp), in the order that
-// KLU finds for their groups, and the solution is improved once if that leaves something over. Few of them, those
-// without groups, and those of which the dense matrices leave too much over are solved by KLU (Davis & Palamadai
-// Natarajan 2010, Algorithm 907, ACM TOMS 37-3): the ordering is found once for the pattern, pivots once for some
-// values and kept for the next ones as long as they are good enough. Neither calls BLAS: the same numbers come out on
-// any number of threads and with whatever BLAS is installed.
+// KLU finds for their groups, and the solution is improved if its residual requires it. Systems with few unknowns,
+// without groups, or with too large a residual after the elimination by dense matrices are solved by KLU (Davis &
+// Palamadai Natarajan 2010, Algorithm 907, ACM TOMS 37-3): the ordering is found once for the pattern, and pivots are
+// kept from one set of values to the next as long as they are good enough. Neither method calls BLAS: the result is the
+// same on any number of threads and with any installed BLAS.
 #pragma once
 
 #include "numerics/sparse_pattern.hpp"
@@ -20,8 +20,8 @@ namespace delabole {
 
 class SparseSystem {
   public:
-    // Square, with at least one row. More than one unknown in a `group`: the pattern is symmetric and has all entries
-    // between two groups, which follow one another, or none.
+    // The matrix is square with at least one row. With more than one unknown in a `group` the pattern is symmetric and
+    // has all entries between two groups, which are contiguous, or none.
     explicit SparseSystem(SparsePattern pattern, int group = 1);
     ~SparseSystem();
     SparseSystem(SparseSystem&& other) noexcept;
@@ -31,8 +31,8 @@ class SparseSystem {
     // Values in the order of the pattern.
     std::span<double> values() { return value_; }
 
-    // Right-hand side in, solution out. False, with the vector undefined, where the matrix is singular to working
-    // precision or has entries that are not finite.
+    // Replaces the right-hand side by the solution. Returns false, with the vector undefined, if the matrix is singular
+    // to working precision or has entries that are not finite.
     bool solve(Eigen::VectorXd& vector);
 
   private:

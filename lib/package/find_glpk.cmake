@@ -1,4 +1,4 @@
-# GLPK brings neither a CMake nor a pkg-config file: the target glpk::glpk, here and for users of the installed library.
+# Defines the target glpk::glpk, here and for users of the installed library: GLPK has no CMake or pkg-config file.
 if(NOT TARGET glpk::glpk)
     find_path(GLPK_INCLUDE_DIR glpk.h)
     find_library(GLPK_LIBRARY glpk)

@@ -1,4 +1,4 @@
-# SuiteSparse brings no CMake file before version 7: the target klu::klu, here and for users of the installed library.
+# Defines the target klu::klu, here and for users of the installed library: SuiteSparse has no CMake file before 7.
 if(NOT TARGET klu::klu)
     find_path(KLU_INCLUDE_DIR klu.h PATH_SUFFIXES suitesparse)
     find_library(KLU_LIBRARY klu)

@@ -1,4 +1,4 @@
-# What find_package(delabole) finds: the mechanics library, its headers, nothing of the rooms above it.
+# Installs what find_package(delabole) finds: the mechanics library and its headers, without the rooms above it.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

@@ -1,10 +1,10 @@
 // One table per parameter or result struct: key, dimension, allowed range, meaning, member.
 //
 // A described struct has `static constexpr auto fields()` returning a tuple of Field. The case reader, the writers, the
-// named-number view of the loops, the exact derivatives and the documentation are all walks over these tables, so that
-// a C++ member, a case key, a CSV column and a JSON key are one word.
+// named-number view of the loops, the exact derivatives and the documentation all go through these tables, so that a
+// C++ member, a case key, a CSV column and a JSON key are one word.
 //
-// What a member's type means:
+// Meaning of a member's type:
 //   number                 a required number
 //   std::optional<number>  a number that may be absent; absence has the meaning the field's text gives
 //   described struct       a section (inlined, its keys stand in the surrounding section); std::optional of it is a
@@ -15,10 +15,10 @@
 //   enum                   one word out of enum_names(Enum): the names of its enumerators
 //   std::string            any text; std::vector of it, a list of texts, which may be absent
 //
-// A result may also describe a function of its members that takes nothing: the value is what it returns.
+// A result may also describe a function of its members without arguments: its return value is the value.
 //
-// with_default(field) is a field that keeps its in-class default where it is absent. refers_to(what, field) is a text
-// that names something: an input or output then gives dimension and range to the numbers of Dimension::named behind it.
+// with_default(field) is a field that keeps its in-class default if it is absent. refers_to(what, field) is a text that
+// names something: the numbers of Dimension::named behind it have dimension and range of the named input or output.
 #pragma once
 
 #include <array>
@@ -54,10 +54,10 @@ enum class Dimension {
     speed,              // m/s
     acceleration,       // m/s2
     angular_speed,      // rad/s
-    named,              // of the input or output that the struct names
+    named,              // that of the input or output that the struct names
 };
 
-// The unit in which people read a dimension, and the factor to the SI base unit used inside.
+// The unit in which a dimension is displayed, and the factor to the SI base unit used inside.
 struct DisplayUnit {
     std::string_view symbol;  // "kN/m3"; empty for a ratio
     std::string_view suffix;  // "_kN_per_m3", appended to a column name; empty for a ratio
@@ -68,7 +68,7 @@ namespace detail {
 
 inline constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
 
-// By Dimension, in the order of its enumerators.
+// In the order of the enumerators of Dimension.
 inline constexpr auto display_units = std::to_array<DisplayUnit>({
     {"", "", 1.0},
     {"deg", "_deg", radians_per_degree},
@@ -150,14 +150,14 @@ enum class NameOf {
     input,
     output,
     measurable,  // an input or an output
-    mechanism,   // whose inputs and outputs are then meant
+    mechanism,   // its inputs and outputs are then meant
 };
 
 struct FieldInfo {
     std::string_view key;  // empty for an inlined variant
     std::string_view meaning;
     Dimension dimension = Dimension::ratio;
-    Interval range = {};  // unbounded for Dimension::named: that of what is named
+    Interval range = {};  // unbounded for Dimension::named, which has the range of what it names
     bool has_default = false;
     NameOf name_of = NameOf::nothing;
 };
@@ -199,7 +199,8 @@ constexpr Field<Owner, Member> refers_to(NameOf what, Field<Owner, Member> field
 
 namespace detail {
 
-// An enumerator as the compiler spells it in the name of this function; a number that is none it casts, in brackets.
+// An enumerator, as the compiler spells it in the name of this function; for a number without an enumerator it prints a
+// cast, in brackets.
 template <auto enumerator>
 constexpr std::string_view spelling() {
     std::string_view name = __PRETTY_FUNCTION__;
@@ -219,8 +220,8 @@ constexpr std::size_t enumerator_count() {
 
 }  // namespace detail
 
-// The words for the values of an enum: its enumerators, counted from 0 without a gap. An enum whose words are others
-// has a function of this name beside it.
+// The words for the values of an enum: its enumerators, counted from 0 without a gap. An enum with other words has a
+// function of this name beside it.
 template <class Enum>
 requires std::is_enum_v<Enum>
 constexpr auto enum_names(Enum) {
@@ -230,14 +231,14 @@ constexpr auto enum_names(Enum) {
     (std::make_index_sequence<detail::enumerator_count<Enum>()>{});
 }
 
-// The word by which a case and a result know a value of an enum.
+// The word for a value of an enum in a case and in a result.
 template <class Enum>
 requires std::is_enum_v<Enum>
 constexpr std::string_view word_of(Enum value) {
     return enum_names(value)[static_cast<std::size_t>(value)];
 }
 
-// The value a word stands for; nothing where it is no word of the enum.
+// The value of a word; nothing if the enum has no such word.
 template <class Enum>
 requires std::is_enum_v<Enum>
 constexpr std::optional<Enum> value_of(std::string_view word) {
@@ -268,7 +269,7 @@ inline constexpr bool is_vector = false;
 template <class Type>
 inline constexpr bool is_vector<std::vector<Type>> = true;
 
-// double, integers and whatever else is added and compared, as derivatives and numbers of 50 digits are.
+// double, integers and all other types with addition and comparison, such as derivatives and numbers of 50 digits.
 template <class Type>
 concept NumberType =
     !std::is_enum_v<std::remove_const_t<Type>> && !std::same_as<std::remove_const_t<Type>, std::string> &&
@@ -379,7 +380,7 @@ constexpr void for_each_number(Object& object, Function&& function) {
     detail::walk_numbers(object, FieldInfo{}, function);
 }
 
-// Every number finite and in the range of its field.
+// Whether every number is finite and in the range of its field.
 template <Described Object>
 bool in_range(const Object& object) {
     bool inside = true;
@@ -396,7 +397,7 @@ void for_each_named_number(Object& object, Function&& function) {
     detail::walk_named_numbers(object, FieldInfo{}, std::string{}, function);
 }
 
-// The same struct over another scalar, e.g. PlaneFailure<double> to PlaneFailure<a 50-digit number>.
+// The same struct with another scalar, e.g. PlaneFailure<double> to PlaneFailure<a 50-digit number>.
 template <class To, Described From>
 To with_scalar(const From& from) {
     To to{};

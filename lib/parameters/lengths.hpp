@@ -1,7 +1,7 @@
-// How long lengths may be: up to 1000 km, far beyond any slope.
+// Greatest allowed length: 1000 km, far beyond any slope.
 //
 // Closed forms hold at any scale, but linear programming loses small blocks beside huge ones (greatest_weight_ratio in
-// assembly.hpp), numbers of columns and areas lose their meaning, and a length out of all scale is a slip of the unit.
+// assembly.hpp), numbers of columns and areas lose their meaning, and an absurd length is an error of the unit.
 #pragma once
 
 #include "parameters/fields.hpp"
@@ -10,11 +10,11 @@ namespace delabole {
 
 inline constexpr double longest_length = 1e6;  // m
 
-// Allowed lengths of what has an extent.
+// Allowed lengths of bodies, which are more than 0.
 constexpr Interval extent_range() {
     return left_open(0, longest_length);
 }
-// Allowed lengths of what may be nothing.
+// Allowed lengths that may be 0.
 constexpr Interval distance_range() {
     return within(0, longest_length);
 }

@@ -1,4 +1,4 @@
-// Loops over models (fit, sensitivity, verify) see any model as named numbers in, named numbers out.
+// Common interface of all models for the loops (fit, sensitivity, verify): named numbers in, named numbers out.
 #pragma once
 
 #include "geometry/polyline.hpp"
@@ -23,7 +23,7 @@ struct Quantity {
     double value = 0;     // base value of an input; 0 for an output
 };
 
-// Place and value of the quantity of that name; nothing where there is none.
+// Place and value of the quantity of that name; nothing if there is none.
 inline std::optional<std::size_t> place_of(const std::vector<Quantity>& quantities, std::string_view name) {
     const auto found = std::ranges::find(quantities, name, &Quantity::name);
     return found == quantities.end() ? std::nullopt
@@ -34,8 +34,9 @@ inline const Quantity* find_quantity(const std::vector<Quantity>& quantities, st
     return place ? &quantities[*place] : nullptr;
 }
 
-// An output whose name with this prefix is an output, too, is a mean over cases that differ by chance alone; the other
-// is their standard deviation. Nature's own case is one of them. Likewise the profile.
+// If an output has a partner whose name has this prefix, it is a mean over cases that differ by chance alone, and the
+// partner is their standard deviation. The real slope is one of these cases. The profile has a deviation in the same
+// way.
 inline constexpr std::string_view deviation_prefix = "ensemble_deviation.";
 inline constexpr std::string_view deviation_of_profile = "ensemble_deviation.profile";
 
@@ -45,35 +46,35 @@ struct Assignment {
     double value;       // SI
 };
 
-// The same by the input's name.
+// The same, by the input's name.
 struct Condition {
     std::string input;
     double value;                            // SI
-    Dimension dimension = Dimension::ratio;  // of the value, for who writes it down
+    Dimension dimension = Dimension::ratio;  // of the value, for writers
 };
 
 struct Prediction {
-    std::string_view failure;     // why the model has no answer, e.g. "crack_below_plane"; empty when it has one
-    std::vector<double> outputs;  // in the order of ModelInterface::outputs; empty when it failed
+    std::string_view failure;     // why the model has no answer, e.g. "crack_below_plane"; empty if it has one
+    std::vector<double> outputs;  // in the order of ModelInterface::outputs; empty if it failed
     Polyline profile;             // ground left standing after the failure, from the toe into the slope; may be empty
 };
 
-// A prediction without an answer bounds an output all the same where a search ended at a bound: the value lies beyond
-// it.
+// A prediction without an answer still bounds an output if a search ended at a bound: the value lies beyond it.
 struct OutputBound {
     std::string_view failure;  // of Prediction
     std::size_t output;        // index into ModelInterface::outputs
-    Interval within;           // the same wherever the inputs of the model are
+    Interval within;           // does not depend on the inputs of the model
 };
 
 struct ModelInterface {
     std::vector<Quantity> inputs;
     std::vector<Quantity> outputs;
     std::vector<OutputBound> bounds;
-    // Pure and safe to call from several threads. Values outside an input's range give a failure, not an exception.
+    // A pure function that may be called from several threads. Values outside an input's range give a failure, not an
+    // exception.
     std::function<Prediction(std::span<const Assignment>)> predict;
-    // A prediction takes longer than a millisecond, many times what it takes to keep one on the disk and to look it up:
-    // loops keep what they have computed.
+    // A prediction takes longer than a millisecond, many times the time to store it on the disk and to find it again:
+    // loops store what they have computed.
     bool costly = false;
 };
 
@@ -97,7 +98,7 @@ std::vector<Quantity> outputs_of(const Result& result) {
     return outputs;
 }
 
-// Their values, in the order of outputs_of.
+// Values of the outputs, in the order of outputs_of.
 template <Described Result>
 std::vector<double> output_values(const Result& result) {
     std::vector<double> values;
@@ -105,7 +106,7 @@ std::vector<double> output_values(const Result& result) {
     return values;
 }
 
-// Sets inputs, counted as inputs_of counts them.
+// Sets inputs by their index in the order of inputs_of.
 template <Described Parameters>
 void assign(Parameters& parameters, std::span<const Assignment> assignments) {
     std::size_t input = 0;
@@ -117,7 +118,7 @@ void assign(Parameters& parameters, std::span<const Assignment> assignments) {
     });
 }
 
-// The outputs of a result whose check is valid, or the word for what it failed.
+// The outputs of a result whose check is valid; otherwise the word for the check that failed.
 template <Described Result>
 Prediction prediction_of(const Result& result) {
     using Check = decltype(result.check);
@@ -125,7 +126,8 @@ Prediction prediction_of(const Result& result) {
                                         : Prediction{word_of(result.check), {}, {}};
 }
 
-// A model whose inputs are all its parameters, and whose outputs those of such a result; `predict` takes parameters.
+// A model whose inputs are all its parameters, and whose outputs are those of a result like `shape`; `predict` takes
+// parameters.
 template <Described Parameters, Described Result, class Predict>
 ModelInterface interface_of_function(const Parameters& parameters, const Result& shape, Predict predict) {
     ModelInterface model{inputs_of(parameters), outputs_of(shape), {}, {}};

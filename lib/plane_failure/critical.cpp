@@ -16,12 +16,12 @@ namespace delabole {
 
 namespace {
 
-constexpr int scan_points = 12;  // of every stretch without kink or jump
-// Relative distance at which both sides of a kink or jump are visited: far above the rounding of a crack placed by its
-// bottom, far below what the factor of safety shows.
+constexpr int scan_points = 12;  // on every stretch without kink or jump
+// Relative distance at which both sides of a kink or jump are evaluated: far above the rounding of a crack placed by
+// its bottom, far below any visible effect on the factor of safety.
 constexpr double beside_kink = 1e-12;
 
-// The stretches of a range between the kinks or jumps of the function on it, and the least minimum of them.
+// Minimises a function on each stretch between the kinks or jumps of a range, and returns the least of these minima.
 ScalarMinimum minimise_between(std::vector<double> kinks, double lower, double upper,
                                const std::function<ScalarMinimum(double, double)>& minimise) {
     const double beside = beside_kink * std::max(std::abs(lower), std::abs(upper));
@@ -47,7 +47,7 @@ ScalarMinimum minimise_between(std::vector<double> kinks, double lower, double u
     return least;
 }
 
-// The problem being moved about, as plain and as dual numbers; the dual one is used for slopes.
+// The problem with varying geometry, in plain and in dual numbers; the dual one serves for derivatives.
 class Search {
   public:
     Search(const PlaneFailure<>& problem, bool with_crack)
@@ -64,8 +64,8 @@ class Search {
             return {0, value(), false};
         }
         const double highest = highest_crack_base();
-        // Scanned over the root of the height: the factor of safety varies fastest where the mass is small. A crack
-        // through the daylighting point leaves no mass; one at the highest base has no depth.
+        // The scan is over the root of the height, because the factor of safety varies fastest where the mass is small.
+        // A crack through the daylighting point leaves no mass; one at the highest base has no depth.
         const double root = std::sqrt(highest);
         std::vector<double> kinks = crack_kinks();
         std::ranges::transform(kinks, kinks.begin(), [](double height) { return std::sqrt(std::max(0.0, height)); });
@@ -94,10 +94,10 @@ class Search {
             crack_at_boundary = crack.at_boundary;
             return crack.value;
         };
-        // The slope of a minimum over the crack is the slope at the critical crack held in place (envelope theorem):
-        // held by its top, for where the minimum is a kink the crack opens at a corner of the ground or at a load,
-        // which stay. At an end of the range nothing is known to stay, at the pond's level the bottom of the
-        // crack does, and a difference has to do.
+        // The derivative of a minimum over the crack equals the derivative at the fixed critical crack (envelope
+        // theorem). The crack is fixed by its top, because if the minimum is a kink, the crack opens at a corner of the
+        // ground or at a load, which do not move. At an end of the range no fixed point is known, and at the pond's
+        // level the bottom of the crack is fixed: a difference quotient has to do there.
         const auto slope_over_crack = [&](double dip) {
             if (!std::isfinite(least_over_crack(dip))) {
                 return std::numeric_limits<double>::infinity();
@@ -144,12 +144,13 @@ class Search {
         dual_.tension_crack->position = CrackBaseBelowCrest<Dual>{constant(below)};
     }
 
-    // Dry, level ground behind the crest, a linear strength law with cohesion, and no force that does not grow with the
-    // weight: then the factor of safety depends on the crack through base length over weight alone, which is least for
+    // With dry, level ground behind the crest, a linear strength law with cohesion, and no force that does not grow
+    // with the weight, the factor of safety depends on the crack through base length over weight alone, which is least
+    // for
     //     h = H sqrt((cot f - cot t) / (cot p - cot t)),
     // h the height of the crack's bottom, H that of the crest, above the daylighting point; f, t, p the dips of face,
-    // crack and plane. For a vertical crack that is Hoek & Bray's z_c = H (1 - sqrt(cot f tan p)). In the face the
-    // factor falls all the way up, so the least is there only if the crack opens behind the crest.
+    // crack and plane. For a vertical crack that is Hoek & Bray's z_c = H (1 - sqrt(cot f tan p)). For cracks in the
+    // face the factor decreases all the way up, so the minimum is there only if the crack opens behind the crest.
     bool put_closed_form_crack() {
         if (!closed_form_applies_) {
             return false;
@@ -193,8 +194,8 @@ class Search {
                std::abs(height - position->base_below_crest - problem_.pond->depth) < 1e-9 * height;
     }
 
-    // Distances behind the crest at which the factor of safety has a kink or a jump where the mass ends there: corners
-    // of the ground, line loads, and the ends of surcharges.
+    // Distances behind the crest at which the factor of safety has a kink or a jump if the mass ends there: corners of
+    // the ground, line loads, and the ends of surcharges.
     std::vector<double> kinks_of_mass_end() const {
         std::vector<double> distances = {0};
         if (problem_.slope.bench) {
@@ -211,7 +212,8 @@ class Search {
     }
 
     // Heights, above the daylighting point, of the bottom of a crack at which the factor of safety has a kink or a
-    // jump: that of cracks which open at one, and where water pressure on the base has a corner.
+    // jump: those of cracks that open at one of these distances, and those at which water pressure on the base has a
+    // corner.
     std::vector<double> crack_kinks() const {
         std::vector<double> heights;
         PlaneFailure<> moved = problem_;
@@ -235,8 +237,8 @@ class Search {
         return heights;
     }
 
-    // Dips of the plane at which its mass ends at one of these distances, where the crack, if any, keeps its place. A
-    // searched crack passes them at every dip.
+    // Dips of the plane at which its mass ends at one of these distances, if the crack is absent or fixed. A searched
+    // crack passes them at every dip.
     std::vector<double> plane_kinks(double lower, double upper) const {
         std::vector<double> dips;
         if (with_crack_) {
@@ -286,7 +288,7 @@ class Search {
         dual_.failure_plane.dip = constant(dip);
     }
 
-    // Derivative of the factor of safety along the one dual variable that is set.
+    // Derivative of the factor of safety with respect to the one dual variable that is set.
     double slope() {
         ++evaluations_;
         const Equilibrium<Dual> forces = evaluate(dual_);
@@ -294,7 +296,7 @@ class Search {
                                                         : std::numeric_limits<double>::infinity();
     }
 
-    // The height above the daylighting point at which the plane would meet the ground if there were no crack.
+    // The height above the daylighting point at which the plane would meet the ground without a crack.
     double highest_crack_base() const {
         PlaneFailure<> uncracked = problem_;
         uncracked.tension_crack.reset();
@@ -320,7 +322,7 @@ ScalarMinimum minimise(Search& search, const CriticalSearch<>& request, bool wit
         return with_crack ? search.over_crack() : ScalarMinimum{0, search.value(), false};
     }
     const double face_dip = search.problem().slope.face_dip;
-    // The mass vanishes as the plane reaches the face.
+    // The mass vanishes as the plane approaches the face.
     const double lower = std::max(request.lower_dip.value_or(degrees(1)), degrees(0.01));
     const double upper = std::min(request.upper_dip.value_or(face_dip), face_dip - degrees(0.01));
     return lower < upper ? search.over_plane(lower, upper)

@@ -1,7 +1,7 @@
 // A number with its derivative along one direction, for exact derivatives of the templates in this folder.
 #pragma once
 
-// AutoDiff does not include what it needs: Core stands before it.
+// AutoDiff needs Eigen/Core but does not include it.
 #include <Eigen/Core>
 
 #include <unsupported/Eigen/AutoDiff>
@@ -19,7 +19,7 @@ inline Dual variable(double value) {
     return {value, Eigen::Matrix<double, 1, 1>::Ones()};
 }
 
-// AutoDiff would compute sine and cosine twice, and again for an angle that is a constant 0 or 90 deg.
+// AutoDiff would compute sine and cosine twice, also for an angle that is a constant 0 or 90 deg.
 template <>
 inline SineCosine<Dual> sine_cosine(const Dual& angle) {
     const SineCosine<double> value = sine_cosine(angle.value());
@@ -27,7 +27,7 @@ inline SineCosine<Dual> sine_cosine(const Dual& angle) {
             Dual(value.cosine, -value.sine * angle.derivatives())};
 }
 
-// Compiled once, in dual.cpp: it takes long.
+// Compiled once, in dual.cpp, because it takes long.
 extern template Equilibrium<Dual> evaluate(const PlaneFailure<Dual>& problem);
 
 }  // namespace delabole

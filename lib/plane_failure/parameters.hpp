@@ -1,8 +1,8 @@
-// Plane failure: what a slope, its failure plane, crack, strength, water and loads are.
+// Input of plane failure: slope, failure plane, crack, strength, water and loads.
 //
 // Section, per metre run. Origin at the toe, x into the slope, y up. The face rises from the toe to the crest, an
 // optional bench follows, then the upper surface. The failure plane dips out of the slope; it daylights at the toe
-// unless `daylight_height` says otherwise. Sliding is towards -x.
+// unless `daylight_height` is given. Sliding is towards -x.
 #pragma once
 
 #include "parameters/fields.hpp"
@@ -80,7 +80,7 @@ struct CrackOfDepth {
     }
 };
 
-// The z of Hoek & Bray's closed forms: for a crack in the face it is not the depth of the crack itself.
+// The z of Hoek & Bray's closed forms; for a crack in the face this is not the depth of the crack itself.
 template <class T = double>
 struct CrackBaseBelowCrest {
     T base_below_crest;
@@ -145,7 +145,7 @@ struct SeismicLoad {
     }
 };
 
-// Vertical pressure on the ground behind the crest; only the part that lies on the sliding mass counts.
+// Vertical pressure on the ground behind the crest; only its part on the sliding mass acts.
 template <class T = double>
 struct Surcharge {
     T pressure;
@@ -161,7 +161,7 @@ struct Surcharge {
     }
 };
 
-// A line load on the ground behind the crest; counts only when it stands on the sliding mass.
+// A line load on the ground behind the crest; it acts only if it stands on the sliding mass.
 template <class T = double>
 struct LineLoad {
     T force;

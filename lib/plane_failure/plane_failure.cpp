@@ -35,7 +35,7 @@ Point centroid(const Wedge<double>& wedge) {
         const Station<double>& left = wedge.stations[index - 1];
         const Station<double>& right = wedge.stations[index];
         const double width = right.x - left.x;
-        // Each trapezoid as the two triangles on its left and right side.
+        // Each trapezoid is the sum of the two triangles on its left and right side.
         const auto add = [&](double x, double middle_above, double triangle_area) {
             area += triangle_area;
             moment += triangle_area * Point(x, middle_above + x * plane_slope);
@@ -65,7 +65,8 @@ MomentSum moments(const PlaneFailure<>& problem, const Forces& forces) {
     const Point middle = centroid(wedge);
     sum.add_force(middle.x(), middle.y(), 0, -weight);
     sum.add(forces.water.base.moment);
-    // Crack water pushes along the crack's normal (-sin, cos); its arm adds the base's projection on the crack.
+    // Water in the crack pushes along the crack's normal (-sin, cos); its arm includes the base's projection on the
+    // crack.
     const double base_along_crack =
         wedge.base_length * (wedge.crack.cosine * plane.cosine + wedge.crack.sine * plane.sine);
     sum.add(forces.water.crack.moment + forces.water.crack.force * base_along_crack);

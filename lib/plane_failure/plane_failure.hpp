@@ -12,36 +12,36 @@
 
 namespace delabole {
 
-// The factor of safety is NaN unless `check` is valid; it is infinite where nothing drives the mass.
+// The factor of safety is NaN unless `check` is valid; it is infinite if no force drives the mass.
 struct FactorOfSafety {
     PlaneFailureCheck check;
     double value;
 };
 
-// Geometry, water and force balance, under 100 ns; the ranges of single fields are not looked at.
+// Computes geometry, water and force balance in under 100 ns, without checking the ranges of single fields.
 FactorOfSafety factor_of_safety(const PlaneFailure<>& problem);
 
-// `input_out_of_range` where a number is not finite or outside the range of its field, otherwise `valid`.
+// `input_out_of_range` if a number is not finite or outside the range of its field, otherwise `valid`.
 PlaneFailureCheck check_ranges(const PlaneFailure<>& problem);
 
 enum class PlaneFailureOutcome {
     stable,
     slides,     // factor of safety below 1
-    overturns,  // about the lower end of the base, while the strength would still hold
+    overturns,  // about the lower end of the base, while the strength would still hold it
     slides_and_overturns,
-    lifts_off,  // the normal force is negative, whatever cohesion or moments say
+    lifts_off,  // the normal force is negative, irrespective of cohesion or moments
 };
 
 struct PlaneFailureResult {
-    PlaneFailureCheck check = PlaneFailureCheck::input_out_of_range;  // the rest is meaningful only where valid
+    PlaneFailureCheck check = PlaneFailureCheck::input_out_of_range;  // the rest is meaningful only if valid
     PlaneFailureOutcome outcome{};
     CrackLocation crack_location{};
     double factor_of_safety{};
     double friction_margin{};              // atan(resisting / normal force) less atan(driving / normal force)
     double plane_dip{};                    // differs from the input after a critical search
-    double crack_dip{};                    // 90 deg where there is no crack
+    double crack_dip{};                    // 90 deg if there is no crack
     double crack_depth{};                  // vertical, at the crack itself
-    double crack_distance_behind_crest{};  // of its top; where the plane surfaces, if there is no crack
+    double crack_distance_behind_crest{};  // of its top; without a crack, of the point at which the plane daylights
     double crack_base_height{};            // above the toe
     double crack_top_height{};
     double crack_base_below_crest{};
@@ -53,10 +53,10 @@ struct PlaneFailureResult {
     double normal_force{};       // effective
     double driving_force{};
     double resisting_force{};
-    double normal_force_position{};  // where the normal force acts on the base: 0 at its lower end, 1 at its upper
+    double normal_force_position{};  // position of the normal force on the base: 0 at its lower end, 1 at its upper
     double restoring_moment{};       // about the lower end of the base
     double overturning_moment{};
-    double overturning_factor{};  // restoring over overturning moment; infinite where nothing overturns
+    double overturning_factor{};  // restoring over overturning moment; infinite if no moment overturns
 
     static constexpr auto fields() {
         using R = PlaneFailureResult;
@@ -97,30 +97,30 @@ struct PlaneFailureResult {
     }
 };
 
-// Checks ranges, then everything the result holds.
+// Checks ranges, then computes all members of the result.
 PlaneFailureResult analyse(const PlaneFailure<>& problem);
 
-// The ground as it is, from the toe past everything the mass contains.
+// The present ground, from the toe to beyond the end of the mass.
 Polyline ground_profile(const PlaneFailure<>& problem);
 
-// The rows of each pattern of bolts, the lowest first; empty where the problem is not valid.
+// The rows of each pattern of bolts, the lowest first; empty if the problem is not valid.
 std::vector<std::vector<BoltRow>> support_rows(const PlaneFailure<>& problem);
 
-// The ground that a failure leaves standing: toe, plane, crack, remaining ground. Empty where the problem is not valid.
+// The ground that a failure leaves standing: toe, plane, crack, remaining ground. Empty if the problem is not valid.
 Polyline profile_after_failure(const PlaneFailure<>& problem);
 
-// The problem a study analyses: its own, with the critical geometry put in where a search is asked for.
-// `check` is that of the search.
+// The problem that a study analyses: its own, with the critical geometry inserted if a search is requested. `check` is
+// that of the search.
 struct ResolvedStudy {
     PlaneFailureCheck check;
     PlaneFailure<> problem;
     bool critical_at_boundary;      // the least factor of safety lies at the edge of the searched range
-    double least_factor_of_safety;  // that, under the condition of the search; 0 without one
+    double least_factor_of_safety;  // least factor of safety under the condition of the search; 0 without a search
 };
 ResolvedStudy resolve(const PlaneFailureStudy<>& study);
 
-// Inputs: every number of the study's problem. Outputs: every number of PlaneFailureResult, and the two elevations
-// where the study has a datum. Conditions and free parameters are applied before a critical search.
+// Inputs: every number of the study's problem. Outputs: every number of PlaneFailureResult, and the two elevations if
+// the study has a datum. Conditions and free parameters are applied before a critical search.
 ModelInterface model_interface(const PlaneFailureStudy<>& study);
 
 }  // namespace delabole

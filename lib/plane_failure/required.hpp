@@ -20,8 +20,8 @@ struct OptimumBolt {
     double plunge;
     double factor_of_safety;
 };
-// NaN-free: needs at least one bolt and a valid problem, otherwise returns a factor of safety of 0. Infinite where a
-// bolt can hold the mass up altogether, at the flattest plunge of the scan that does.
+// Requires at least one bolt and a valid problem, otherwise returns a factor of safety of 0, never NaN. Infinite if a
+// bolt alone can hold the mass, then at the flattest plunge of the scan at which it does.
 OptimumBolt optimum_bolt_plunge(const PlaneFailure<>& problem);
 
 }  // namespace delabole

@@ -5,8 +5,8 @@
 //     S = W (1 + k_v) sin p + W k_h cos p + V sin(t - p) - F sin(f - p) + loads and active bolts down the plane
 //
 // W weight, U water force on the base, V in the crack, F of the pond on the face; p, t, f the dips of plane, crack and
-// face; A the base length. With Coulomb strength, a vertical crack and nothing else this is Hoek & Bray's equation as
-// printed in the thesis, 2.3.2 (c). Where S is not positive nothing drives the mass: FS is infinite.
+// face; A the base length. With Coulomb strength, a vertical crack and no other loads this is Hoek & Bray's equation as
+// printed in the thesis, 2.3.2 (c). If S is not positive, no force drives the mass: FS is infinite.
 //
 // Accuracy: N and S are sums that may cancel; their absolute error is a few units in the last place of the sum of the
 // magnitudes of their terms.
@@ -66,7 +66,8 @@ bool stands_on_mass(const LineLoad<T>& load, const Wedge<T>& wedge) {
     return load.distance_behind_crest <= wedge.crack_top_x - wedge.crest_x;
 }
 
-// From a bolt's head on the face to the plane, or the crack behind it, along the bolt; negative where it meets neither.
+// Length along the bolt from its head on the face to the plane, or to the crack behind it; negative if it meets
+// neither.
 template <class T>
 T length_in_mass(const Wedge<T>& wedge, const T& head_height, const T& plunge) {
     const SineCosine<T> bolt = sine_cosine(plunge);
@@ -91,7 +92,7 @@ T length_in_mass(const Wedge<T>& wedge, const T& head_height, const T& plunge) {
 
 }  // namespace detail
 
-// Calls visit(bolt) for the single bolts, then for each row of a pattern with the force that it has there.
+// Calls visit(bolt) for the single bolts, then for each row of a pattern with the force of that row.
 template <class T, class Visit>
 void for_each_bolt(const PlaneFailure<T>& problem, const Wedge<T>& wedge, Visit&& visit) {
     for (const Bolt<T>& bolt : problem.bolt) {
@@ -127,7 +128,7 @@ PlaneFailureCheck balance_forces(const PlaneFailure<T>& problem, const Wedge<T>&
                T(-problem.seismic->vertical_coefficient * result.weight)});
     }
     if (problem.pond) {
-        // Not by components: on a plane nearly parallel to the face they cancel.
+        // The components are not used here, because they cancel on a plane nearly parallel to the face.
         normal += water.face.force * (wedge.face.sine * plane.sine + wedge.face.cosine * plane.cosine);
         driving -= water.face.force * wedge.sine_face_minus_plane;
     }
@@ -160,7 +161,7 @@ PlaneFailureCheck balance_forces(const PlaneFailure<T>& problem, const Wedge<T>&
     result.driving_force = driving;
     const T resisting =
         passive + (torn_off ? T(0) : T(shear_strength(problem.strength, normal_stress) * wedge.base_length));
-    // A passive bolt that sliding would shorten counts against the rest, but nothing resists less than not at all.
+    // A passive bolt that sliding would shorten reduces the resistance, but not below zero.
     result.resisting_force = resisting < 0 ? T(0) : resisting;
     result.factor_of_safety =
         driving <= 0 ? T(std::numeric_limits<double>::infinity()) : T(result.resisting_force / driving);
@@ -168,7 +169,7 @@ PlaneFailureCheck balance_forces(const PlaneFailure<T>& problem, const Wedge<T>&
     return is_number ? PlaneFailureCheck::valid : PlaneFailureCheck::input_out_of_range;
 }
 
-// Where `check` is not valid the other members are unspecified.
+// If `check` is not valid the other members are unspecified.
 template <class T>
 struct Equilibrium {
     PlaneFailureCheck check;

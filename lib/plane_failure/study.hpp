@@ -1,4 +1,4 @@
-// Questions of a plane-failure case beyond the factor of safety of the geometry that it gives.
+// Requests of a plane-failure case beyond the factor of safety of the given geometry.
 #pragma once
 
 #include "plane_failure/parameters.hpp"
@@ -11,12 +11,12 @@ namespace delabole {
 enum class CriticalFeature { tension_crack, failure_plane, both };
 
 // Cracks open while the slope still stands, usually before the water rises: Hoek & Bray place the critical crack for
-// the dry slope. Under the given water the least factor of safety may belong to a deep crack near the face that the
-// water blows out.
+// the dry slope. Under the given water the least factor of safety may belong to a deep crack near the face, which the
+// water pushes open.
 enum class SearchCondition { dry_slope, given_water };
 
-// Replace the given crack position and/or plane dip by those of least factor of safety. A water level given as a depth
-// or an elevation stays as it is while the crack moves; a filled ratio stays a ratio.
+// Replaces the given crack position and/or plane dip by those of least factor of safety. A water level given as a depth
+// or an elevation stays constant while the crack moves; a filled ratio stays a ratio.
 template <class T = double>
 struct CriticalSearch {
     CriticalFeature find;
@@ -33,7 +33,7 @@ struct CriticalSearch {
     }
 };
 
-// Value of one named input at which the factor of safety takes a given value, the others unchanged.
+// Value of one named input at which the factor of safety takes a given value, with the others unchanged.
 template <class T = double>
 struct RequiredValue {
     std::string parameter;

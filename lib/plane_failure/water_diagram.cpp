@@ -9,7 +9,7 @@ namespace delabole {
 
 namespace {
 
-using Pressure = std::function<double(double)>;  // of distance along the surface
+using Pressure = std::function<double(double)>;  // pressure as a function of distance along the surface
 
 struct Pressures {
     Pressure base = [](double) { return 0.0; };
@@ -28,7 +28,7 @@ double interpolate(const std::vector<PressurePoint<>>& points, double position) 
     return 0;
 }
 
-// The forms of WaterVisitor as functions of place; the resultants there are their integrals (a test holds them to it).
+// The forms of WaterVisitor as functions of place; the resultants there are their integrals, as a test verifies.
 struct PressureVisitor {
     const PlaneFailure<>& problem;
     const Wedge<double>& wedge;

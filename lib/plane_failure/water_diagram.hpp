@@ -18,10 +18,10 @@ struct SurfacePressure {
 struct WaterDiagram {
     SurfacePressure base;
     SurfacePressure crack;    // empty without a crack
-    Polyline water_in_crack;  // the part of the crack below the water level; empty where it is dry
+    Polyline water_in_crack;  // the part of the crack below the water level; empty if it is dry
 };
 
-// Empty surfaces where the problem is not valid.
+// Surfaces are empty if the problem is not valid.
 WaterDiagram water_diagram(const PlaneFailure<>& problem);
 
 }  // namespace delabole

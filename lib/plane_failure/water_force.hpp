@@ -1,9 +1,9 @@
 // Resultants of water pressure on the base, the tension crack and the submerged part of the mass's face.
 //
 // Every form is a piecewise linear pressure, integrated exactly. Moments are first moments of pressure: about the
-// daylighting point along the base and along the face, about the bottom of the crack along the crack.
-// Source of the Hoek-Bray form: thesis 2.3.2 (c), U = gamma_w z_w (H - z) cosec(psi_p) / 2, V = gamma_w z_w^2 / 2
-// (vertical crack); V / sin(dip) for an inclined one. Peak at mid-height: U = gamma_w H_w^2 / (4 sin psi_p).
+// daylighting point along the base and along the face, about the bottom of the crack along the crack. Source of the
+// Hoek-Bray form: thesis 2.3.2 (c), U = gamma_w z_w (H - z) cosec(psi_p) / 2, V = gamma_w z_w^2 / 2 for a vertical
+// crack; V / sin(dip) for an inclined one. Peak at mid-height: U = gamma_w H_w^2 / (4 sin psi_p).
 #pragma once
 
 #include "plane_failure/wedge.hpp"
@@ -27,10 +27,10 @@ struct WaterForces {
 
 namespace detail {
 
-// Adds pressure varying linearly from p_start at s_start to p_end at s_end; negative pressure counts as none.
+// Adds pressure varying linearly from p_start at s_start to p_end at s_end; negative pressure counts as zero.
 template <class T>
 void add_pressure(PressureResultant<T>& resultant, T s_start, T p_start, T s_end, T p_end) {
-    // Pressures of exactly zero go on: they have a derivative.
+    // Pressures of exactly zero are processed, because they have a derivative.
     if (p_start <= 0 && p_end <= 0 && (p_start < 0 || p_end < 0)) {
         return;
     }
@@ -47,7 +47,7 @@ void add_pressure(PressureResultant<T>& resultant, T s_start, T p_start, T s_end
     resultant.moment += s_start * force + length * length * (p_start / 6 + p_end / 3);
 }
 
-// Depth of water above a reference height (above the daylighting point); `full` is the greatest depth that makes sense.
+// Depth of water above a reference height (above the daylighting point); `full` is the greatest possible depth.
 template <class T>
 PlaneFailureCheck water_depth(const WaterLevel<T>& level, const PlaneFailure<T>& problem, const Wedge<T>& wedge,
                               const T& reference_height, const T& full, T& depth) {
@@ -66,18 +66,19 @@ PlaneFailureCheck water_depth(const WaterLevel<T>& level, const PlaneFailure<T>&
             depth = T(0);
         }
     }
-    // A crack filled to the brim is often given by the same number twice, one of them after a few roundings.
+    // The level of a full crack is often given by the same number twice, one of them with rounding errors.
     return depth > full * (1 + 1e-12) ? PlaneFailureCheck::water_above_crack : PlaneFailureCheck::valid;
 }
 
-// Hydrostatic pressure along the base from the daylighting point up to a level, the height of water there given.
+// Adds hydrostatic pressure along the base from the daylighting point, with the given height of water there, up to that
+// level.
 template <class T>
 void add_hydrostatic_base(WaterForces<T>& forces, const Wedge<T>& wedge, const T& unit_weight, const T& height) {
     add_pressure(forces.base, T(0), T(unit_weight * height), wedge.base_length,
                  T(unit_weight * (height - wedge.base_top_height())));
 }
 
-// Depth is that above the bottom of the crack; more than the crack's where a pond covers its top.
+// `depth` is above the bottom of the crack; it exceeds the depth of the crack if a pond covers its top.
 template <class T>
 void add_crack_water(WaterForces<T>& forces, const Wedge<T>& wedge, const T& unit_weight, const T& depth) {
     if (depth > wedge.crack_depth()) {
@@ -103,7 +104,7 @@ T piezometric_height(const std::vector<PiezometricPoint<T>>& line, const T& x) {
     return line.back().y;
 }
 
-// Pressure below a piezometric line along a straight surface from (x, y) at s = 0; all heights above the toe.
+// Adds pressure below a piezometric line along a straight surface from (x, y) at s = 0; all heights are above the toe.
 template <class T>
 void add_piezometric(PressureResultant<T>& resultant, const PiezometricLineWater<T>& water, const T& x, const T& y,
                      const SineCosine<T>& dip, const T& length) {
@@ -157,15 +158,15 @@ bool increasing(const Points& points, Member member) {
     return true;
 }
 
-// A pond as the mass feels it. Heights are above the daylighting point; all is 0 without a pond.
+// Effect of a pond on the mass. Heights are above the daylighting point; all members are 0 without a pond.
 template <class T>
 struct PondAtMass {
     T height;
     T unit_weight;
 
     T pressure_at(const T& level) const { return height >= level ? T(unit_weight * (height - level)) : T(0); }
-    // Depth of pond water in a crack, above its bottom. One that opens in the face lets in what stands above its top,
-    // from one behind the crest water would run off.
+    // Depth of pond water in a crack, above its bottom. A crack that opens in the face fills from a pond above its top;
+    // from a crack behind the crest the water would drain.
     T depth_in_crack(const Wedge<T>& wedge) const {
         const T above_bottom = height - wedge.base_top_height();
         if (!(above_bottom > 0)) {
@@ -174,7 +175,7 @@ struct PondAtMass {
         const bool runs_off = wedge.crack_location != CrackLocation::face && above_bottom > wedge.crack_depth();
         return runs_off ? wedge.crack_depth() : above_bottom;
     }
-    // The same level is often given twice, one of them after a few roundings.
+    // The same level is often given twice, one of them with rounding errors.
     bool exceeds(const T& pressure, const T& level) const {
         return height > level && pressure_at(level) * (1 - 1e-12) > pressure;
     }
@@ -275,7 +276,7 @@ struct WaterVisitor {
         }
     }
 
-    // The check so far, or whether the pond gives more pressure at this height than the water form does.
+    // The check so far, or water_below_pond if the pond's pressure at this height exceeds that of the water form.
     PlaneFailureCheck checked(PlaneFailureCheck check, const T& pressure, const T& level) const {
         return check == PlaneFailureCheck::valid && pond.exceeds(pressure, level) ? PlaneFailureCheck::water_below_pond
                                                                                   : check;
@@ -318,7 +319,7 @@ PlaneFailureCheck water_forces(const PlaneFailure<T>& problem, const Wedge<T>& w
     }
     const detail::PondAtMass<T> pond = pond_at_mass(problem, wedge);
     if (pond.unit_weight > 0) {
-        // A crack in the face leaves the face above it standing: the pond there does not load the mass.
+        // If the crack opens in the face, the face above it stays, and the pond there does not load the mass.
         const T face_height = wedge.crack_location == CrackLocation::face
                                   ? T(wedge.base_top_height() + wedge.crack_depth())
                                   : wedge.crest_height;

@@ -2,14 +2,13 @@
 //
 // Coordinates start where the plane daylights. A ground point at horizontal distance x lies `above` the plane by a
 // vertical height; along a ground segment of dip s this height grows at sin(s - p) / (cos s cos p) per metre, p the
-// plane's dip. Writing it so, instead of as a difference of elevations, keeps full relative precision when plane and
-// face are nearly parallel: there the difference of cotangents that the printed formulas contain loses as many digits
-// as the angle between them is small. The area is a sum of positive trapezoids of vertical thickness, for the same
-// reason.
+// plane's dip. This form, unlike a difference of elevations, keeps full relative precision when plane and face are
+// nearly parallel; the difference of cotangents in the printed formulas loses digits there in proportion to the small
+// angle between them. The area is a sum of positive trapezoids of vertical thickness, for the same reason.
 //
-// Accuracy: area, base length and crack depth to a few units in the last place of their inputs, except where a crack
-// given by its distance ends near the line along which the plane meets the ground: its depth is then a difference of
-// the two, and loses digits in proportion (depth / height). The area does not.
+// Accuracy: area, base length and crack depth are accurate to a few units in the last place of their inputs, except if
+// a crack given by its distance ends near the line along which the plane meets the ground: its depth is then a
+// difference of the two, and loses digits in proportion (depth / height). The area does not.
 //
 // Everything here is a template over the scalar: double, the dual numbers of sensitivity.cpp, and 50-digit numbers in
 // tests.
@@ -38,8 +37,7 @@ inline SineCosine<T> sine_cosine(const T& angle) {
     return {T(sin(angle)), T(cos(angle))};
 }
 
-// The two angles that most scenes contain, level ground and vertical cracks, without a call into the mathematical
-// library.
+// The two angles of most scenes, those of level ground and vertical cracks, need no call of the mathematical library.
 template <>
 inline SineCosine<double> sine_cosine(const double& angle) {
     if (angle == 0) {
@@ -51,7 +49,7 @@ inline SineCosine<double> sine_cosine(const double& angle) {
     return {std::sin(angle), std::cos(angle)};
 }
 
-// sin(a - b). The product form costs two multiplications; where it would lose digits the angles are subtracted first,
+// sin(a - b). The product form costs two multiplications; if it would lose digits the angles are subtracted first,
 // which is exact for nearby angles.
 template <class T>
 inline T sine_of_difference(const T& a, const SineCosine<T>& of_a, const T& b, const SineCosine<T>& of_b) {
@@ -78,13 +76,13 @@ struct Wedge {
     SineCosine<T> face;
     SineCosine<T> plane;
     SineCosine<T> crack;
-    T plane_secant;  // 1 / cos(plane dip): most heights above the plane are divided by that cosine
+    T plane_secant;  // 1 / cos(plane dip), by which most heights above the plane are multiplied
     T sine_face_minus_plane;
-    T sine_crack_minus_plane;  // 1 where there is no crack
+    T sine_crack_minus_plane;  // 1 if there is no crack
     T daylight_height;         // of the plane above the toe
     T crest_x;                 // from the daylighting point
     T crest_height;            // of the crest above the daylighting point
-    T base_top_x;              // where the plane ends: at the crack, or at the ground
+    T base_top_x;              // end of the plane, at the crack or at the ground
     T base_length;
     T crack_top_x;
     T crack_length;  // along the crack; 0 without a crack
@@ -98,7 +96,8 @@ struct Wedge {
 
 namespace detail {
 
-// A piece of ground: from a node into the slope, at a dip. `above` is the height of the node above the plane.
+// A segment of ground that begins at a node and goes into the slope at a dip. `above` is the height of the node above
+// the plane.
 template <class T>
 struct GroundSegment {
     T x;
@@ -152,7 +151,7 @@ bool find_height(const Ground<T>& ground, const T& height, T& x, CrackLocation& 
         if ((difference != 0 && (difference > 0) != (rate > 0)) || rate == 0) {
             continue;
         }
-        const T candidate = segment.x + difference / rate;  // divided even where it is 0: its derivative is not
+        const T candidate = segment.x + difference / rate;  // divided even where it is 0, as its derivative is not
         if (last || candidate <= ground.segments[index + 1].x) {
             x = candidate;
             location = segment.location;
@@ -212,7 +211,7 @@ PlaneFailureCheck trace_crack_up(Wedge<T>& wedge, const Ground<T>& ground, const
     return PlaneFailureCheck::valid;
 }
 
-// A crack placed by its top or by its depth is a line through the plane and one point of the ground. It is a crack only
+// A crack placed by its top or by its depth is a line through the plane and one point of the ground. It is valid only
 // if it runs through rock all the way, and if the ground in front of it stays above the plane.
 template <class T>
 PlaneFailureCheck check_crack_in_rock(const Wedge<T>& wedge, const Ground<T>& ground) {
@@ -222,7 +221,7 @@ PlaneFailureCheck check_crack_in_rock(const Wedge<T>& wedge, const Ground<T>& gr
     if (!(wedge.crack_length > 0)) {
         return PlaneFailureCheck::valid;
     }
-    // On its way down from the ground the line must get below the ground, on the side to which it dips ...
+    // Downwards from the ground the line must get below the ground, on the side to which it dips ...
     const bool leaning_out = wedge.crack_top_x > wedge.base_top_x;
     const auto is_beside = [&](const T& node_x) {
         return leaning_out ? wedge.crack_top_x <= node_x : wedge.crack_top_x < node_x;
@@ -308,10 +307,10 @@ void set_stations(Wedge<T>& wedge, const Ground<T>& ground) {
         wedge.stations[wedge.station_count++] = {x, above, floor};
     };
     wedge.station_count = 0;
-    const bool leaning_out = wedge.crack_top_x > wedge.base_top_x;  // the mass reaches beyond the base, over the crack
+    const bool leaning_out = wedge.crack_top_x > wedge.base_top_x;  // the mass extends beyond the base, over the crack
     const T crack_above = wedge.crack_length * wedge.sine_crack_minus_plane * wedge.plane_secant;  // of its top
     bool base_top_passed = !leaning_out;
-    // Where the crack opens at the very node, derivatives ask on which side of it the crack is held to be.
+    // If the crack opens exactly at the node, derivatives depend on the side of it on which the crack is taken to be.
     const auto add_ground = [&](const T& x, const T& above, bool crack_beyond) {
         if (!(x < wedge.crack_top_x) && !(crack_beyond && x == wedge.crack_top_x)) {
             return;
@@ -320,7 +319,7 @@ void set_stations(Wedge<T>& wedge, const Ground<T>& ground) {
             add(wedge.base_top_x, height_above_plane(wedge, ground, wedge.base_top_x), T(0));
             base_top_passed = true;
         }
-        const bool over_crack = leaning_out && x >= wedge.base_top_x;  // at its end too: the floor there has a slope
+        const bool over_crack = leaning_out && x >= wedge.base_top_x;  // includes the base's end: its floor has a slope
         add(x, above,
             over_crack
                 ? T((x - wedge.base_top_x) * wedge.sine_crack_minus_plane / (wedge.crack.cosine * wedge.plane.cosine))
@@ -340,14 +339,14 @@ void set_stations(Wedge<T>& wedge, const Ground<T>& ground) {
         return;
     }
     add(wedge.crack_top_x, crack_above, T(0));
-    // The line of an overhanging crack is the roof of the mass. A vertical crack takes the same path: the strip then
-    // has no width, but its derivative with respect to the crack's dip has.
+    // The line of an overhanging crack is the roof of the mass. A vertical crack is treated in the same way: the strip
+    // then has no width, but its derivative with respect to the crack's dip is not zero.
     add(wedge.base_top_x, T(0), T(0));
 }
 
 }  // namespace detail
 
-// Fills in the wedge of a problem. Where the answer is not `valid` the members are unspecified.
+// Fills in the wedge of a problem. If the result is not `valid` the members are unspecified.
 template <class T>
 PlaneFailureCheck make_wedge(const PlaneFailure<T>& problem, Wedge<T>& wedge) {
     const SlopeSection<T>& slope = problem.slope;

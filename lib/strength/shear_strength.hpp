@@ -49,7 +49,7 @@ T shear_strength(const PattonBilinear<T>& law, const T& normal_stress) {
            (normal_stress - law.transition_stress) * detail::tangent(law.friction_angle);
 }
 
-// Zero in tension: the law has no cohesion.
+// Zero in tension, because the law has no cohesion.
 template <class T>
 T shear_strength(const BartonBandis<T>& law, const T& normal_stress) {
     if (!(normal_stress > 0)) {
@@ -78,14 +78,14 @@ T shear_strength(const PowerCurve<T>& law, const T& normal_stress) {
                               detail::exponential(T(law.exponent * detail::natural_logarithm(ratio)));
 }
 
-// Never negative: below the stress at which an envelope crosses zero there is no strength left.
+// Never negative: below the stress at which an envelope crosses zero the strength is zero.
 template <class T>
 T shear_strength(const StrengthLaw<T>& law, const T& normal_stress) {
     const T strength = std::visit([&](const auto& form) { return shear_strength(form, normal_stress); }, law);
     return strength < 0 ? T(0) : strength;  // NaN stays NaN, and a strength of exactly zero keeps its derivative
 }
 
-// phi + i below 90 deg, where a law adds them.
+// Whether phi + i is below 90 deg, if the law adds them.
 template <class T>
 bool friction_below_90_degrees(const StrengthLaw<T>& law) {
     const auto check = [](const auto& form) {

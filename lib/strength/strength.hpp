@@ -66,8 +66,8 @@ struct PattonBilinear {
     }
 };
 
-// tau = sigma tan(phi_r + JRC log10(JCS / sigma)), the angle held below 70 deg as Barton (1976) advises for low stress,
-// and not below phi_r above sigma = JCS.
+// tau = sigma tan(phi_r + JRC log10(JCS / sigma)), with the angle limited to 70 deg, as Barton (1976) advises for low
+// stress, and to phi_r above sigma = JCS.
 template <class T = double>
 struct BartonBandis {
     T residual_friction_angle;

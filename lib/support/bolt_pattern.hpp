@@ -1,16 +1,16 @@
-// Rows of equal bolts, and what each row holds per metre of slope.
+// Rows of equal bolts, and the force of each row per metre of slope.
 //
-// A bolt runs from its head on the face through the surface on which the rock moves into rock that stays. Its force
-// where it crosses that surface is the least of
+// A bolt runs from its head on the face through the sliding surface into stable rock. Its force where it crosses that
+// surface is the least of
 //     capacity                              of the bar or strand,
 //     bond strength (length - l)            by which the grout behind the surface holds it (pullout),
 //     plate capacity + bond strength l      by which plate and grout in front of it hold the rock (stripping),
-// l being the length from the head to the surface; a bolt without grout is anchored at its end and has its capacity
-// wherever that end is in rock that stays. Divided by the spacing along the slope that is force per metre run, as
-// limit equilibrium takes support (Hoek & Bray 1981; Wyllie & Mah 2004, 7.4 and 12.4; the force diagram is that of
+// l being the length from the head to the surface; a bolt without grout is anchored at its end and has its full
+// capacity wherever that end is in stable rock. The force divided by the spacing along the slope is the force per metre
+// run that limit equilibrium uses (Hoek & Bray 1981; Wyllie & Mah 2004, 7.4 and 12.4; the force diagram is that of
 // grouted bolts in common slope programs).
 //
-// Limits: the bolt carries tension alone, not shear, and whole rows act together: the slope is as in every section.
+// Limits: the bolt carries tension alone, not shear, and whole rows act together: all sections of the slope are alike.
 #pragma once
 
 #include "geometry/polyline.hpp"
@@ -61,12 +61,12 @@ struct BoltPattern {
             section("grout", &P::grout, "along the whole bolt; absent: the bolt is anchored at its end alone")};
     }
 
-    // Rows are counted from 0 at the lowest.
+    // Rows are numbered from 0, the lowest.
     T head_height(int row) const { return T(lowest_height + T(row) * row_spacing); }
 };
 
-// N/m, of a row whose bolts have that length in the rock that moves; nothing where they do not cross its surface, of
-// which a negative length tells.
+// Force, N/m, of a row whose bolts have that length in the moving rock; nothing if they do not cross its surface, for
+// which the length is negative.
 template <class T>
 T force_of_row(const BoltPattern<T>& pattern, const T& length_in_moving_rock) {
     const T behind = pattern.length - length_in_moving_rock;
@@ -83,7 +83,7 @@ T force_of_row(const BoltPattern<T>& pattern, const T& length_in_moving_rock) {
     return T(force / pattern.spacing);
 }
 
-// One row as a slope has it.
+// One row on a given slope.
 struct BoltRow {
     Point head;
     double force;  // N/m

@@ -1,5 +1,5 @@
-# The revision is asked for at every build, not at every configure, so that a new commit cannot hide behind an old cache;
-# the source is rewritten only when its content changes, so that the answer costs one small file and a link.
+# The revision is read at every build, not at every configure, so that a cached value cannot hide a new commit;
+# the source is rewritten only if its content changes, so that the cost is one small file and a link.
 set(version_source ${CMAKE_CURRENT_BINARY_DIR}/version/version.cpp)
 add_custom_target(delabole_revision
     COMMAND ${CMAKE_COMMAND}

@@ -2,7 +2,7 @@
 set(revision unknown)
 find_program(git_program git)
 if(git_program)
-    # Sources unpacked inside somebody else's checkout must not take that checkout's commit for their own.
+    # Sources unpacked inside another checkout must not use that checkout's commit.
     execute_process(
         COMMAND ${git_program} rev-parse --show-toplevel
         WORKING_DIRECTORY ${source_directory}

@@ -1,13 +1,13 @@
-// Groundwater by tilting a base friction model (thesis 2.3.5): one column on a joint, seen by the tilt of its resultant
-// force.
+// Groundwater by tilting a base friction model (thesis 2.3.5): one column on a joint, represented by the tilt of its
+// resultant force.
 //
-// A column of weight W lies on a joint of dip d, and on this joint alone; its water pushes it with a force U normal to
-// the joint, by a pressure that grows linearly from zero at the water level. The model is
-// turned by the angle t that the resultant of both makes with the vertical:
+// A column of weight W rests on a single joint of dip d; its water pushes it with a force U normal to the joint, by a
+// pressure that grows linearly from zero at the water level. The model is rotated by the angle t between the resultant
+// of both and the vertical:
 //     tan t = U sin d / (W - U cos d).
-// With pressure growing linearly from the water level down the joint, U grows with the square of the filled height, so
-// that the tilts of two levels are one column seen twice: from the saturated tilt follows U / W = tan t / (sin d +
-// tan t cos d), from that times filled_ratio^2 the tilt of any other level.
+// As the pressure grows linearly from the water level down the joint, U grows with the square of the filled height, so
+// that the tilts at two levels are related: the saturated tilt gives U / W = tan t / (sin d + tan t cos d), and this
+// times filled_ratio^2 gives the tilt at any other level.
 #pragma once
 
 #include "parameters/fields.hpp"
@@ -47,7 +47,7 @@ struct ColumnTilt {
     }
 };
 
-// Rounding only. A tilt above 90 deg means that water lifts the column.
+// Exact to rounding. A tilt above 90 deg means that water lifts the column.
 ColumnTilt analyse(const TiltedColumn<>& column);
 
 // Inputs and outputs by name.

@@ -1,7 +1,7 @@
-// Water pressure on a tension crack and on the base of a sliding mass: how it is described.
+// Description of water pressure on a tension crack and on the base of a sliding mass.
 //
-// Pressures are pore pressures in Pa; the forces they give are in plane_failure/water_force.hpp. A level is given in
-// one of three ways: as a depth of water, as a ratio of the greatest possible depth, or as an elevation.
+// Pressures are pore pressures in Pa; plane_failure/water_force.hpp computes the forces. A level is given in one of
+// three ways: as a depth of water, as a ratio of the greatest possible depth, or as an elevation.
 #pragma once
 
 #include "parameters/fields.hpp"
@@ -55,8 +55,8 @@ struct Dry {
     static constexpr auto fields() { return std::tuple{}; }
 };
 
-// Hoek & Bray: hydrostatic in the crack, falling linearly along the base from the crack to the point where it
-// daylights. Level above the bottom of the crack.
+// Hoek & Bray: hydrostatic in the crack, decreasing linearly along the base from the crack to the point where it
+// daylights. The level is above the bottom of the crack.
 template <class T = double>
 struct CrackAndBaseWater {
     T unit_weight;
@@ -68,7 +68,7 @@ struct CrackAndBaseWater {
     }
 };
 
-// Hydrostatic in the crack, none on the base. Level above the bottom of the crack.
+// Hydrostatic in the crack, none on the base. The level is above the bottom of the crack.
 template <class T = double>
 struct CrackOnlyWater {
     T unit_weight;
@@ -80,8 +80,9 @@ struct CrackOnlyWater {
     }
 };
 
-// Base only: zero at the level and where the base daylights, largest half way between, where it is the hydrostatic
-// pressure of half the depth. Level above the daylighting point; full means up to the upper end of the base.
+// On the base only: zero at the level and where the base daylights, greatest half way between, where it is the
+// hydrostatic pressure of half the depth. The level is above the daylighting point; full means up to the upper end of
+// the base.
 template <class T = double>
 struct BasePeakMidHeightWater {
     T unit_weight;
@@ -93,9 +94,9 @@ struct BasePeakMidHeightWater {
     }
 };
 
-// Blocked drainage: hydrostatic from the level down to the daylighting point, in the crack and along the base. Level
-// above the daylighting point; full means up to the top of the crack, or the upper end of the base where there is no
-// crack.
+// Blocked drainage: hydrostatic from the level down to the daylighting point, in the crack and along the base. The
+// level is above the daylighting point; full means up to the top of the crack or, without a crack, to the upper end of
+// the base.
 template <class T = double>
 struct PeakAtToeWater {
     T unit_weight;
@@ -119,7 +120,8 @@ struct PiezometricPoint {
     }
 };
 
-// Pressure = unit weight times vertical depth below a line; level beyond its ends. Points in order of increasing x.
+// Pressure = unit weight times vertical depth below a line, which is level beyond its ends. Points in order of
+// increasing x.
 template <class T = double>
 struct PiezometricLineWater {
     T unit_weight;
@@ -144,8 +146,8 @@ struct PressurePoint {
     }
 };
 
-// Measured or assumed pressures, linear between points and zero beyond the first and last. Positions increasing; none,
-// or at least two.
+// Measured or assumed pressures, linear between points and zero beyond the first and last. Positions increase; there
+// are none, or at least two.
 template <class T = double>
 struct CustomWater {
     std::vector<PressurePoint<T>> crack;
@@ -162,10 +164,10 @@ using Water = std::variant<Dry, CrackAndBaseWater<T>, CrackOnlyWater<T>, BasePea
                            PiezometricLineWater<T>, CustomWater<T>>;
 
 // Standing water in front of the face. It always loads the face, and it enters the base where the plane daylights, and
-// through the base the crack: nowhere there does water stand lower than the pond. Dry water states no level: base and
-// crack are filled to that of the pond. With crack_only water the base is; with crack_and_base and base_peak_mid_height
-// the pond replaces the zero at the daylighting point. What a form states itself must be at least the pressure of the
-// pond, at the daylighting point and at the bottom of the crack; it is refused otherwise.
+// through the base the crack: the water there is nowhere lower than the pond. For a slope that is otherwise dry, base
+// and crack are filled to the level of the pond; with crack_only water the base is. With crack_and_base and
+// base_peak_mid_height the pond replaces the zero at the daylighting point. The pressure that a form itself gives must
+// be at least that of the pond, at the daylighting point and at the bottom of the crack; otherwise it is refused.
 template <class T = double>
 struct Pond {
     T depth;

@@ -1,24 +1,24 @@
-// Geometry of a wedge: the block between two planes, face, upper surface and, where there is one, a tension crack.
+// Geometry of a wedge: the block between two planes, face, upper surface and, if there is one, a tension crack.
 //
 // The notation is as follows. f, u: unit normals of face and upper surface, out of the rock; n1, n2: upward unit
-// normals of the planes; i: their line of intersection, plunging. The origin O is the point where the line comes out of
+// normals of the planes; i: their line of intersection, plunging. The origin O is the point where the line daylights in
 // the face. Rock fills f . x < 0, u . x < u . C1, with C1 the point of the crest on plane 1, given by the height.
 //
-// Which side of each plane the wedge lies on follows from block theory (Goodman & Shi 1985), as in
-// kinematics/criteria.hpp: exactly one block between the planes is finite where the line leaves through the face
-// (i . f > 0) and reaches the upper surface (i . u < 0), and the signs s1, s2 with which it lies at
-// sk nk . x >= 0 are those of the components of m = f / (i . f) - u / (i . u) along n1 and n2. So either plane may be
-// called plane 1, and one may overlie the other. a1 = s1 n1 and a2 = s2 n2 point into the wedge.
+// The side of each plane on which the wedge lies follows from block theory (Goodman & Shi 1985), as in
+// kinematics/criteria.hpp: exactly one block between the planes is finite if the line leaves through the face
+// (i . f > 0) and reaches the upper surface (i . u < 0), and the signs s1, s2 with which it lies at sk nk . x >= 0 are
+// those of the components of m = f / (i . f) - u / (i . u) along n1 and n2. So either plane may be called plane 1, and
+// one may overlie the other. a1 = s1 n1 and a2 = s2 n2 point into the wedge.
 //
 // Corners. C1, C2: where the planes meet the crest, along n1 x f and n2 x f from O; L: where the line meets the upper
-// surface. The crack passes through a point of the trace C1 L. It cuts O from L and leaves the crest on O's side:
+// surface. The crack passes through a point of the trace C1 L. It separates O from L and leaves the crest on O's side;
 // otherwise the case is refused. It cuts the edges O L, C1 L, C2 L in E, P1, P2; without a crack all three are L.
 //
 // Volume and areas are sums of positive tetrahedra and triangles with a corner in O, so that nothing cancels:
 //     6 V = |C1 . (C2 x P2)| + |C1 . (P2 x P1)| + |E . (P1 x P2)|.
 //
-// Accuracy: relative errors of a few roundings divided by the sines of the angles between the planes that meet in a
-// corner, and by the share of the trace that is left where the crack comes near its end.
+// Accuracy: relative errors of a few rounding errors divided by the sines of the angles between the planes that meet in
+// a corner, and by the remaining share of the trace if the crack is near its end.
 //
 // Templates over the scalar: double, and 50-digit numbers in tests.
 #pragma once
@@ -36,12 +36,12 @@ enum class WedgeFailureCheck {
     valid,
     planes_parallel,                  // to within 1e-9 rad
     line_does_not_daylight,           // the line of intersection is level or does not leave through the face
-    line_does_not_surface,            // it never reaches the ground behind the crest
+    line_does_not_surface,            // the line never reaches the ground behind the crest
     upper_surface_steeper_than_face,  // there is no crest
-    crest_below_daylight,             // plane 1 meets the crest no higher than the line comes out of the face
+    crest_below_daylight,             // plane 1 meets the crest no higher than the line daylights in the face
     crack_misses_wedge,               // the crack lies behind the wedge, or does not cut the line of intersection
     crack_cuts_face,                  // the crack meets the crest between the planes
-    water_needs_crack,                // a pressure is given in a crack that is not there
+    water_needs_crack,                // a pressure is given for a crack, but there is no crack
     friction_not_below_90_deg,        // friction_angle + roughness_angle
     input_out_of_range,               // a number outside the range of its field, or not finite
 };
@@ -139,7 +139,7 @@ WedgeFailureCheck cut_by_crack(const WedgeCrack<T>& crack, WedgeGeometry<T>& wed
 
 }  // namespace detail
 
-// `wedge` is complete where the answer is valid.
+// `wedge` is complete if the result is valid.
 template <class T>
 WedgeFailureCheck make_geometry(const WedgeFailure<T>& problem, WedgeGeometry<T>& wedge) {
     const WedgeSlope<T>& slope = problem.slope;
@@ -147,7 +147,7 @@ WedgeFailureCheck make_geometry(const WedgeFailure<T>& problem, WedgeGeometry<T>
     const Vector3<T> upper = normal_of(slope.upper_surface_dip, slope.upper_surface_dip_direction);
     const Vector3<T> normal_1 = normal_of(problem.plane_1.dip, problem.plane_1.dip_direction);
     const Vector3<T> normal_2 = normal_of(problem.plane_2.dip, problem.plane_2.dip_direction);
-    // Directions are known to a few roundings; a line in the face must not daylight by one of them.
+    // Directions are accurate to a few rounding errors, which must not let a line in the face daylight.
     constexpr double direction_rounding = 1e-12;
     constexpr double least_angle = 1e-9;
 
@@ -174,7 +174,7 @@ WedgeFailureCheck make_geometry(const WedgeFailure<T>& problem, WedgeGeometry<T>
     wedge.inner_1 = m.cross(normal_2).dot(axis) < 0 ? Vector3<T>(-normal_1) : normal_1;
     wedge.inner_2 = normal_1.cross(m).dot(axis) < 0 ? Vector3<T>(-normal_2) : normal_2;
 
-    // Along the traces of the planes on the face, away from O: each on the inner side of the other plane.
+    // The traces of the planes on the face point away from O, each to the inner side of the other plane.
     Vector3<T> trace_1 = normal_1.cross(face);
     Vector3<T> trace_2 = normal_2.cross(face);
     if (wedge.inner_2.dot(trace_1) < 0) {

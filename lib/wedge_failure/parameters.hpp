@@ -1,8 +1,8 @@
-// Wedge failure: what a slope, its two planes, crack, strengths, water and loads are.
+// Input of wedge failure: a slope, its two planes, crack, strengths, water and loads.
 //
 // Directions are compass readings (kinematics/orientation.hpp): dips and plunges below the horizontal, azimuths
 // clockwise from north, in the frame east, north, up. The rock lies behind the face and below the upper surface; the
-// two planes meet in a line that plunges out of the slope and comes out of the face at the origin.
+// two planes meet in a line that plunges out of the slope and daylights in the face at the origin.
 #pragma once
 
 #include "parameters/fields.hpp"
@@ -22,8 +22,8 @@ constexpr Interval azimuth_range() {
     return within(0, degrees(360));
 }
 
-// `height` is H1 of Hoek & Bray. Where face and upper surface differ in strike the crest is inclined, and the height
-// where plane 2 meets it is another one.
+// `height` is H1 of Hoek & Bray. If face and upper surface differ in strike, the crest is inclined, and plane 2 meets
+// it at another height.
 template <class T = double>
 struct WedgeSlope {
     T height;
@@ -140,7 +140,7 @@ struct WedgeLoad {
     }
 };
 
-// The force is what the bolt does to the wedge: it points from the head into the rock.
+// The force acts on the wedge: it points from the head into the rock.
 template <class T = double>
 struct WedgeBolt {
     T force;

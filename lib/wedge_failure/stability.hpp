@@ -3,24 +3,24 @@
 // The notation is that of geometry.hpp. Active forces, R: weight, inertia, loads, active bolts and water,
 //     R = W (0, 0, -1) + k W e + U1 a1 + U2 a2 - V t + loads + active bolts,
 // t the crack's normal out of the wedge, U and V mean pressure times area. Passive bolts P press on the planes and
-// resist, but do not decide which way the wedge moves.
+// resist, but do not determine the direction in which the wedge moves.
 //
 // Contact (Hoek & Bray 1981, appendix 2: complete solution). With c = a1 . a2 the normal forces that hold the wedge
 // across the line of intersection are
 //     N1 = -(R . a1 - c R . a2) / (1 - c^2),   N2 = -(R . a2 - c R . a1) / (1 - c^2).
 //   both N >= 0: it slides along the line i on both planes;
-//   N2 < 0 and R . a1 < 0: on plane 1 alone, along r = R - (R . a1) a1, for then r . a2 = -(1 - c^2) N2 > 0: it leaves
-//     plane 2. Likewise on plane 2;
+//   N2 < 0 and R . a1 < 0: it slides on plane 1 alone, along r = R - (R . a1) a1, because r . a2 = -(1 - c^2) N2 > 0
+//     means that it leaves plane 2; for plane 2 alone with 1 and 2 exchanged;
 //   otherwise it is lifted off both planes, and the factor of safety is 0.
-// One and only one of these holds. With s the direction of sliding,
+// Exactly one of these cases applies. With s the direction of sliding,
 //     FS = (tau1 A1 + tau2 A2 - P . s) / (R . s),
-// tau from the mean normal stress of R + P on each plane that carries. FS is infinite where R . s is not positive.
+// tau from the mean normal stress of R + P on each plane that carries load. FS is infinite if R . s is not positive.
 //
-// Moments are left out: a wedge may rotate about an edge before it slides. The far wall of the crack carries nothing,
+// Moments are left out: a wedge may rotate about an edge before it slides. The far wall of the crack carries no load,
 // which is on the safe side.
 //
-// Accuracy: sums that may cancel; the absolute error of each force is a few units in the last place of the sum of the
-// magnitudes of its terms, over 1 - c^2 where both planes carry.
+// Accuracy: sums may cancel; the absolute error of each force is a few units in the last place of the sum of the
+// magnitudes of its terms, over 1 - c^2 if both planes carry load.
 #pragma once
 
 #include "kinematics/criteria.hpp"
@@ -38,7 +38,7 @@ struct WedgePressures {
     T crack;
 };
 
-// Mean pressures; parameters.hpp says how fissures fill. The wedge is that of the problem.
+// Mean pressures; parameters.hpp describes how fissures fill. The geometry is that of the problem.
 template <class T>
 WedgePressures<T> mean_pressures(const WedgeFailure<T>& problem, const WedgeGeometry<T>& wedge) {
     if (const auto* filled = std::get_if<FilledFissures<T>>(&problem.water)) {
@@ -56,14 +56,14 @@ template <class T>
 struct WedgeStability {
     SlidingContact contact;
     T factor_of_safety;
-    Vector3<T> sliding;  // unit vector; zero where the wedge is lifted off
+    Vector3<T> sliding;  // unit vector; zero if the wedge is lifted off
     T weight;
     T water_force_1;
     T water_force_2;
     T crack_water_force;
-    T normal_force_1;  // effective; 0 on a plane that does not carry
+    T normal_force_1;  // effective; 0 on a plane that carries no load
     T normal_force_2;
-    T driving_force;    // R . s; that of R itself where the wedge is lifted off
+    T driving_force;    // R . s; if the wedge is lifted off, the magnitude of R
     T resisting_force;  // strength of the planes and passive bolts
 };
 
@@ -158,7 +158,7 @@ WedgeFailureCheck balance_forces(const WedgeFailure<T>& problem, const WedgeGeom
     if (result.contact != SlidingContact::first_plane) {
         resisting += wedge.area_2 * shear_strength(problem.plane_2.strength, T(result.normal_force_2 / wedge.area_2));
     }
-    // A passive bolt that sliding would shorten counts against the rest, but nothing resists less than not at all.
+    // A passive bolt that sliding would shorten reduces the resistance, but not below zero.
     result.resisting_force = resisting < 0 ? T(0) : resisting;
     result.driving_force = forces.active.dot(result.sliding);
     result.factor_of_safety = result.driving_force <= 0 ? T(std::numeric_limits<double>::infinity())
@@ -166,7 +166,7 @@ WedgeFailureCheck balance_forces(const WedgeFailure<T>& problem, const WedgeGeom
     return result.factor_of_safety >= 0 ? WedgeFailureCheck::valid : WedgeFailureCheck::input_out_of_range;
 }
 
-// Geometry and forces; where `check` is not valid the other members are unspecified.
+// Geometry and forces; if `check` is not valid the other members are unspecified.
 template <class T>
 struct WedgeEquilibrium {
     WedgeFailureCheck check;

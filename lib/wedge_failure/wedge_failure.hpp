@@ -1,7 +1,7 @@
-// Wedge failure: sliding of the block between two planes that meet in a line which comes out of the face, with a
-// tension crack, water, earthquake, loads and bolts (Hoek & Bray 1981, Rock Slope Engineering, appendix 2; Wyllie &
-// Mah 2004, appendix III: the comprehensive solution). Derived by vectors: wedge_failure/geometry.hpp for the block,
-// wedge_failure/stability.hpp for the forces, with their limits and accuracy.
+// Wedge failure: sliding of the block between two planes that meet in a line which daylights in the face, with a
+// tension crack, water, earthquake, loads and bolts (Hoek & Bray 1981, Rock Slope Engineering, appendix 2; Wyllie & Mah
+// 2004, appendix III: the comprehensive solution). The equations are derived with vectors: wedge_failure/geometry.hpp
+// for the block, wedge_failure/stability.hpp for the forces, with their limits and accuracy.
 //
 // Departures from the printed solution: strengths may be curved; an inertia force and passive bolts are added; the
 // signs of the sides come from block theory and not from a table of cases. For Coulomb strength and the same loads the
@@ -21,10 +21,10 @@ namespace delabole {
 struct WedgeFailureResult {
     WedgeFailureCheck check = WedgeFailureCheck::input_out_of_range;  // the rest is zero unless valid
     SlidingContact contact = SlidingContact::none;
-    double factor_of_safety = 0;  // 0 where the wedge is lifted off both planes; infinite where nothing drives it
+    double factor_of_safety = 0;  // 0 if the wedge is lifted off both planes; infinite if no force drives it
     double line_plunge = 0;
     double line_trend = 0;
-    double sliding_plunge = 0;  // negative where loads push the wedge upwards; 0 where it is lifted off
+    double sliding_plunge = 0;  // negative if loads push the wedge upwards; 0 if it is lifted off
     double sliding_trend = 0;
     double volume = 0;
     double weight = 0;
@@ -70,7 +70,7 @@ struct WedgeFailureResult {
     }
 };
 
-// Checks ranges, then computes everything the result holds.
+// Checks ranges, then computes all members of the result.
 WedgeFailureResult analyse(const WedgeFailure<>& problem);
 
 // The value of one input at which the factor of safety takes a given value.

@@ -44,8 +44,8 @@ struct KickWork {
     Number damped;
 };
 
-// `moving`: the velocity that local damping acts against. The work of a force over the kick is exact with the mean of
-// both velocities.
+// `moving`: the velocity that local damping opposes. The work of a force over the kick is exact with the mean of the
+// velocities before and after it.
 template <class Number>
 DELABOLE_INLINED KickWork<Number> kick(const BlockForceOf<Number>& net, const Number& force,
                                        const BlockForceOf<Number>& load, const BlockVelocity<Number>& moving,
@@ -64,14 +64,14 @@ DELABOLE_INLINED KickWork<Number> kick(const BlockForceOf<Number>& net, const Nu
     const Number vx = motion.vx + (net.x + brake.x) * measures.inverse_mass * duration;
     const Number vy = motion.vy + (net.y + brake.y) * measures.inverse_mass * duration;
     const Number spin = motion.spin + (net.moment + brake.moment) * measures.inverse_inertia * duration;
-    const Number way_x = (motion.vx + vx) * 0.5 * duration;
-    const Number way_y = (motion.vy + vy) * 0.5 * duration;
+    const Number moved_x = (motion.vx + vx) * 0.5 * duration;
+    const Number moved_y = (motion.vy + vy) * 0.5 * duration;
     const Number turn = (motion.spin + spin) * 0.5 * duration;
     motion.vx = vx;
     motion.vy = vy;
     motion.spin = spin;
-    return {load.x * way_x + load.y * way_y + load.moment * turn,
-            brake.x * way_x + brake.y * way_y + brake.moment * turn};
+    return {load.x * moved_x + load.y * moved_y + load.moment * turn,
+            brake.x * moved_x + brake.y * moved_y + brake.moment * turn};
 }
 
 BlockForce force_of_joints(const BlockSweep& sweep, std::size_t block) {
@@ -82,7 +82,7 @@ BlockForce force_of_joints(const BlockSweep& sweep, std::size_t block) {
     return force;
 }
 
-// A base that moves carries its blocks along: what is damped is their motion on it.
+// A moving base carries its blocks along: damping acts on their motion relative to it.
 BlockVelocity<double> velocity_on_base(const BlockSweep& sweep, std::size_t block) {
     const Motion& motion = sweep.motion[block];
     const Bodies& bodies = sweep.bodies;
@@ -104,14 +104,14 @@ struct PoseOf {
     Number angle;
 };
 
-// Not a number is noticed.
+// A pose that is not a number counts as noticed.
 template <class Number>
 DELABOLE_INLINED MaskOf<Number> is_unnoticed(const MotionOf<Number>& now, const PoseOf<Number>& then,
                                              const Number& radius, const Number& limit) {
     return absolute(now.x - then.x) + absolute(now.y - then.y) + absolute(now.angle - then.angle) * radius <= limit;
 }
 
-// False for a block at rest.
+// Returns false for a block at rest.
 bool kick_block(const BlockSweep& sweep, std::size_t block, StepSums& sums) {
     Motion& motion = sweep.motion[block];
     const BlockForce& load = sweep.load[block];
@@ -144,7 +144,7 @@ void move_block(const BlockSweep& sweep, std::size_t block, StepSums& sums) {
     noticed.moved[block] = 0;
     if (sweep.held[block] != 0) {
         const BlockForce force = force_of_joints(sweep, block);
-        // A moved block does to the others what they do to it.
+        // A moved block exerts on the others the opposite of their forces on it.
         sums.prescribed -= (force.x * motion.vx + force.y * motion.vy + force.moment * motion.spin) * sweep.step;
     } else if (!kick_block(sweep, block, sums)) {
         return;
@@ -191,7 +191,7 @@ DELABOLE_INLINED void notice_four(const BlockSweep& sweep, std::size_t first, co
     store_lanes<FourLanes>(select(unnoticed, then.angle, now.angle), &noticed.angle[first]);
 }
 
-// Free blocks that are not at rest, on a base that does not turn.
+// Moves four free blocks that are not at rest, on a base that does not rotate.
 DELABOLE_INLINED void move_four(const BlockSweep& sweep, std::size_t first, WideSums& sums) {
     Motion* const moved = sweep.motion + first;
     const Rows<FourLanes> rows{&moved[0].x, &moved[1].x, &moved[2].x, &moved[3].x};

@@ -1,5 +1,5 @@
 // Newton's law for one block after the other, four at a time where they are free: a kick by the forces, then motion
-// with the new velocity. Whether the contacts of a block have to be evaluated again is noticed on the way.
+// with the new velocity. The sweep also notes whether the contacts of a block have to be evaluated again.
 #pragma once
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
@@ -10,19 +10,20 @@
 
 namespace delabole {
 
-// Numbers that all blocks of a scene keep, besides their bodies.
+// Constant numbers of all blocks of a scene, besides their bodies.
 struct BlockScales {
     std::vector<double> inverse_radius = {};  // 1/m
     std::vector<double> inverse_weight = {};  // m/N
     std::vector<double> rest_speed = {};      // m/s, below which a block may be at rest
-    std::vector<double> unnoticed = {};       // m, motion that its contacts may disregard
+    std::vector<double> unnoticed = {};       // m, motion that its contacts may ignore
 };
 
-// Says of each block whether it has moved by more than its contacts may disregard, measured from where that was last
-// noticed: the slowest motion is noticed as soon as it matters.
+// Notes for each block whether it has moved by more than its contacts may ignore. The motion is measured from the pose
+// at the last note, so that even the slowest motion is noticed as soon as it matters.
 struct NoticedMotion {
-    std::vector<char> moved = {};  // 1: its contacts are to be evaluated again, for it has come so far or has new ones
-    std::vector<double> x = {};    // pose when that was last noticed
+    std::vector<char> moved = {};  // 1: its contacts are to be evaluated again, because it has moved that far or has
+                                   // new ones
+    std::vector<double> x = {};    // pose when its motion was last noticed
     std::vector<double> y = {};
     std::vector<double> angle = {};
 
@@ -50,16 +51,17 @@ struct BlockSweep {
     const BlockForce* load;
     double local_damping;
     double kick;  // s, over which forces change the velocities
-    double step;  // s, over which these move the blocks
-    // A block whose `checks_at_rest` has reached `checks_before_rest` is at rest until the forces on it are out of
-    // balance by four times this share of its weight.
+    double step;  // s, over which the velocities move the blocks
+    // A block whose `checks_at_rest` has reached `checks_before_rest` is at rest until the unbalanced force on it
+    // exceeds four times this share of its weight.
     double rest_ratio;
     std::uint32_t checks_before_rest;
     Motion* motion;
     double* travelled;
-    std::uint32_t* checks_at_rest;  // set to zero where a block is not
+    std::uint32_t* checks_at_rest;  // set to zero for a block that is not at rest
     NoticedMotion& noticed;
-    // The motion before the step of a base that turns and carries blocks along, whichever is moved first.
+    // Motion, before the step, of a base that rotates and carries blocks along, so that the order of moving does not
+    // matter.
     Motion base = {};
 };
 
@@ -71,8 +73,8 @@ struct StepSums {
     double fastest = 0;     // m/s, no point of any block is faster
 };
 
-// Moves blocks `begin` to `end`. Their motion does not depend on which blocks are swept together, the last digits of
-// the sums do.
+// Moves blocks `begin` to `end`. Their motion does not depend on which blocks are swept together, but the last digits
+// of the sums do.
 StepSums move_blocks(const BlockSweep& sweep, std::size_t begin, std::size_t end);
 
 }  // namespace delabole

@@ -1,4 +1,4 @@
-// The blocks of a scene as the main loop wants them: what does not change, and how each has moved.
+// The blocks of a scene as the main loop needs them: their constant properties, and the motion of each.
 #pragma once
 
 #include "dynamic_relaxation/scene/scene.hpp"
@@ -15,7 +15,7 @@ struct CornerRange {
     std::size_t end;
 
     std::size_t size() const { return end - begin; }
-    // Neighbours around the block.
+    // The next and the previous corner around the block.
     std::size_t after(std::size_t corner) const { return corner + 1 < end ? corner + 1 : begin; }
     std::size_t before(std::size_t corner) const { return corner > begin ? corner - 1 : end - 1; }
 };
@@ -23,8 +23,8 @@ struct CornerRange {
 // Struct of arrays. Corners and edges of all blocks are numbered through; edge n leads from corner n to the next one.
 struct Bodies {
     std::vector<double> mass = {};             // kg per metre run; gravity and shaking act on it
-    std::vector<double> inertial_mass = {};    // kg per metre run, against acceleration: the same unless scaled
-    std::vector<double> inertia = {};          // kg m2 per metre run, about the centroid; scaled alike
+    std::vector<double> inertial_mass = {};    // kg per metre run, against acceleration: equal to `mass` unless scaled
+    std::vector<double> inertia = {};          // kg m2 per metre run, about the centroid; scaled in the same ratio
     std::vector<double> inverse_mass = {};     // 0 for fixed blocks
     std::vector<double> inverse_inertia = {};  // 0 for fixed blocks
     std::vector<double> radius = {};           // farthest corner from the centroid
@@ -37,22 +37,22 @@ struct Bodies {
     std::vector<PlanePoint<>> along = {};    // unit vector of an edge, in the initial geometry
     std::vector<double> length = {};         // of an edge
     std::vector<std::size_t> material = {};  // of an edge
-    // A fixed block where all fixed ones move as one: motion is seen from it.
+    // A fixed block, if all fixed blocks move as one: the motion of the others is then measured relative to it.
     std::optional<std::size_t> moved_base = {};
 
     std::size_t size() const { return mass.size(); }
     PlanePoint<> normal(std::size_t edge) const { return {along[edge].y(), -along[edge].x()}; }  // outward
 };
 
-// The scene must be valid.
+// Makes the bodies of a valid scene.
 Bodies make_bodies(const RelaxationScene& scene);
 
-// Gives free blocks more inertia: as if as heavy as the heaviest, at most a hundredfold. Equilibria stay what they are,
-// in which nothing accelerates, but the lightest block no longer sets the stable step. Motion is no longer that of the
-// rock. Known as mass or density scaling (Cundall 1982).
+// Gives free blocks the inertia of the heaviest, but at most a hundred times their own. Equilibria do not change, as
+// nothing accelerates in them, but the lightest block no longer sets the stable step. The motion is no longer that of
+// the rock. Known as mass or density scaling (Cundall 1982).
 void scale_masses(Bodies& bodies);
 
-// On a block. A row of four numbers.
+// Force and moment on a block, as a row of four numbers.
 template <class Number>
 struct alignas(4 * sizeof(double)) BlockForceOf {
     Number x{};       // N/m
@@ -70,19 +70,20 @@ struct alignas(4 * sizeof(double)) BlockForceOf {
 
 using BlockForce = BlockForceOf<double>;
 
-// Sine and versine of a turn by an angle; true, and right to the last digits, where its square is below 1e-4.
+// Computes sine and versine of a rotation by an angle. Where the square of the angle is below 1e-4, the mask is true
+// and the result is accurate to the last digits.
 template <class Number>
 DELABOLE_INLINED MaskOf<Number> small_turn(const Number& angle, Number& sine, Number& versine) {
     const Number square = angle * angle;
-    // The series end where the next term is below rounding.
+    // The series end where the next term is smaller than rounding.
     sine = angle * (1.0 - square * (1.0 / 6) * (1.0 - square * (1.0 / 20) * (1.0 - square * (1.0 / 42))));
     versine = square * 0.5 * (1.0 - square * (1.0 / 12) * (1.0 - square * (1.0 / 30) * (1.0 - square * (1.0 / 56))));
     return square < 1e-4;
 }
 
-// One block's motion since the initial geometry, and its velocity half a step ago. Displacements instead of positions:
-// the overlap of stiff joints would drown in the rounding of coordinates. One cache line, because contacts visit blocks
-// at random.
+// One block's motion since the initial geometry, and its velocity half a step ago. Displacements are stored instead of
+// positions, because the overlap of stiff joints would be lost in the rounding of coordinates. The struct fills one
+// cache line, because contacts visit blocks in random order.
 template <class Number>
 struct MotionOf {
     Number x{};        // m, of the centroid
@@ -95,7 +96,7 @@ struct MotionOf {
     Number angle{};  // rad, anticlockwise
 };
 
-// m/s; no point of a block is faster. `radius`: of its farthest corner.
+// Upper bound, m/s, of the speed of any point of a block. `radius`: distance of its farthest corner.
 template <class Number>
 DELABOLE_INLINED Number fastest_point(const MotionOf<Number>& motion, const Number& radius) {
     return absolute(motion.vx) + absolute(motion.vy) + absolute(motion.spin) * radius;
@@ -125,8 +126,8 @@ inline PlanePoint<> moved_corner(const Bodies& bodies, const std::vector<Motion>
     return bodies.centroid[block] + PlanePoint<>(moved.x, moved.y) + moved.turned(bodies.corner[corner]);
 }
 
-// Index of the joint that decides, among the scene's materials: the one with less friction of two edges that lie on
-// each other.
+// Index of the governing joint among the scene's materials: of two edges that lie on each other, the joint of the one
+// with less friction.
 inline std::size_t weaker_joint(const RelaxationScene& scene, const Bodies& bodies, std::size_t edge,
                                 std::size_t other_edge) {
     const std::size_t one = bodies.material[edge];

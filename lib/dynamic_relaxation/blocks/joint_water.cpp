@@ -8,7 +8,7 @@ namespace delabole {
 
 namespace {
 
-// Part of an edge that a face covers, kept within the edge where the two are not quite parallel.
+// The part of an edge that a face covers, limited to the edge where the two are not quite parallel.
 EdgePart part_of(const Bodies& bodies, std::size_t edge, const PlanePoint<>& middle, double length) {
     const double centre = bodies.along[edge].dot(middle - bodies.corner[edge]);
     return {std::max(0.0, centre - length / 2), std::min(bodies.length[edge], centre + length / 2)};
@@ -30,7 +30,7 @@ std::vector<FacePressure> pressures_of(const JointWater& water, const Bodies& bo
     if (faces.empty()) {
         return {};
     }
-    // Convex blocks touch along one line; places on it anticlockwise round the block.
+    // Convex blocks touch along one line; positions on it are measured anticlockwise round the block.
     const PlanePoint<> along = bodies.along[faces.front().edge];
     double begin = along.dot(faces.front().arm);
     double end = begin;
@@ -39,7 +39,7 @@ std::vector<FacePressure> pressures_of(const JointWater& water, const Bodies& bo
         end = std::max(end, along.dot(face.arm) + face.length / 2);
     }
     const auto at = [&](double place) {
-        // Rounding does not make a pressure of nothing negative.
+        // With std::lerp rounding cannot make a zero pressure negative.
         return std::lerp(water.at_first, water.at_second, (place - begin) / (end - begin));
     };
     std::vector<FacePressure> pressures;

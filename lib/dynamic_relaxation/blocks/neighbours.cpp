@@ -105,8 +105,8 @@ void for_overlapping(const std::vector<Extent>& sorted, const Visit& visit) {
 
 std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vector<Motion>& motion,
                                            const std::vector<char>& removed, const std::vector<double>& reach) {
-    // A block that covers more cells than this is compared with all others instead. So are all blocks if they are few,
-    // and those that were shot so far away that cells cannot be numbered there.
+    // A block that covers more cells than this is compared with all others instead. So is every block where there are
+    // few, and any block thrown so far away that its cells cannot be numbered.
     constexpr double most_cells = 4096;
     constexpr double farthest = 1e15;  // cells
     constexpr std::size_t few_blocks = 16;
@@ -153,7 +153,8 @@ std::vector<BlockPair> neighbouring_blocks(const Bodies& bodies, const std::vect
         const auto compare = [&](std::uint32_t first, std::uint32_t second) {
             const Box& one = boxes[first];
             const Box& two = boxes[second];
-            // A pair that shares several cells is counted in the one with the lower left corner of what they share.
+            // A pair that shares several cells is counted in the cell of the lower left corner of the common area of
+            // its boxes.
             if (may_touch(first, second) && one.overlaps(two) && cell(std::max(one.bottom, two.bottom)) == begin->row &&
                 cell(std::max(one.left, two.left)) == begin->column) {
                 add(first, second);

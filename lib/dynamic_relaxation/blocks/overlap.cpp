@@ -10,7 +10,8 @@ namespace delabole {
 
 namespace {
 
-// About the centroid of `origin` in the initial geometry: coordinates keep their digits far away from zero.
+// Outline of a moved block about the centroid of `origin` in the initial geometry, so that coordinates keep their
+// digits far from zero.
 Polygon<> moved_outline(const Bodies& bodies, const std::vector<Motion>& motion, std::size_t block,
                         std::size_t origin) {
     const Motion& moved = motion[block];
@@ -22,8 +23,9 @@ Polygon<> moved_outline(const Bodies& bodies, const std::vector<Motion>& motion,
     return outline;
 }
 
-// Least displacement across an edge of `of` that takes the other polygon out of it; not positive where they are apart.
-double least_way_out(const Polygon<>& of, const Polygon<>& other) {
+// Penetration depth: the shortest displacement normal to an edge of `of` that separates the polygons; not positive
+// where they do not overlap.
+double penetration_depth(const Polygon<>& of, const Polygon<>& other) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t vertex = 0; vertex < of.size(); ++vertex) {
         const PlanePoint<>& from = of[vertex];
@@ -53,7 +55,7 @@ std::optional<BlockOverlap> greatest_overlap(const Bodies& bodies, const std::ve
          neighbouring_blocks(bodies, motion, removed, std::vector<double>(bodies.size(), 0))) {
         const Polygon<> one = moved_outline(bodies, motion, block, block);
         const Polygon<> two = moved_outline(bodies, motion, other, block);
-        const double depth = std::min(least_way_out(one, two), least_way_out(two, one));
+        const double depth = std::min(penetration_depth(one, two), penetration_depth(two, one));
         const double share = depth / std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
         if (share > (greatest ? greatest->share : 0)) {
             greatest = BlockOverlap{block, other, depth, share, common_area(one, two)};

@@ -10,10 +10,11 @@ namespace delabole {
 
 namespace {
 
-constexpr double near = 1e-3;  // in shortest edges; a joint drawn open by less is closed to contacts too
+constexpr double near = 1e-3;  // in shortest edges; contacts, too, treat a joint with a smaller initial opening as
+                               // closed
 
-// The band between a block's longest edge and its corner farthest from that edge holds the block. Bounding boxes of
-// flat, inclined blocks overlap by the thousand where these bands do not.
+// A block lies within the band between its longest edge and its corner farthest from that edge. Bounding boxes of flat,
+// inclined blocks overlap by the thousand where these bands do not.
 struct Band {
     PlanePoint<> normal;
     double low;  // from the block's centroid
@@ -55,7 +56,7 @@ std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, st
     if (bodies.along[edge].dot(along) >= 0) {
         return {};
     }
-    const double way_off = near * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
+    const double tolerance = near * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
     const PlanePoint<> between = bodies.centroid[block] - bodies.centroid[other];
     const auto from_start = [&](std::size_t corner) -> PlanePoint<> {
         return between + (bodies.corner[corner] - bodies.corner[other_edge]);
@@ -66,7 +67,8 @@ std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, st
     const PlanePoint<> normal = bodies.normal(other_edge);
     const double begin = std::max(0.0, along.dot(first));
     const double end = std::min(bodies.length[other_edge], along.dot(last));
-    if (std::abs(normal.dot(first)) > way_off || std::abs(normal.dot(last)) > way_off || !(end - begin > way_off)) {
+    if (std::abs(normal.dot(first)) > tolerance || std::abs(normal.dot(last)) > tolerance ||
+        !(end - begin > tolerance)) {
         return {};
     }
     const PlanePoint<> other_arm = bodies.corner[other_edge] + (begin + end) / 2 * along;

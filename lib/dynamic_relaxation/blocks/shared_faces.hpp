@@ -1,4 +1,4 @@
-// Faces of two blocks that lie on each other in the initial geometry, and how they have parted since.
+// Faces of two blocks that lie on each other in the initial geometry, and how they have moved apart since.
 #pragma once
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
@@ -15,24 +15,24 @@ struct SharedFace {
     std::uint32_t other;
     std::uint32_t edge;  // of the block; edges of all blocks are numbered through
     std::uint32_t other_edge;
-    PlanePoint<> arm;        // of the middle of what they share, about the block's centroid, in the initial geometry
-    PlanePoint<> other_arm;  // of the same point, about the other's
+    PlanePoint<> arm;        // of the middle of the shared length, about the block's centroid, in the initial geometry
+    PlanePoint<> other_arm;  // of the same point, about the other block's centroid
     PlanePoint<> along;      // of the other's edge, in the initial geometry
     double length;           // m
 };
 
-// The face that two edges share where they look at each other, lie on one line within a thousandth of the shortest edge
-// of their blocks, and share more of it than that. Empty where they do not.
+// The face that two edges share if they face each other, lie on one line within a thousandth of the shortest edge of
+// their blocks, and share a length greater than that; empty otherwise.
 std::optional<SharedFace> shared_face(const Bodies& bodies, std::size_t edge, std::size_t other_edge);
 
 // The shared faces of all pairs of blocks that are not both fixed, in increasing order of the blocks.
 std::vector<SharedFace> find_shared_faces(const Bodies& bodies);
 
-// The block's face seen from the other, whose face carries the axes.
+// Position of the block's face relative to the other block, whose face carries the axes.
 struct FacePosition {
     double normal_x;  // outward from the other
     double normal_y;
-    double opening;  // m, of the middle, against the normal's sense when pressed
+    double opening;  // m, of the middle, along the normal; negative in compression
     double slide;    // m, of the middle along the other's edge
     double turn;     // rad, of the block against the other
     double arm_x;    // from the block's centroid to the middle of its face
@@ -42,27 +42,27 @@ struct FacePosition {
 
     double along_x() const { return -normal_y; }
     double along_y() const { return normal_x; }
-    // Opening at the end that the block has turned away from the other.
+    // Opening at the end where it is larger.
     double widest(double length) const { return opening + std::abs(turn) * length / 2; }
 };
 
 inline FacePosition locate(const SharedFace& face, const Motion& block, const Motion& other) {
     const PlanePoint<> turned = block.turned_by(face.arm);
     const PlanePoint<> other_turned = other.turned_by(face.other_arm);
-    // Only changes are added up, as for contacts: nothing is lost to the coordinates.
-    const double way_x = (block.x - other.x) + (turned.x() - other_turned.x());
-    const double way_y = (block.y - other.y) + (turned.y() - other_turned.y());
+    // Only changes are added up, as for contacts, so that no digits are lost to large coordinates.
+    const double change_x = (block.x - other.x) + (turned.x() - other_turned.x());
+    const double change_y = (block.y - other.y) + (turned.y() - other_turned.y());
     const PlanePoint<> normal = other.turned(PlanePoint<>(face.along.y(), -face.along.x()));
     FacePosition at;
     at.normal_x = normal.x();
     at.normal_y = normal.y();
-    at.opening = normal.x() * way_x + normal.y() * way_y;
-    at.slide = at.along_x() * way_x + at.along_y() * way_y;
+    at.opening = normal.x() * change_x + normal.y() * change_y;
+    at.slide = at.along_x() * change_x + at.along_y() * change_y;
     at.turn = block.angle - other.angle;
     at.arm_x = face.arm.x() + turned.x();
     at.arm_y = face.arm.y() + turned.y();
-    at.other_arm_x = face.other_arm.x() + other_turned.x() + way_x;
-    at.other_arm_y = face.other_arm.y() + other_turned.y() + way_y;
+    at.other_arm_x = face.other_arm.x() + other_turned.x() + change_x;
+    at.other_arm_y = face.other_arm.y() + other_turned.y() + change_y;
     return at;
 }
 

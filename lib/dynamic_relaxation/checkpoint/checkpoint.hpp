@@ -1,7 +1,7 @@
-// A run's state as bytes, from which it goes on bit for bit as if it had never been stopped.
+// A run's state as bytes, from which it continues bit for bit as if it had never been stopped.
 //
 // The bytes are the same on every machine and for equal states: numbers in a fixed order, low byte first, no padding.
-//   8 bytes  what makes it a checkpoint
+//   8 bytes  mark of a checkpoint
 //   8        version of the format
 //   8        hash of scene and settings
 //   8        length of the state
@@ -26,13 +26,14 @@ struct RestoredState {
 std::string checkpoint_of(const RelaxationScene& scene, const RelaxationSettings& settings,
                           const RelaxationState& state);
 
-// Any bytes may come in. Refused unless `scene` and `settings` are those of the checkpoint; duration, most steps and
-// number of threads may differ, because they do not change what a step does. One altered byte is always noticed,
-// several but for one chance in 2^64; a state that is returned fits the scene, so that no index in it leads astray.
+// Reads bytes of any origin. They are refused unless `scene` and `settings` are those of the checkpoint; duration, most
+// steps and number of threads may differ, because they do not change what a step does. One altered byte is always
+// detected, several except with a probability of 2^-64; a returned state fits the scene, so that all its indices are
+// valid.
 RestoredState restore_checkpoint(std::string_view bytes, const RelaxationScene& scene,
                                  const RelaxationSettings& settings);
 
-// Whether the lists of a state, which may have come from anywhere, are those of the scene.
+// Whether the lists of a state of any origin are those of the scene.
 bool fits(const RelaxationState& state, const RelaxationScene& scene);
 
 }  // namespace delabole

@@ -4,7 +4,7 @@ namespace delabole {
 
 namespace {
 
-// No text begins like this, and a transfer that takes it for text spoils its line end.
+// No text begins like this, and a transfer in text mode would damage its line end.
 constexpr std::string_view mark =
     "\x89"
     "DlbRlx\n";
@@ -35,7 +35,7 @@ CheckpointCheck check_beginning(std::string_view beginning, std::uint64_t size) 
     std::uint64_t hash = 0;
     std::uint64_t body_size = 0;
     header.get(version);
-    // Only this much is known of other versions.
+    // The version is all that can be read from checkpoints of other versions.
     if (header.good() && version != checkpoint_version) {
         return CheckpointCheck::other_version;
     }

@@ -1,4 +1,4 @@
-// The bytes of checkpoints in an envelope that tells whether they arrived whole (see checkpoint.hpp).
+// The bytes of checkpoints in an envelope that shows whether they are complete (see checkpoint.hpp).
 #pragma once
 
 #include "dynamic_relaxation/checkpoint/checkpoint_members.hpp"
@@ -19,19 +19,19 @@ inline constexpr bool is_put_together<MemoryArray> = true;
 enum class CheckpointCheck {
     ok,
     not_a_checkpoint,
-    other_version,  // of the format; also where just those bytes are damaged
+    other_version,  // of the format; also if exactly these bytes are damaged
     other_scene,    // or other settings
     damaged,        // cut short, lengthened or altered
 };
 
-// `hash` tells what the body depends on: it must be the same at opening.
+// `hash` identifies what the body depends on: it must be the same when the checkpoint is opened.
 std::string seal_checkpoint(std::uint64_t hash, std::string_view body);
 
-// Mark, version, hash and length stand before the body.
+// The header before the body holds mark, version, hash and length.
 inline constexpr std::size_t checkpoint_header_size = 32;
 
-// Whether the rest of a file is worth reading, by its first bytes, as many as the header has, and its size.
-// Never other_scene.
+// Judges from the first bytes of a file, as many as the header has, and from its size whether the rest is worth
+// reading. Never returns other_scene.
 CheckpointCheck check_beginning(std::string_view beginning, std::uint64_t size);
 
 struct OpenedCheckpoint {

@@ -1,7 +1,7 @@
-// The members of all that a checkpoint holds or depends on, each struct's in one list that serves both directions.
+// The members of all that a checkpoint holds or depends on: one list for each struct, for writing and for reading.
 //
-// A structured binding has to name every member: where a struct has grown, its list here no longer compiles. Whoever
-// adds the member also raises checkpoint_version (checkpoint_bytes.cpp).
+// A structured binding has to name every member: if a member is added to a struct, its list here no longer compiles. A
+// new member also requires a higher checkpoint_version (checkpoint_bytes.cpp).
 #pragma once
 
 #include "dynamic_relaxation/study/relaxation_study.hpp"
@@ -15,7 +15,7 @@ namespace delabole {
 template <class T, class Struct>
 concept IsMaybeConst = std::same_as<std::remove_const_t<T>, Struct>;
 
-// References to the members of `object`, constant ones if it is.
+// References to the members of `object`, to constants if it is constant.
 #define DELABOLE_MEMBERS(Struct, ...)      \
     template <IsMaybeConst<Struct> Object> \
     auto members_of(Object& object) {      \
@@ -34,7 +34,7 @@ DELABOLE_MEMBERS(ContactShapeOf<double>, arm_x, arm_y, other_arm_x, other_arm_y,
                  to_end)
 DELABOLE_MEMBERS(ContactNumbersOf<double>, shear, place, damping, normal_drag, shear_drag, slip, friction)
 DELABOLE_MEMBERS(ContactFlagsOf<bool>, touching, sliding, broken, beneath, yields, insists, tried)
-// The bases of a struct that is made of others.
+// The base classes of a composed struct.
 template <class Object, class... Bases>
 auto bases_of(Object& object) {
     return std::tie(static_cast<std::conditional_t<std::is_const_v<Object>, const Bases, Bases>&>(object)...);

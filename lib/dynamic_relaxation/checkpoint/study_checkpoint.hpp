@@ -1,4 +1,5 @@
-// A study under way as bytes: what a killed `delabole run` goes on from. See checkpoint.hpp for the envelope.
+// A study in progress as bytes, from which an interrupted `delabole run` continues. See checkpoint.hpp for the
+// envelope.
 #pragma once
 
 #include "dynamic_relaxation/checkpoint/checkpoint_bytes.hpp"
@@ -16,7 +17,8 @@ struct RestoredProgress {
     StudyProgress progress = {};  // empty unless ok
 };
 
-// Any bytes may come in; what is returned fits the study. Refused unless all that the answers depend on is as it was.
+// Reads bytes of any origin; returned progress fits the study. Refused unless everything that the answers depend on is
+// unchanged.
 RestoredProgress restore_checkpoint(std::string_view bytes, const RelaxationStudy& study, KeepFrames frames);
 
 }  // namespace delabole

@@ -60,8 +60,8 @@ Bond make_bond(const SharedFace& face, const BondMaterial& material, const Joint
     return bond;
 }
 
-// Convex blocks touch along one line: all of it along which the joint of a part of it runs, whatever corners divide it.
-// What another joint runs along between does not count.
+// Convex blocks touch along one line. The face is the whole part of it that the same joint as that of `part` follows,
+// however corners divide it; lengths in between that another joint follows do not count.
 SharedFace whole_face(const RelaxationScene& scene, const Bodies& bodies, const SharedFace& part) {
     const CornerRange& range = bodies.range[part.block];
     const CornerRange& others = bodies.range[part.other];
@@ -113,10 +113,10 @@ BlockPair blocks_of(const SharedFace& face) {
     return {std::min(face.block, face.other), std::max(face.block, face.other)};
 }
 
-// What makes contacts at both ends of the face hold as much as the rock's linear stress amounts to there.
+// The shift at which contacts at both ends of the face carry the same as the rock's linear stress did.
 OutlineShift shift_by(const Bond& bond, const FacePosition& at) {
     const SharedFace& face = bond.face;
-    // At the start and the end of the other's edge.
+    // Openings at the start and the end of the other block's edge.
     const std::array<double, 2> opening{at.opening + at.turn * face.length / 2, at.opening - at.turn * face.length / 2};
     const double even = -bond.normal_stiffness * at.opening / 2;
     const double tilting = bond.normal_stiffness * at.turn * face.length / 12;
@@ -126,7 +126,7 @@ OutlineShift shift_by(const Bond& bond, const FacePosition& at) {
         const double held = pressing[end] > 0 ? -pressing[end] / bond.contact_stiffness : std::max(opening[end], 0.0);
         shift[end] = held - opening[end];
     }
-    // Of the block that the face names first, about the middle of the face.
+    // Shift of the block that the face names first, about the middle of the face.
     const double angle = (shift[0] - shift[1]) / face.length;
     const PlanePoint<> out = (shift[0] + shift[1]) / 2 * PlanePoint<>(face.along.y(), -face.along.x());
     const bool is_lower = face.block < face.other;
@@ -136,7 +136,7 @@ OutlineShift shift_by(const Bond& bond, const FacePosition& at) {
     return {sense * of_centroid.x(), sense * of_centroid.y(), sense * angle};
 }
 
-// Says by what a bond breaks, if it is overloaded.
+// Returns the mode in which an overloaded bond breaks.
 BondState state_under(const Bond& bond, const BondLoading& loading) {
     if (loading.worst() <= 1) {
         return BondState::whole;
@@ -147,8 +147,8 @@ BondState state_under(const Bond& bond, const BondLoading& loading) {
     return bond.of_joint && bond.tension == 0 ? BondState::handed_over : BondState::broken_in_tension;
 }
 
-// Dashpots act half a step on both sides of their moment: the energy balance counts half with each velocity. Velocities
-// are those that led here, half a step ago.
+// A dashpot acts from half a step before its force is evaluated to half a step after: the energy balance takes half of
+// its work with each of the two velocities. The velocities are those that led here, half a step ago.
 ForceOnCorner advance_bond(const Bond& bond, BondMemory& memory, const Motion& block, const Motion& other,
                            double step) {
     const FacePosition at = locate(bond.face, block, other);
@@ -206,7 +206,7 @@ std::vector<FaceBond> find_bonds(const RelaxationScene& scene) {
     }
     const Bodies bodies = make_bodies(scene);
     BlockPair pair(0, 0);
-    std::vector<const JointMaterial*> spread;  // joints of which the pair has a bond, which is that of the whole face
+    std::vector<const JointMaterial*> spread;  // joints with a bond of the whole face of this pair
     for (const SharedFace& face : find_shared_faces(bodies)) {
         if (pair != BlockPair(face.block, face.other)) {
             pair = BlockPair(face.block, face.other);
@@ -236,7 +236,7 @@ double elastic_energy(const Bond& bond, const FacePosition& at) {
 
 BondLoading loading_of(const Bond& bond, const FacePosition& at) {
     const double length = bond.face.length;
-    // The stress of a section under this force and moment; springs over the face have it of themselves.
+    // Stress at the end of an elastic section under this force and moment; springs over a face give it directly.
     const double tension =
         bond.of_joint
             ? (bond.normal_stiffness * at.opening + 6 * bond.bending_stiffness * std::abs(at.turn) / length) / length
@@ -244,11 +244,11 @@ BondLoading loading_of(const Bond& bond, const FacePosition& at) {
     const double compression = -bond.normal_stiffness * at.opening / length;
     const double shear = bond.shear_stiffness * std::abs(at.slide) / length;
     const double strength = std::max(bond.cohesion + compression * bond.friction, 0.0);
-    // Without strength any load is too much, and no load none.
+    // Where the strength is zero, any load exceeds it, and a zero load does not.
     const auto share = [](double stress, double most) {
         return stress <= 0 ? 0 : most > 0 ? stress / most : std::numeric_limits<double>::infinity();
     };
-    // Both corners would be pressed: N / 2 >= M / L.
+    // Both corners would be in compression: N / 2 >= M / L.
     const bool closed = bond.of_joint && at.widest(length) <= 0;
     return {closed ? 0 : share(tension, bond.tension), share(shear, strength)};
 }
@@ -289,8 +289,8 @@ void Bonds::resume(const std::vector<BondMemory>& memory) {
     std::ranges::sort(shifted_, {}, &ShiftedPair::pair);
 }
 
-// All bonds of a pair see the same motion of one block against the other: the longest of those that broke last stands
-// for all.
+// All bonds of a pair see the same relative motion of the two blocks: the shift of the longest bond of those that broke
+// last is used for the pair.
 void Bonds::shift_outlines(const std::vector<std::size_t>& broken, const std::vector<Motion>& motion,
                            std::vector<BondMemory>& memory) {
     bool any = false;
@@ -400,8 +400,9 @@ std::vector<std::size_t> Bonds::break_at_rest(const std::vector<Motion>& motion,
     return changed;
 }
 
-// Contacts along the face; the straight face of either block may have several edges. Those of a joint are as they were
-// if they had borne all the time. Those of rock share what it held in shear as they share its compression.
+// The contacts lie along the face; the straight face of either block may have several edges. Contacts of a joint get
+// the state that they would have had without the bond. Contacts of rock share the shear force of the bond in proportion
+// to their compression.
 double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const std::vector<Motion>& motion,
                  ContactList& list) {
     const SharedFace& face = bond.face;
@@ -436,11 +437,11 @@ double hand_over(const Bond& bond, BondState state, const Bodies& bodies, const 
         ContactMemory memory = list.memory[taker.contact];
         memory.beneath = false;
         memory.broken = !keeps_cohesion;
-        // An end that has just lifted off opens with the next step, and loses its cohesion.
+        // An end that has just lifted off opens in the next step and then loses its cohesion.
         memory.touching = (taker.pressing > 0 && taker.weight > 0) || keeps_cohesion;
         memory.place = at.slide;
         const double most = shear_strength(law, taker.pressing, memory.broken) / law.shear_stiffness;
-        // Both ways of naming the pair reverse edge and force: the sign is the same.
+        // If the pair is named the other way round, edge and force both reverse, so that the sign is the same.
         const double slide =
             bond.of_joint ? at.slide : -held_by_rock * taker.pressing / (pressed * law.shear_stiffness);
         memory.shear = memory.touching ? std::clamp(slide, -most, most) : 0;

@@ -1,4 +1,4 @@
-// Items that lie between two blocks each, found again by block.
+// Index of items that each lie between two blocks, by block.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace delabole {
 
-// `blocks_of` gives the two blocks of an item. The numbers of a block's items, in increasing order, are begin[block] to
-// begin[block + 1] in of_block.
+// `blocks_of` gives the two blocks of an item. The numbers of a block's items, in increasing order, are stored in
+// of_block from begin[block] to begin[block + 1].
 template <class Items, class BlocksOf>
 void index_by_block(std::size_t blocks, const Items& items, const BlocksOf& blocks_of,
                     std::vector<std::uint32_t>& begin, std::vector<std::uint32_t>& of_block) {

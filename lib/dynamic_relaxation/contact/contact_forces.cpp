@@ -11,7 +11,7 @@ namespace delabole {
 ContactForces::ContactForces(const Bodies& bodies, Team& team)
     : bodies_(bodies), team_(team), loop_(contact_loops().front()), force_(bodies.size()), summed_(bodies.size(), 0) {}
 
-// Not needed where all contacts are gone through in their order.
+// The index is not needed where all contacts are evaluated in their order.
 void ContactForces::index(const ContactList& list) {
     if (!std::exchange(list_is_new_, false)) {
         return;
@@ -23,8 +23,8 @@ void ContactForces::index(const ContactList& list) {
     sum_all(list);
 }
 
-// Contacts of one pair of blocks follow each other and read each other's memories when a corner hands over: they stay
-// in one part.
+// Contacts of one pair of blocks are consecutive and read each other's memories when a corner hands over: they stay in
+// one part.
 void ContactForces::divide(const ContactList& list) {
     const auto same_pair = [&](std::size_t index) {
         return list.contact.blocks()[index - 1].pair() == list.contact.blocks()[index].pair();
@@ -48,7 +48,7 @@ std::size_t ContactForces::evaluate_all(const ContactSweep& sweep) {
 
 std::size_t ContactForces::apply(const std::vector<Motion>& motion, const std::vector<double>& travelled,
                                  const std::vector<char>& moved, double step, ContactList& list) {
-    // Once one block in so many is awake it costs less to go through all contacts in their order.
+    // If at least one block in so many is awake, it costs less to evaluate all contacts in their order.
     constexpr std::size_t many = 8;
     ++round_;
     std::size_t moved_count = 0;

@@ -1,8 +1,8 @@
-// The sum of all contact forces on each block, with no more work than what has moved since the last step.
+// The sum of all contact forces on each block, updated only where blocks have moved since the last step.
 //
-// A touching contact is evaluated again once one of its blocks has moved by as much as changes a spring's force by
-// 1e-12 of the block's weight, or has new contacts (NoticedMotion). Nothing is put to sleep, and forces are never older
-// than that. An open contact is evaluated again once its blocks have come far enough to close it.
+// A touching contact is evaluated again once one of its blocks has moved far enough to change a spring's force by 1e-12
+// of the block's weight, or has new contacts (NoticedMotion). Nothing is put to sleep, and forces are never older than
+// that. An open contact is evaluated again once its blocks have moved far enough to close it.
 #pragma once
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
@@ -19,19 +19,20 @@ class ContactForces {
   public:
     ContactForces(const Bodies& bodies, Team& team);
 
-    // To be called whenever the list of contacts is new.
+    // Must be called whenever the list of contacts is new.
     void renew() { list_is_new_ = true; }
 
-    // Evaluates contacts of blocks that have moved and sums up. `travelled`: of each block, since the start; no point
-    // of it has come farther. `moved`: NoticedMotion's. Returns how many were evaluated. The same bits come out however
-    // the work is divided: the forces on a block are added in the order of the list.
+    // Evaluates contacts of blocks that have moved and adds up the forces. `travelled`: distance that no point of the
+    // block has exceeded since the start. `moved`: as from NoticedMotion. Returns the number of contacts evaluated. The
+    // result is the same to the bit however the work is divided, because the forces on a block are added in the order
+    // of the list.
     std::size_t apply(const std::vector<Motion>& motion, const std::vector<double>& travelled,
                       const std::vector<char>& moved, double step, ContactList& list);
 
     const std::vector<BlockForce>& on_blocks() const { return force_; }
 
   private:
-    // The sweep's `moved` is null where all have.
+    // The sweep's `moved` is null if all blocks have moved.
     std::size_t evaluate_and_sum_of_moved(const std::vector<char>& moved, const ContactSweep& sweep,
                                           const ContactList& list);
     std::size_t evaluate_all(const ContactSweep& sweep);

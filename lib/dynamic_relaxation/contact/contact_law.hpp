@@ -1,10 +1,11 @@
 // The force between a corner and an edge.
 //
-//   normal   spring in compression, w k_n overlap; with tensile strength, in tension too until that is reached
-//   (Fig 5.4(a)) shear    spring over the displacement since first touch, w k_s shear, at most w (normal spring)
-//   tan(friction) + cohesion
-//            (Fig 5.4(b)); with a peak, the residual angle and cohesion once it has slipped or opened (Fig 5.4(c))
-//   dashpots in parallel with both, none in shear while sliding (5.2.2), and none that would pull the corner back
+//   normal   spring in compression, w k_n overlap; with tensile strength it also acts in tension until that is reached
+//            (Fig 5.4(a))
+//   shear    spring over the displacement since first touch, w k_s shear, at most w (normal spring) tan(friction) +
+//            cohesion (Fig 5.4(b)); with a peak, the residual angle and cohesion once it has slipped or opened
+//            (Fig 5.4(c))
+//   dashpots in parallel with both; in shear none acts while sliding (5.2.2), and none pulls the corner back
 //
 // w is the weight near an edge's end (contacts.hpp). Springs and dashpots are kept apart: a dashpot's force never
 // enters the memory of the shear spring, as it did in the thesis's program.
@@ -32,7 +33,7 @@ struct ContactPositionOf {
     Number arm_y;
     Number other_arm_x;  // from the other's centroid to the corner
     Number other_arm_y;
-    Number turn_sine;  // of the turn of the corner's block against the edge's, since the initial geometry
+    Number turn_sine;  // of the rotation of the corner's block against the edge's, since the initial geometry
     Number turn_versine;
 
     [[gnu::always_inline]] Number along_x() const { return -normal_y; }
@@ -44,13 +45,13 @@ using ContactPosition = ContactPositionOf<double>;
 template <class Number>
 DELABOLE_INLINED ContactPositionOf<Number> locate(const ContactShapeOf<Number>& contact, const MotionOf<Number>& block,
                                                   const MotionOf<Number>& other) {
-    // Sums are so ordered that nothing has to be negated.
+    // The order of the sums avoids negations.
     const Number back_x = block.versine * contact.arm_x + block.sine * contact.arm_y;
     const Number turned_y = block.sine * contact.arm_x - block.versine * contact.arm_y;
     const Number carried_back_x = other.versine * contact.other_arm_x + other.sine * contact.other_arm_y;
     const Number carried_y = other.sine * contact.other_arm_x - other.versine * contact.other_arm_y;
-    // From where the other block has carried the corner's place in the initial geometry to the corner. Only changes are
-    // added up: the overlap keeps its digits however far away the origin is.
+    // Vector from the place to which the other block has carried the corner's initial position to the corner itself.
+    // Only changes are added up, so that the overlap keeps its digits however far away the origin is.
     const Number change_x = (block.x - other.x) + (carried_back_x - back_x);
     const Number change_y = (block.y - other.y) + (turned_y - carried_y);
     const Number along_x = contact.along_x - (other.versine * contact.along_x + other.sine * contact.along_y);
@@ -74,7 +75,7 @@ DELABOLE_INLINED ContactPosition locate(const RelaxationContact& contact, const 
     return locate<double>(contact, block, other);
 }
 
-// Beside the edge's rival: its overlap, and the distance along it from the end that they have in common.
+// Place of the corner at the rival of its edge: the overlap, and the distance along the rival from their common end.
 template <class Number>
 struct RivalPlace {
     Number overlap;
@@ -99,21 +100,22 @@ DELABOLE_INLINED RivalPlace<Number> place_at_rival(const EdgeEndsOf<Number>& end
     return {t * sine - overlap * cosine, t * cosine + overlap * sine};
 }
 
-// An edge that bears in a trial does so until it is so many times as deep as its rival (corner_choice.hpp).
+// In a trial an edge bears until it is this many times as deep as its rival (corner_choice.hpp).
 constexpr double deepest_in_trial = 64;
 
 template <class Number>
 DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
                                        const ContactPositionOf<Number>& at, const MaskOf<Number>& insists) {
     const Number overlap = -at.gap;
-    // A ramp is no steeper than the overlap allows: a weight that changed faster would be a stiffer spring. Where a
-    // corner does not bear at an end, it begins to bear half as far from it as it is deep: a point on a point holds.
+    // A ramp is no steeper than the overlap allows, because a weight that changes faster acts as a stiffer spring. At
+    // an end where a corner does not bear, it begins to bear at half its overlap from that end: a point can stand on a
+    // point.
     constexpr double least_rise = 0.5;
     const bool deep = any(overlap * ends.inverse_blend > least_rise);
     const auto ramp = [&](const Number& depth, const Number& rise) {
         return deep ? select(depth * ends.inverse_blend > rise, rise / depth, ends.inverse_blend) : ends.inverse_blend;
     };
-    // 1 for a weight that begins at -0.5, and 0.5 for one that begins at 0.5.
+    // The rise is 1 for a weight that begins at -0.5, and 0.5 for one that begins at 0.5.
     const auto rise_from = [](const Number& least) { return 0.75 - 0.5 * least; };
     const Number to_end = length_to_end - at.slide;
     const Number at_start = ends.start_weight + at.position * ramp(overlap, rise_from(ends.start_weight));
@@ -127,7 +129,8 @@ DELABOLE_INLINED Number contact_weight(const EdgeEndsOf<Number>& ends, const Num
             half + ramp(lesser(overlap, other_overlap), half) * greater(other_overlap - overlap, -other_along);
         const auto alone = ends.alone > Number{};
         if (any(alone)) {
-            // It bears as far as the blocks overlap, which they do not where they are apart over the rival.
+            // The weight is proportional to the overlap over the rival: where the blocks are apart there, they do not
+            // overlap.
             const Number one = Number{} + 1.0;
             const Number deepest = select(insists, other_overlap * deepest_in_trial, other_overlap);
             const Number both = select(overlap > deepest, Number{}, other_overlap * ramp(overlap, one));
@@ -143,7 +146,7 @@ inline double contact_weight(const EdgeEnds& ends, const RelaxationContact& cont
     return contact_weight<double>(ends, contact.to_end, at, insists);
 }
 
-// Whether a contact that yields in a trial no longer does.
+// Whether a contact that yields in a trial bears again.
 template <class Number>
 DELABOLE_INLINED auto takes_over(const EdgeEndsOf<Number>& ends, const Number& length_to_end,
                                  const ContactPositionOf<Number>& at) {
@@ -169,8 +172,8 @@ DELABOLE_INLINED ContactVelocity<Number> velocity_of(const ContactPositionOf<Num
     return {at.normal_x * x + at.normal_y * y, at.along_x() * x + at.along_y() * y};
 }
 
-// A corner that bears: slips as far as its strength demands, and its dashpots act. The shear spring has followed the
-// corner already. `damping`: dissipated so far, with what the drags of the last step did up to now.
+// Force of a corner that bears: it slips as far as its strength requires, and its dashpots act. The shear spring has
+// already followed the corner. `damping`: energy dissipated so far, including the drags of the last step up to now.
 template <class Number>
 DELABOLE_INLINED ForceOnCornerOf<Number> bear(const JointLawOf<Number>& law, const Number& residual_cohesion,
                                               const ContactPositionOf<Number>& at,
@@ -191,7 +194,7 @@ DELABOLE_INLINED ForceOnCornerOf<Number> bear(const JointLawOf<Number>& law, con
     if (any(memory.sliding)) {
         const Number held = with_sign(residual, held_by_spring);
         const Number slipped = (held - held_by_spring) / law.shear_stiffness;
-        // A first slip also sets free what the spring held beyond the residual strength.
+        // The first slip also releases what the spring held beyond the residual strength.
         const Number mean_force = (lesser(select(memory.broken, force_before, strength), strength) + residual) * 0.5;
         memory.friction =
             select(memory.sliding, memory.friction + weight * mean_force * absolute(slipped), memory.friction);
@@ -213,16 +216,16 @@ DELABOLE_INLINED ForceOnCornerOf<Number> bear(const JointLawOf<Number>& law, con
     return force;
 }
 
-// Dissipated until now, where both drags have acted since the last step. A drag acts half a step on both sides of its
-// moment: the energy balance counts half with each velocity.
+// Energy dissipated until now, where both drags have acted since the last step. A drag acts from half a step before its
+// force is evaluated to half a step after: the energy balance takes half of its work with each of the two velocities.
 template <class Number>
 DELABOLE_INLINED Number damping_until_now(const ContactNumbersOf<Number>& memory,
                                           const ContactVelocity<Number>& velocity, const double& half_step) {
     return memory.damping - half_step * (memory.normal_drag * velocity.opening + memory.shear_drag * velocity.shearing);
 }
 
-// A corner that leaves its edge. What the springs held is lost: of the shear spring much, where friction is great.
-// `beneath`: it has left over the edge's end.
+// Ends the contact of a corner that leaves its edge. The energy of its springs is lost; in the shear spring it is large
+// where friction is high. `beneath`: the corner is below the edge's line, having left past the edge's end.
 DELABOLE_INLINED void let_go(const JointLaw& law, double weight, double damping, bool beneath,
                              ContactMemoryOf<double>& memory) {
     memory.friction += weight * law.shear_stiffness * memory.shear * memory.shear / 2;
@@ -235,20 +238,20 @@ DELABOLE_INLINED void let_go(const JointLaw& law, double weight, double damping,
     memory.beneath = beneath;
 }
 
-// A twin that touches, as a contact finds it that begins to.
+// What a contact that begins to touch reads from its touching twin.
 struct TwinThatTouches {
     double overlap;  // decides whether the contact takes over
-    double shear;    // taken over by a corner that has come along the edge, not by one that has come down on it
+    double shear;    // taken over by a corner that came along the edge, but not by one that came down on it
 };
 
-// A corner that came beneath its edge bears once its twin, which touches, is about as deep.
+// A corner that came beneath its edge bears once its twin touches and is about as deep.
 inline bool twin_hands_over(double overlap, double overlap_of_twin) {
     return overlap <= 1.5 * overlap_of_twin;
 }
 
-// Advances the memory by one step and gives the force at its end. Velocities are those that led here, half a step ago.
-// `twin`: if there is one that touches. `open_by`, m: how far the corner is from touching, where it has not touched
-// before; else it is left alone.
+// Advances the memory by one step and returns the force at its end. Velocities are those that led here, half a step
+// ago. `twin` is set if the contact's twin touches. `open_by`, m: set to the distance from the edge if the corner is
+// not touching and apart from the edge; otherwise left unchanged.
 DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const RelaxationContact& contact,
                                                const std::optional<TwinThatTouches>& twin, const Motion& block,
                                                const Motion& other, double step, ContactMemoryOf<double>& memory,
@@ -282,9 +285,9 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
     const double force_before = law.shear_stiffness * std::abs(memory.shear);
     if (!memory.touching) {
         memory.touching = true;
-        // As the corner comes along the edge its weight grows from nothing while that of the twin falls: by handing
-        // over the sum stays. What comes down on the edge has a weight at once: its spring begins unstrained, or its
-        // energy would come from nothing.
+        // As a corner comes along the edge, its weight grows from zero while that of its twin falls: by taking over the
+        // twin's shear it keeps the sum. A corner that comes down on the edge has its weight at once: its spring begins
+        // unstrained, as it would otherwise hold energy that no work has supplied.
         const bool came_down = overlap + velocity.opening * step <= 0;
         memory.shear = twin && !came_down ? twin->shear : 0;
     } else {
@@ -300,7 +303,7 @@ DELABOLE_INLINED ForceOnCorner advance_contact(const ContactLaw& law, const Rela
     return bear<double>(law, law.residual_cohesion, at, velocity, weight, force_before, damping, step / 2, memory);
 }
 
-// J/m, in both springs.
+// Energy of both springs, J/m.
 inline double elastic_energy(const ContactLaw& law, const RelaxationContact& contact, const ContactMemory& memory,
                              const Motion& block, const Motion& other) {
     if (!memory.touching) {

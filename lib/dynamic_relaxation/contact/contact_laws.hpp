@@ -1,4 +1,4 @@
-// Each law of a list of contacts once.
+// The distinct laws of a list of contacts, each stored once.
 #pragma once
 
 #include "dynamic_relaxation/contact/contacts.hpp"
@@ -18,14 +18,14 @@ class ContactLaws {
         joint_.clear();
     }
 
-    // Takes over the laws that a list has.
+    // Takes over the laws of a list.
     void resume(const ContactList& list) {
         clear();
         resume(list.ends, ends_);
         resume(list.joint, joint_);
     }
 
-    // Adds to the list what is new in the law, and gives the contact its numbers.
+    // Adds the parts of the law that are new to the list, and gives the contact their numbers.
     void name(const ContactLaw& law, ContactList& list, ContactBlocks& contact) {
         contact.ends = number_of<EdgeEnds>(law, list.ends, ends_);
         contact.joint = number_of<JointLaw>(law, list.joint, joint_);

@@ -6,7 +6,7 @@ namespace delabole {
 
 namespace {
 
-// `shift` modulo 2^32.
+// `shift` is taken modulo 2^32.
 void shift_twins(std::size_t begin, std::uint32_t shift, ContactList& list) {
     if (shift == 0) {
         return;

@@ -1,4 +1,4 @@
-// Lists of contacts put together, out of other lists and of what a search of one pair has found.
+// Assembly of lists of contacts from other lists and from the results of a search of one pair.
 #pragma once
 
 #include "dynamic_relaxation/contact/contact_laws.hpp"
@@ -16,17 +16,17 @@ std::span<const T> part_of(const std::vector<T, Allocator>& items, const Contact
     return std::span<const T>(items).subspan(range.begin, range.size());
 }
 
-// The contacts of a pair in a list, of which those before `from` belong to lower pairs; where there are none, an empty
-// range before the first of a higher pair.
+// Range of a pair's contacts in a list whose contacts before `from` belong to lower pairs; if the pair has none, an
+// empty range before the first contact of a higher pair.
 ContactRange next_of_pair(const ContactList& list, std::size_t from, const BlockPair& pair);
 
-// Empty, with room for what another list has and some more.
+// An empty list with room for the contacts of another list and some more.
 ContactList list_like(const ContactList& list);
 
-// Whole pairs of another list with the same laws.
+// Appends whole pairs of another list with the same laws.
 void append(const ContactList& from, const ContactRange& range, ContactList& to);
 
-// Contacts of one pair, whose twins are counted from its first; forces have yet to be evaluated.
+// Appends contacts of one pair, whose twins are counted from its first contact; their forces are not yet evaluated.
 void append(const PairContacts& found, const ContactRange& range, ContactLaws& laws, ContactList& to);
 
 }  // namespace delabole

@@ -15,15 +15,15 @@ namespace delabole {
 
 namespace {
 
-// Leaves alone what is open by so much until its blocks have come half as far: the corner may be farther from the other
-// block's centroid than that block's own corners are, but not twice as far.
+// Leaves an open contact alone until its blocks have moved half as far as it is open: the corner may be farther from
+// the other block's centroid than that block's own corners are, but not twice as far.
 DELABOLE_INLINED void note_opening(const ContactSweep& sweep, std::size_t index, double open_by) {
     const ContactBlocks& contact = sweep.contact[index];
     sweep.open_until[index] =
         open_by > 0 ? sweep.travelled[contact.block] + sweep.travelled[contact.other] + open_by / 2 : not_open;
 }
 
-// Rows are members in the order in which bodies.hpp and contacts.hpp declare them.
+// Each row holds the members in the order in which bodies.hpp and contacts.hpp declare them.
 static_assert(sizeof(Motion) == 8 * sizeof(double) && sizeof(EdgeEnds) == sizeof(Motion) &&
               sizeof(JointLaw) == sizeof(Motion));
 
@@ -39,7 +39,7 @@ DELABOLE_INLINED EdgeEndsOf<Lanes> gather_ends(const Rows<Lanes>& rows) {
     return {of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]};
 }
 
-// All contacts of most groups have the same.
+// In most groups all contacts have the same law.
 template <IsLanes Lanes>
 DELABOLE_INLINED JointLawOf<Lanes> gather_joint(const ContactSweep& sweep, const ContactBlocks* contact) {
     unsigned differ = 0;
@@ -110,11 +110,11 @@ DELABOLE_INLINED EdgeEndsOf<Lanes> ends_of(const ContactSweep& sweep, const Part
     return gather_ends<Lanes>(rows);
 }
 
-// The work that the contacts of a part have to do, a bit for each.
+// The work that the contacts of a part require, one bit for each contact.
 struct Duty {
-    unsigned bear = 0;       // those that touch and whose blocks have moved
-    unsigned may_begin = 0;  // those whose blocks have moved and that do not touch and can have come to
-    bool wake = false;       // not all can be left open
+    unsigned bear = 0;       // touching contacts whose blocks have moved
+    unsigned may_begin = 0;  // contacts that do not touch but may do so now, and whose blocks have moved
+    bool wake = false;       // some contact cannot be left open
 };
 
 template <IsLanes Lanes>
@@ -154,13 +154,13 @@ DELABOLE_INLINED void keep_memory(const ContactSweep& sweep, std::size_t index, 
     put_into<ContactFlagsOf>(sweep.flags[index / packed_size], index % packed_size, memory);
 }
 
-// Leaves a contact that does not touch yet as advance_contact does.
+// Leaves a contact that does not yet touch in the same state as advance_contact does.
 DELABOLE_INLINED void stay_open(const ContactSweep& sweep, std::size_t index, double gap) {
     sweep.force[index] = {};
     note_opening(sweep, index, gap);
 }
 
-// Leaves a contact that opens as advance_contact does.
+// Leaves a contact that opens in the same state as advance_contact does.
 void open_up(const ContactSweep& sweep, std::size_t index, double weight, double damping, bool beneath) {
     ContactMemoryOf<double> memory = memory_of(sweep, index);
     let_go(sweep.joint[sweep.contact[index].joint], weight, damping, beneath, memory);
@@ -169,10 +169,10 @@ void open_up(const ContactSweep& sweep, std::size_t index, double weight, double
     sweep.open_until[index] = not_open;
 }
 
-// Contacts no longer apart whose twin, if it then touches, decides what they take over.
+// Contacts no longer apart that take something over if their twin touches when they are evaluated.
 struct AfterTwin {
     unsigned at_once = 0;  // the twin is evaluated after them in the same part
-    unsigned later = 0;    // before them
+    unsigned later = 0;    // the twin is evaluated before them
 };
 
 template <IsLanes Lanes>
@@ -195,9 +195,9 @@ DELABOLE_INLINED AfterTwin after_twin(const ContactSweep& sweep, const Part<Lane
     return after;
 }
 
-// Contacts of a part, all at once except those that take something over or are held by a bond. Returns which are left.
-// `meanwhile`, called once, has nothing to do with them, for only forces of this part change: the processor does it
-// beside their formulas, while it waits for numbers.
+// Evaluates the contacts of a part at once, except those that take something over or are held by a bond. Returns the
+// contacts that are left. `meanwhile`, called once, is independent of them, as only forces of this part change: the
+// processor runs it alongside their formulas while it waits for data.
 template <IsLanes Lanes, class Meanwhile>
 DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Part<Lanes>& part, const Duty& duty,
                                             const Meanwhile& meanwhile) {
@@ -221,7 +221,7 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
         one_by_one = yields == 0 ? 0 : yields & bits(takes_over<Lanes>(ends_of<Lanes>(sweep, part), shape.to_end, at));
         const AfterTwin after = after_twin<Lanes>(sweep, part, meeting & ~yields);
         one_by_one |= after.later;
-        // Before what they take over changes below.
+        // These contacts are evaluated before the values that they take over change below.
         for (unsigned left = after.at_once; left != 0; left &= left - 1) {
             evaluate_contact(sweep, part.first + static_cast<std::size_t>(std::countr_zero(left)));
         }
@@ -311,7 +311,7 @@ DELABOLE_INLINED unsigned evaluate_together(const ContactSweep& sweep, const Par
     return one_by_one;
 }
 
-// Into the nearest cache, before they are wanted. Past the end it does nothing.
+// Prefetches into the nearest cache. Past the end it has no effect.
 DELABOLE_INLINED void fetch_ahead(const ContactSweep& sweep, std::size_t index) {
     constexpr std::size_t ahead = 2 * packed_size;
     const auto fetch = [](const auto* first, std::size_t bytes) __attribute__((always_inline)) {
@@ -326,8 +326,8 @@ DELABOLE_INLINED void fetch_ahead(const ContactSweep& sweep, std::size_t index) 
     fetch(sweep.numbers + group, sizeof(*sweep.numbers));
 }
 
-// `after`: what is done with each contact that may have a force, in their order. For those of a part it is done while
-// the next one is evaluated: sums of forces on the same block wait for each other.
+// `after` is called for each contact that may have a force, in order. For the contacts of a part it is called while the
+// next part is evaluated, because sums of forces on the same block wait for each other.
 template <IsLanes Lanes, class AfterOne>
 DELABOLE_INLINED std::size_t go_through(const ContactSweep& sweep, std::size_t begin, std::size_t end,
                                         const AfterOne& after) {

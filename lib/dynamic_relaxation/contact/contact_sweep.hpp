@@ -1,4 +1,4 @@
-// Contacts one after the other, as many at a time as a register holds: what a step spends its time on.
+// Evaluates contacts in order, as many at a time as a register holds: this takes most of the time of a step.
 #pragma once
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
@@ -14,8 +14,8 @@ namespace delabole {
 // The arrays of the blocks and of the list of contacts that a sweep reads and changes.
 struct ContactSweep {
     const Motion* motion;
-    const double* travelled;  // of each block, since the start; no point of it has come farther
-    const char* moved;        // whether contacts of a block are to be evaluated again; null: of all
+    const double* travelled;  // of each block since the start; no point of it has moved farther
+    const char* moved;        // whether contacts of a block are to be evaluated again; null: all blocks
     double step;
     const ContactBlocks* contact;
     const ContactCorner* corner;
@@ -27,7 +27,7 @@ struct ContactSweep {
     ForceOnCorner* force;
     double* open_until;
 
-    // Neither touches nor can have come to.
+    // Whether the contact neither touches nor can have closed.
     [[gnu::always_inline]] bool stays_open(std::size_t index) const {
         return open_until[index] >= 0 &&
                travelled[contact[index].block] + travelled[contact[index].other] <= open_until[index];
@@ -42,18 +42,18 @@ ContactSweep sweep_of(const std::vector<Motion>& motion, const std::vector<doubl
 
 void evaluate_contact(const ContactSweep& sweep, std::size_t index);
 
-// A loop over contacts from `begin` to `end`, for processors of one kind. All give the same bits, wherever ranges begin
-// and end, if contacts of a pair of blocks are in one.
+// A loop over contacts from `begin` to `end`, for processors of one kind. All loops give the same bits, wherever ranges
+// begin and end, provided that the contacts of a pair of blocks are in one range.
 struct ContactLoop {
     std::string_view name;
-    // Evaluates contacts of blocks that have moved, except those that stay open. Returns how many.
+    // Evaluates contacts of blocks that have moved, except those that stay open. Returns the number evaluated.
     std::size_t (*evaluate)(ContactSweep sweep, std::size_t begin, std::size_t end);
-    // Adds up all forces besides, in the order of the list: what has been read need not be read again for it. `sum`: of
-    // each block, zero at first.
+    // Evaluates contacts and also adds up all forces in the order of the list, so that data already read need not be
+    // read again. `sum`: force on each block, zero at first.
     std::size_t (*evaluate_and_sum)(ContactSweep sweep, std::size_t begin, std::size_t end, BlockForce* sum);
 };
 
-// Those that this processor can run, the fastest one first.
+// Loops that this processor can run, the fastest one first.
 std::span<const ContactLoop> contact_loops();
 
 }  // namespace delabole

@@ -1,6 +1,6 @@
-// What becomes of a contact: it stays open, begins to bear, goes on bearing or opens; and where it bears, it sticks or
-// slips. Decided here alone, for a run's contacts one by one (contact_law.hpp), for several at once (contact_sweep.cpp)
-// and for a static solve (static_equations.cpp).
+// Transitions of a contact: it stays open, begins to bear, goes on bearing or opens; where it bears, it sticks or
+// slips. They are decided only here, for a run's contacts one by one (contact_law.hpp), for several at once
+// (contact_sweep.cpp) and for a static solve (static_equations.cpp).
 #pragma once
 
 #include "dynamic_relaxation/contact/contacts.hpp"
@@ -8,34 +8,34 @@
 
 namespace delabole {
 
-// What contacts remember and where their corners are: one bit for each contact, the lowest for one by itself.
+// Memory and corner positions of contacts, one bit for each contact; a single contact uses the lowest bit.
 struct ContactSituation {
-    unsigned touching;     // until now
+    unsigned touching;     // touched until now
     unsigned beneath;      // below the line of the edge without having come over it
     unsigned yields;       // does not bear in a trial
     unsigned apart;        // the corner is not below the line of the edge
-    unsigned handed_over;  // of one beneath: the twin touches and is about as deep
-    unsigned taken_over;   // of one that yields: the edge that bears in its place is too deep for that
+    unsigned handed_over;  // for a contact `beneath`: the twin touches and is about as deep
+    unsigned taken_over;   // for a contact that yields: the edge that bears instead is too deep for a trial
 };
 
-// Which contacts touch or begin to. Others are open and stay so.
+// Returns the contacts that touch or begin to touch. All others stay open.
 DELABOLE_INLINED unsigned over_edge(const ContactSituation& now) {
     const unsigned may_begin = (now.yields & now.taken_over) | (~now.yields & (~now.beneath | now.handed_over));
     return now.touching | (~now.apart & may_begin);
 }
 
-// Which of these then bear. Others open. `pulls`: they have tensile strength left. `weightless`: they are past the end
-// of the edge, or deeper than on the edge's rival.
+// Returns which of these contacts bear; the others open. `pulls`: contacts with tensile strength left. `weightless`:
+// contacts past the end of the edge, or deeper than on the edge's rival.
 DELABOLE_INLINED unsigned bearing_of(unsigned over_edge, unsigned apart, unsigned pulls, unsigned weightless) {
     return over_edge & (~apart | pulls) & ~weightless;
 }
 
-// Whether it holds of one contact by itself.
+// Whether the bit of a single contact is set.
 DELABOLE_INLINED bool holds_of_one(unsigned bits) {
     return (bits & 1U) != 0;
 }
 
-// N/m, what friction and cohesion can hold along an edge that is pressed with `pressing`, N/m.
+// Shear strength by friction and cohesion along an edge under the compression `pressing`, both N/m.
 template <class Number>
 DELABOLE_INLINED Number shear_strength(const JointLawOf<Number>& law, const Number& residual_cohesion,
                                        const Number& pressing, const MaskOf<Number>& broken) {
@@ -46,7 +46,7 @@ inline double shear_strength(const ContactLaw& law, double pressing, bool broken
     return shear_strength<double>(law, law.residual_cohesion, pressing, broken);
 }
 
-// Whether a contact slips that would have to hold so much, N/m, to stick.
+// Whether a contact slips that would need the shear force `held`, N/m, to stick.
 template <class Number>
 DELABOLE_INLINED MaskOf<Number> slips(const Number& held, const Number& strength) {
     return absolute(held) > strength;

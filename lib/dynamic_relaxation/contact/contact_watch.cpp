@@ -19,32 +19,34 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Contacts are found within this, in shortest edges of the scene or, if that is more, of the two blocks.
+// Contacts are found within this distance, in shortest edges of the scene or, if that is more, of the two blocks.
 constexpr double margin_in_edges_of_scene = 0.01;
 constexpr double margin_in_edges = 0.0002;
-// Or farther where blocks move fast: whatever does is seen coming some steps before it touches.
+// Where blocks move fast the distance is larger, so that a contact is found at least this many steps before it closes.
 constexpr double steps_ahead = 8;
-// rad; which corners bear on an edge is good enough up to this turn of the blocks against each other: the search allows
-// for a lean of 20 deg.
+// rad; the corners found to bear on an edge stay valid up to this rotation of the blocks against each other, because
+// the search allows for a lean of 20 deg.
 constexpr double turn_of_same_corners = 0.1;
-// Neighbours are found within this of the block's radius, or of the middling one's if that is less, likewise.
+// Neighbours are searched for within this fraction of the block's radius or of the median radius, whichever is less, or
+// within the distance that the block moves in this number of steps, if that is more.
 constexpr double reach_in_radii = 0.25;
 constexpr double steps_between_searches = 64;
-// A spring that begins or ends to act between two steps does so a part of a step late or early: of the energy of an
-// impact up to 5 % were lost at 0.6 of the stable step, 3 % at 0.4 and less than 2 % at 0.3.
+// A spring that begins or ends to act between two steps does so a fraction of a step late or early. Measured losses of
+// an impact's energy: up to 5 % at 0.6 of the stable step, 3 % at 0.4 and less than 2 % at 0.3.
 constexpr double step_fraction_in_collision = 0.3;
-// An impact counts from the speed of a free fall by so much of the block's radius: slower ones turn over little energy
-// beside what friction dissipates in a slope on the move, which short steps would slow down by half.
+// Impacts count from the speed of a free fall through this fraction of the block's radius. Slower ones convert little
+// energy compared with what friction dissipates in a moving slope, and short steps for them would double the time of a
+// run.
 constexpr double fall_in_radii = 0.02;
-// A block that has come by this share of its radius rests on other places of its neighbours, and has another stable
-// step.
+// A block that has moved by this fraction of its radius rests on other places of its neighbours, and its stable step
+// has changed.
 constexpr double distance_of_same_step = 0.01;
 
 double least_of(const std::vector<double>& numbers) {
     return *std::min_element(numbers.begin(), numbers.end());
 }
 
-// m/s, along the normal of the edge
+// Speed at which the corner leaves the edge, m/s, along the normal of the edge.
 double opening_of(const RelaxationContact& contact, const std::vector<Motion>& motion) {
     const Motion& block = motion[contact.block];
     const Motion& other = motion[contact.other];
@@ -111,7 +113,7 @@ void ContactWatch::resume(const WatchState& state, const ContactList& list) {
 bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
                           WatchState& state, ContactList& list) {
     list_due_blocks(state);
-    // Most steps end here.
+    // In most steps no block is due.
     if (due_blocks_.empty()) {
         return false;
     }
@@ -124,7 +126,7 @@ bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const st
     });
     first_ = list_changed_ = state.searches == 0;
     if (new_neighbours) {
-        // The search begins to measure the motion of all blocks anew, and all have to be bounded at the end.
+        // The search restarts the measured motion of all blocks, so that every block needs a new distance at the end.
         due_blocks_.resize(bodies_.size());
         std::iota(due_blocks_.begin(), due_blocks_.end(), 0U);
         search(scene, bonds.joined(bond_memory), state, list);
@@ -151,7 +153,7 @@ bool ContactWatch::update(const MovingScene& scene, const Bonds& bonds, const st
 }
 
 void ContactWatch::list_due_blocks(const WatchState& state) {
-    // Hardly any block is due: so many at a time are asked whether one is.
+    // Few blocks are due: the loop first tests so many at a time for any that is.
     constexpr std::size_t together = 64;
     due_blocks_.clear();
     for (std::size_t begin = 0; begin < bodies_.size(); begin += together) {
@@ -202,22 +204,22 @@ void ContactWatch::visit(std::size_t number, const MovingScene& scene, WatchStat
     WatchedPair& pair = state.pair[number];
     const double margin = margin_of(pair, scene, state.step);
     double left = pair.holds - used_up(pair, scene.motion);
-    // rad; without contacts the distance holds however the blocks turn.
+    // rad; without contacts the distance stays valid however the blocks rotate.
     double turn_left = contacts_of(number, state, list).size() == 0
                            ? infinity
                            : turn_of_same_corners - turned_since(pair, scene.motion);
-    // Until the blocks can lie too deep in each other.
+    // Motion left until the blocks may overlap more than the limit allows.
     const double too_deep =
         overlap_limit_ * std::min(bodies_.shortest_edge[pair.first], bodies_.shortest_edge[pair.second]);
     double deep_left = pair.distance + too_deep - (pair.holds - left);
-    // Not a number counts as used up.
+    // A value that is not a number counts as used up.
     if (!(left >= std::max(pair.holds, margin) / 2) || !(turn_left >= turn_of_same_corners / 2) || !(deep_left >= 0)) {
         check_pair(number, margin, scene, state, list);
         left = pair.holds;
         turn_left = now_.contact.empty() ? infinity : turn_of_same_corners;
         deep_left = pair.distance + too_deep;
     }
-    // The pair is to be visited again well before nothing is left. What does not move needs none of it.
+    // The pair is visited again well before the allowed motion is used up. A fixed block gets no share of it.
     const double spare = left - std::max(pair.holds, margin) / 4;
     const double spare_turn = turn_left - turn_of_same_corners / 4;
     const bool both = bodies_.fixed[pair.first] == 0 && bodies_.fixed[pair.second] == 0;
@@ -272,14 +274,14 @@ bool ContactWatch::is_as_before(const ContactRange& before, const ContactList& l
     return true;
 }
 
-// Pairs that have come apart lose their contacts, new ones have yet to be looked at.
+// Pairs that have come apart lose their contacts; new pairs have yet to be checked.
 void ContactWatch::search(const MovingScene& scene, const std::vector<BlockPair>& bonded, WatchState& state,
                           ContactList& list) {
     std::vector<double> reach = reach_at_rest_;
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
         const double speed = fastest_point<double>(scene.motion[block], bodies_.radius[block]);
         reach[block] = std::max(reach[block], steps_between_searches * speed * state.step);
-        // The other half is left for margins.
+        // The other half is left for the margins.
         state.neighbours_until[block] = state.travelled[block] + reach[block] / 2;
         state.due[block] = infinity;
     }
@@ -311,7 +313,7 @@ void ContactWatch::search(const MovingScene& scene, const std::vector<BlockPair>
     }
     drop(range.end, list.contact.size());
     list_changed_ = list_changed_ || !dropped_.empty();
-    // Laws that no contact has any more go.
+    // Laws that no contact uses any more are removed.
     laws_.clear();
     for (ContactBlocks& contact : kept.contact.blocks()) {
         laws_.name(list.law_of(contact), kept, contact);
@@ -322,14 +324,14 @@ void ContactWatch::search(const MovingScene& scene, const std::vector<BlockPair>
 }
 
 void ContactWatch::assemble(WatchState& state, ContactList& list) {
-    // Blocks that lie too deep in each other, or whose motion is not a number, were checked once from each of them.
+    // A pair of blocks that overlap too much, or whose motion is not a number, was checked once from each of the two.
     std::ranges::stable_sort(replacement_, {}, &Replacement::pair);
     const auto of_one_pair = [](const Replacement& one, const Replacement& two) { return one.pair == two.pair; };
     replacement_.erase(std::unique(replacement_.begin(), replacement_.end(), of_one_pair), replacement_.end());
     ContactList renewed = list_like(list);
     renewed.ends = std::move(list.ends);
     renewed.joint = std::move(list.joint);
-    // Contacts between those that are replaced go over in one piece.
+    // Contacts between the replaced pairs are copied in one piece.
     std::size_t taken = 0;
     std::uint32_t shift = 0;  // modulo 2^32
     std::size_t number = 0;
@@ -374,7 +376,7 @@ void ContactWatch::renew_stable_steps(const MovingScene& scene, const Bonds& bon
     bool least_has_gone = false;
     const auto renew = [&](std::uint32_t block) {
         SpringsOnBlock springs(bodies_, block);
-        double fastest = 0;  // m/s, that a corner comes or leaves
+        double fastest = 0;  // m/s, greatest speed of a corner to or from its edge
         for (std::uint32_t entry = begin_[block]; entry < begin_[block + 1]; ++entry) {
             const ContactRange range = contacts_of(of_block_[entry], state, list);
             for (std::size_t index = range.begin; index < range.end; ++index) {
@@ -405,7 +407,7 @@ void ContactWatch::renew_stable_steps(const MovingScene& scene, const Bonds& bon
         stable_step_ = least_of(state.stable_step);
     }
     assert(stable_step_ == least_of(state.stable_step));
-    // Those of the others are no more than these already, and these have not become less.
+    // For all other blocks `due` is already no more than these limits, which have not decreased.
     for (const std::uint32_t block : due_blocks_) {
         state.due[block] = std::min({state.due[block], state.neighbours_until[block], state.step_until[block]});
     }

@@ -1,13 +1,13 @@
 // Keeps the contacts of a run up to date with no more checks of pairs than motion makes necessary.
 //
-// Blocks that could touch soon are paired through the grid once in a while. Each pair was checked once, and what was
-// found holds until its two blocks have moved against each other by a distance of the pair's own: its margin, within
-// which every contact was found, or the distance between the blocks if that is more. Blocks that fall side by side, and
-// the slope that a splinter flies off, are not checked again. So that not even pairs need be asked at every step,
-// each block has a distance of its own up to which none of its pairs can be due.
+// Blocks that could soon touch are paired through the grid at intervals. The result of a check of a pair holds until
+// its two blocks have moved against each other by a distance of the pair's own: its margin, within which every contact
+// was found, or the distance between the blocks if that is more. Blocks that fall side by side, or a slope that a
+// splinter flies off, are not checked again. Each block also has a distance up to which none of its pairs can be due,
+// so that not even the pairs need a test at every step.
 //
-// The list has the contacts of find_contacts (contacts.hpp), but those that a pair has on top depend on when it was
-// last checked. Checks depend on motion alone: neither on threads nor on when a run was interrupted.
+// The list has the contacts of find_contacts (contacts.hpp); the additional contacts of a pair depend on when it was
+// last checked. Checks depend on motion alone, neither on threads nor on interruptions of the run.
 #pragma once
 
 #include "dynamic_relaxation/contact/bonds.hpp"
@@ -28,26 +28,26 @@ namespace delabole {
 struct WatchedPair {
     std::uint32_t first;
     std::uint32_t second;
-    std::uint32_t begin;  // of its contacts in the list, which go up to those of the next pair
-    // When last checked:
+    std::uint32_t begin;  // first of its contacts in the list; they end where those of the next pair begin
+    // State at the last check:
     PairPose pose;
     double distance;  // m, as in PairContacts
-    // m, motion of the blocks against each other up to which the contacts then found are all; negative before the first
-    // check.
+    // m, motion of the blocks against each other up to which the contacts found then are complete; negative before the
+    // first check.
     double holds;
 };
 
 struct WatchState {
     std::vector<WatchedPair> pair = {};  // in increasing order
     // For each block, m:
-    std::vector<double> travelled = {};         // no point of it has moved farther since the start
-    std::vector<double> due = {};               // no pair of it is due up to this distance
-    std::vector<double> neighbours_until = {};  // up to this distance, all that it can touch are pairs
-    std::vector<double> step_until = {};        // the stable step of the block is good enough up to this distance
-    std::vector<double> stable_step = {};       // s, of the block's springs alone
-    double step = 0;                            // s, pairs are checked in time for steps up to this
-    std::uint64_t searches = 0;                 // for pairs
-    std::uint64_t pair_checks = 0;              // at pairs, for contacts
+    std::vector<double> travelled = {};         // no point of the block has moved farther since the start
+    std::vector<double> due = {};               // no pair of the block is due up to this distance
+    std::vector<double> neighbours_until = {};  // up to this distance, all blocks that it can touch are paired with it
+    std::vector<double> step_until = {};        // the stable step of the block stays valid up to this distance
+    std::vector<double> stable_step = {};       // s, of the springs on the block alone
+    double step = 0;                            // s, pairs are checked in time for steps up to this length
+    std::uint64_t searches = 0;                 // number of searches for pairs
+    std::uint64_t pair_checks = 0;              // number of checks of pairs for contacts
 };
 
 struct MovingScene {
@@ -59,14 +59,15 @@ class ContactWatch {
   public:
     ContactWatch(const RelaxationScene& scene, const Bodies& bodies, const RelaxationSettings& settings);
 
-    // Everything is to be checked, as before the first step.
+    // Marks every pair for checking, as before the first step.
     static void start(std::size_t blocks, WatchState& state);
-    // For a longer step, all pairs have to be asked, and blocks that it takes past what they can touch searched for.
+    // Before a longer step, marks all pairs for a test, and asks for a new search if the step takes a block beyond its
+    // known neighbours.
     void prepare_for(double step, const std::vector<Motion>& motion, WatchState& state) const;
-    // Finds again what is not in the state.
+    // Computes again what the state does not hold.
     void resume(const WatchState& state, const ContactList& list);
 
-    // Brings the list up to date, and the stable steps. Returns whether any block was due.
+    // Updates the list and the stable steps. Returns whether any block was due.
     bool update(const MovingScene& scene, const Bonds& bonds, const std::vector<BondMemory>& bond_memory,
                 WatchState& state, ContactList& list);
 
@@ -77,9 +78,9 @@ class ContactWatch {
     };
     const std::vector<Dropped>& dropped() const { return dropped_; }
     bool list_changed() const { return list_changed_; }
-    // Blocks with a contact that has come, gone or changed its law, in increasing order.
+    // Blocks with a contact that was added, removed or given another law, in increasing order.
     const std::vector<std::uint32_t>& changed_blocks() const { return changed_blocks_; }
-    double worst_overlap() const { return worst_overlap_; }  // of the pairs looked at, in shortest edges
+    double worst_overlap() const { return worst_overlap_; }  // of the pairs checked, in shortest edges
 
     double stable_step() const { return stable_step_; }  // s, of all blocks
 
@@ -120,9 +121,9 @@ class ContactWatch {
     bool first_ = false;
     double stable_step_ = std::numeric_limits<double>::infinity();  // s, the least of all blocks
 
-    // Used by one update:
-    PairContacts now_ = {};    // of the pair looked at
-    PairContacts found_ = {};  // of all whose contacts have changed
+    // Used within one update:
+    PairContacts now_ = {};    // contacts of the pair being checked
+    PairContacts found_ = {};  // contacts of all pairs whose contacts have changed
     std::vector<Replacement> replacement_ = {};
     std::vector<Dropped> dropped_ = {};
     std::vector<std::uint32_t> due_blocks_ = {};

@@ -1,9 +1,9 @@
-// Which corners can touch which edges before the next search, and what each such contact remembers.
+// The corners that can touch edges before the next search, and what each such contact remembers.
 //
 // Contact memory belongs to a corner and an edge. Where a corner passes the end of an edge, the edge's end corner takes
 // over on an edge of the first block (its twin): both are contacts, their weights add up to one and change over a short
-// distance around the end, and the shear spring is handed over. No overlap of one face is ever compared with that of
-// another, which is what made the thesis's program blow up (5.3.2, cycle 677).
+// distance around the end, and the shear spring is handed over. The overlap of one face is never compared with that of
+// another; such a comparison is what made the thesis's program diverge (5.3.2, cycle 677).
 #pragma once
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
@@ -29,27 +29,28 @@ struct ContactRange {
     std::size_t size() const { return end - begin; }
 };
 
-// How an edge bears as a corner of another block comes over its ends. Many contacts have it in common, so that a step
-// has less to read: a pack of bricks has a handful. Read as rows of eight numbers.
+// How an edge bears as a corner of another block comes over its ends. Many contacts share it, so that a step has less
+// to read: a pack of bricks has only a few. It is read as rows of eight numbers.
 template <class Number>
 struct alignas(8 * sizeof(double)) EdgeEndsOf {
     Number start_weight;  // weight of the contact where the corner is at the edge's start
     Number end_weight;
     Number inverse_blend;  // 1 / length over which the weight changes
-    // The rival, of which the one that is less deep bears: 1 or -1 for the edge beyond this one's start or end, where
-    // the corner could bear as well; 2 or -2 for an edge of the corner's block, on which that end could. 0: none.
+    // The rival edge; the less deep one of the two bears. 1 or -1: the edge beyond this edge's start or end, on which
+    // the corner could also bear. 2 or -2: an edge of the corner's block, on which that end could bear. 0: no rival.
     Number rival;
     Number rival_sine;  // of the interior angle between the two in the initial geometry
     Number rival_cosine;
-    // 1 where not both may bear at a time; 2 where moreover no other edge of the block may bear at that end, and the
-    // rival is the edge of the corner's own block on which the edge's end may: see corner_choice.hpp. 0 where not.
+    // 1 if only one of the two may bear at a time; 2 if, moreover, no other edge of the block may bear at that end, and
+    // the rival is the edge of the corner's own block on which the edge's end may bear (corner_choice.hpp); otherwise
+    // 0.
     Number alone;
-    Number residual_cohesion;  // N/m, over half the shared length: here because the row of JointLaw is full
+    Number residual_cohesion;  // N/m, over half the shared length; stored here because the row of JointLaw is full
 
     bool operator==(const EdgeEndsOf&) const = default;
 };
 
-// Strength and stiffness of a contact, which even more contacts have in common.
+// Strength and stiffness of a contact, shared by even more contacts.
 template <class Number>
 struct alignas(8 * sizeof(double)) JointLawOf {
     Number normal_stiffness;
@@ -57,8 +58,8 @@ struct alignas(8 * sizeof(double)) JointLawOf {
     Number normal_dashpot;
     Number shear_dashpot;
     Number friction;           // tangent of the peak angle
-    Number residual_friction;  // likewise
-    Number cohesion;           // N/m: over half the shared length
+    Number residual_friction;  // tangent of the residual angle
+    Number cohesion;           // N/m, over half the shared length
     Number tension;            // N/m
 
     bool operator==(const JointLawOf&) const = default;
@@ -84,10 +85,10 @@ struct ContactShapeOf {
     Number along_y{};
     Number gap{};         // from the edge to the corner
     Number from_start{};  // of the edge to the corner, along the edge
-    Number to_end{};      // from the corner to the edge's end, likewise
+    Number to_end{};      // from the corner to the edge's end, along the edge
 };
 
-// Numbers of each contact that every step asks for.
+// Numbers of each contact that every step reads.
 struct ContactBlocks {
     std::uint32_t block;  // of the corner
     std::uint32_t other;  // of the edge
@@ -112,11 +113,11 @@ struct ContactNumbersOf {
     Number shear{};        // displacement of the shear spring, along the edge
     Number place{};        // of the corner along the edge when last evaluated, since the initial geometry
     Number damping{};      // J/m, dissipated so far
-    Number normal_drag{};  // N/m, of the dashpots when last evaluated, along the normal
+    Number normal_drag{};  // N/m, force of the dashpots when last evaluated, along the normal
     Number shear_drag{};   // N/m, along the edge
-    // Change where a contact slides or begins only.
-    Number slip{};      // plastic displacement along the edge since it was last booked (outcome.hpp)
-    Number friction{};  // J/m, dissipated so far, with broken bonds
+    // These change only where a contact slides or begins to touch.
+    Number slip{};      // plastic displacement along the edge since it was last recorded (outcome.hpp)
+    Number friction{};  // J/m, dissipated so far, including broken bonds
 };
 
 template <class Flag>
@@ -124,13 +125,13 @@ struct ContactFlagsOf {
     Flag touching{};
     Flag sliding{};
     Flag broken{};  // peak strength, cohesion and tensile strength are gone
-    // Below the line of the edge without having come there over the edge, for instance past its end: no overlap of this
-    // edge, and none to bear with, until the corner has been above.
+    // The corner is below the line of the edge without having crossed the edge, for instance past its end: it does not
+    // overlap this edge and cannot bear on it until it has been above its line.
     Flag beneath{};
     // For corners on corners (corner_choice.hpp):
     Flag yields{};   // does not bear in a trial
-    Flag insists{};  // bears in a trial though it is the deeper one
-    Flag tried{};    // whether balance is found without it has been tried
+    Flag insists{};  // bears in a trial although it is the deeper one
+    Flag tried{};    // the balance without it has been tried
 };
 
 template <class Number>
@@ -212,16 +213,16 @@ struct ContactList {
     std::vector<JointLaw> joint = {};
     MemoryArray memory = {};
     LargeArray<ForceOnCorner> force = {};  // when last evaluated
-    // m; an open contact stays open while what its blocks have travelled since the start does not sum up to more.
-    // not_open where it touches.
+    // m; an open contact stays open until the sum of what its blocks have travelled since the start exceeds this.
+    // not_open if it touches.
     LargeArray<double> open_until = {};
 
     ContactLaw law_of(const ContactBlocks& one) const { return {ends[one.ends], joint[one.joint]}; }
 };
 
-// Displacement, in the initial geometry, of the outline of a pair's block with the lower number, from which on the
-// pair's contacts count: by it the rock between the two has become shorter for good (bonds.hpp). It moves with the
-// block.
+// Displacement, in the initial geometry, of the outline of a pair's block with the lower number, on which the pair's
+// contacts are based: it keeps the permanent shortening of the rock between the two blocks (bonds.hpp). It moves with
+// the block.
 struct OutlineShift {
     double x = 0;      // m, of the centroid
     double y = 0;      // m
@@ -235,22 +236,22 @@ struct ShiftedPair {
     OutlineShift shift;
 };
 
-// That of a pair. `shifted`: pairs that have one, in increasing order.
+// Shift of a pair. `shifted`: pairs that have one, in increasing order.
 OutlineShift shift_of(const BlockPair& pair, std::span<const ShiftedPair> shifted);
 
 struct SearchOptions {
     double margin;
     double viscous_damping;
-    // Joints that are closed in the initial geometry are whole: they have their peak strengths. Those that come about
-    // later, or were open, have lost them.
+    // Joints that are closed in the initial geometry have their peak strengths. Joints that were open, or that close
+    // later, have lost them.
     bool first;
-    // Pairs that have none, in increasing order.
+    // Pairs held by bonds, which therefore have no contacts, in increasing order.
     std::span<const BlockPair> bonded = {};
-    std::span<const ShiftedPair> shifted = {};  // likewise
+    std::span<const ShiftedPair> shifted = {};  // in increasing order
 };
 
-// All contacts nearer than the margin, by a search of the whole scene. In an order that depends on positions alone.
-// `previous` gives its memory to those that were contacts already. A run keeps its list up to date pair by pair
+// Finds all contacts nearer than the margin by a search of the whole scene. Their order depends on positions alone.
+// Those that were contacts already take over their memory from `previous`. A run keeps its list up to date pair by pair
 // (contact_watch.hpp).
 ContactList find_contacts(const RelaxationScene& scene, const Bodies& bodies, const std::vector<Motion>& motion,
                           const std::vector<char>& removed, const SearchOptions& options, const ContactList& previous);

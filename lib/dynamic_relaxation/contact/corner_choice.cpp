@@ -24,13 +24,13 @@ CornerPair corners_of(const Bodies& bodies, const ContactLaw& law, const Relaxat
     return {std::min(contact.corner, end), std::max(contact.corner, end)};
 }
 
-// Unit vector in which the block with the higher number would be parted from the other.
+// Unit vector along which the block with the higher number would separate from the other.
 PlanePoint<> parting(const RelaxationContact& contact, const ContactPosition& at) {
     const double sense = contact.block > contact.other ? 1 : -1;
     return sense * PlanePoint<>(at.normal_x, at.normal_y);
 }
 
-// The part of a contact at a corner on a corner in a trial, if there is one.
+// State of a contact of a corner on a corner in a trial, if one is under way.
 enum class InTrial { no, yields, insists };
 
 class Corners {
@@ -44,7 +44,7 @@ class Corners {
         return locate(contact, blocks_.motion[contact.block], blocks_.motion[contact.other]);
     }
 
-    // N/m, normal to the edge; none where a corner has come over its edge altogether.
+    // N/m, normal to the edge; 0 where the corner lies over its edge with full weight.
     double relied_on(std::size_t index) const {
         const ContactLaw law = law_of(index);
         if (law.alone == 0 || !list_.memory[index].touching) {
@@ -55,7 +55,7 @@ class Corners {
         return share < 1 ? -share * law.normal_stiffness * at.gap : 0;
     }
 
-    // Lets the other edge bear in those contacts of a pair of blocks that have the same two corners.
+    // Exchanges the bearing edge in all contacts of a pair of blocks that have the same two corners.
     void exchange(std::size_t index, const ContactRange& of_pair) {
         const CornerPair corners = corners_of(blocks_.bodies, law_of(index), list_.contact[index]);
         const PlanePoint<> bearing = parting(list_.contact[index], position_of(index));
@@ -154,7 +154,7 @@ std::vector<std::uint32_t> try_other_edges(const CornerMotion& blocks, const std
             ++end;
         }
         const double lighter = std::min(weight[pair.first], weight[pair.second]);
-        // Where both edges bear, the one that the blocks rely on more gives way, in whatever order they are drawn.
+        // Where both edges bear, the one with the larger force gives way, whatever the order of blocks and corners.
         std::vector<std::pair<double, std::size_t>> relied;
         for (std::size_t index = begin; index < end; ++index) {
             relied.emplace_back(-corners.relied_on(index), index);

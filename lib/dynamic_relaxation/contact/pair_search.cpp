@@ -11,30 +11,31 @@ namespace delabole {
 
 namespace {
 
-// A face may lean on another by this much and still touch it with both ends (sine); a corner's own other face, at right
-// angles in a rectangle, must not count as touching.
+// Sine of the greatest angle at which a face may lean on another and still touch it with both ends; a corner's own
+// other face, at right angles in a rectangle, must not count as touching.
 constexpr double lean = 0.35;
-// A corner that bears on an edge goes on doing so up to here: to take it away, or to give its load to the next edge, on
-// which it is deeper, would make energy out of nothing.
+// A corner that bears on an edge goes on doing so up to this sine: removing it, or giving its load to the next edge,
+// over which it is deeper, would create energy.
 constexpr double lean_while_touching = 0.7;
-// The weight of a contact changes over this distance around an edge's end, in shortest edges: far above any overlap, so
-// that a change of overlap hardly changes a weight, and far below what an eye or a lever arm would see.
+// The weight of a contact changes over this distance around an edge's end, in shortest edges. It is far above any
+// overlap, so that a change of overlap hardly changes a weight, and far too short to be visible or to change a lever
+// arm.
 constexpr double blend_length = 1e-3;
 // A joint drawn open by less than this, in shortest edges, is closed.
 constexpr double closed = 1e-3;
-// A corner that is found below an edge came there over the edge if it is no deeper than this, in margins.
+// A corner that is found below an edge has crossed the edge if it is no deeper than this, in margins.
 constexpr double came_over = 0.01;
-// Deeper corners belong to the block's other side, unless they bear already.
+// In shortest edges: deeper corners belong to the block's other side, unless they bear already.
 constexpr double deepest = 0.25;
-// Where two edges meet in a tip, a corner at the tip is on the one into whose block its faces dip less by so much
-// (sine).
+// Where two edges meet in a tip, a corner at the tip belongs to the edge into whose block its faces dip less, if the
+// sines of the two dips differ by more than this.
 constexpr double clearly_less = 0.15;
-// Distance from the tip, in shortest edges, at which overlaps may not yet tell.
+// Distance from the tip, in shortest edges, up to which overlaps may not yet show to which edge a corner belongs.
 constexpr double at_tip = 0.05;
 
 constexpr std::size_t unknown = static_cast<std::size_t>(-1);
 
-// Greatest distance by which the line of an edge parts a block's corners from the edge's block.
+// Greatest distance by which the line of an edge separates a block's corners from the edge's block.
 template <class GapOf>
 double greatest_distance(const CornerRange& corners, const CornerRange& edges, const GapOf& gap_of) {
     double greatest = -std::numeric_limits<double>::infinity();
@@ -48,8 +49,8 @@ double greatest_distance(const CornerRange& corners, const CornerRange& edges, c
     return greatest;
 }
 
-// In the initial geometry, below the line of the edge but outside another edge of the same block; or farther below than
-// the blocks overlap, as tips of blocks on the other side of a thin one are.
+// Whether the corner, in the initial geometry, is below the line of the edge but outside another edge of the same
+// block, or farther below it than the blocks overlap. The latter are tips of blocks on the other side of a thin block.
 bool beside(const Bodies& bodies, const RelaxationContact& contact, double shortest) {
     if (contact.gap >= 0) {
         return false;
@@ -81,7 +82,8 @@ InitialDistance initial_distance(const Bodies& bodies, std::size_t first, std::s
         });
     };
     const double distance = std::max(over_edges_of(second, first), over_edges_of(first, second));
-    // Those farther behind are beside the edge, see above; twice the distance, as rounding differs there.
+    // Corners farther behind are beside the edge (see `beside`); the tolerance is doubled because rounding differs
+    // there.
     const double shortest = std::min(bodies.shortest_edge[first], bodies.shortest_edge[second]);
     return {distance, behind >= distance - 2 * blend_length * shortest};
 }
@@ -131,7 +133,7 @@ void PairSearch::place(const std::vector<Motion>& motion, Side& side) const {
     }
 }
 
-// Returns the greatest distance by which an edge of the other block parts them.
+// Fills `gaps` and returns the greatest distance by which an edge of the other block separates the two.
 double PairSearch::measure(const Side& block, const Side& other, Gaps& gaps) {
     gaps.corners = block.corner.size();
     gaps.gap.resize(block.corner.size() * other.corner.size());
@@ -179,7 +181,7 @@ void PairSearch::find(const BlockPair& pair, const std::vector<Motion>& motion, 
     remember(found, motion);
 }
 
-// `side`: that of the corner.
+// `side` is the side of the corner.
 void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t edge, PairContacts& found) const {
     const Side& block = side_[side];
     const Side& other = side_[1 - side];
@@ -197,8 +199,9 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
     const std::size_t near = start_is_near ? other.before(edge) : other.after(edge);
     const std::size_t far = start_is_near ? other.after(edge) : other.before(edge);
     const bool near_bears = can_bear(block, corner, other, near);
-    // The farther end of a short edge can be the one to which the corner is carried. Where that goes on as one face,
-    // the blocks overlap as much over it wherever the corner is: it says nothing of the end that the corner is at.
+    // On a short edge the corner may be carried to the farther end. Where the edge beyond that end continues as one
+    // face, the blocks overlap equally over it wherever the corner is, which tells nothing about the end that the
+    // corner is at.
     const bool far_counts = -gaps(corner, far) < deepest * shortest_ &&
                             bodies_.along[edge_number].dot(bodies_.along[other.begin + far]) < one_face &&
                             (!near_bears || gaps(corner, far) > gaps(corner, near)) &&
@@ -226,15 +229,16 @@ void PairSearch::add_corner(std::size_t side, std::size_t corner, std::size_t ed
     }
     add_twin_as_rival(block, corner, other, edge, at_start, law);
     if (law.alone > 0) {
-        // How far the blocks overlap is all that the weight depends on at this end.
+        // At this end the weight depends only on how far the blocks overlap.
         (at_start ? law.start_weight : law.end_weight) = 1;
     }
     found.contact.push_back(contact_of(corner_number, edge_number));
     found.law.push_back(law);
 }
 
-// Beyond the edge's end the end itself may bear on a face of the corner's block. Between edges of two blocks the angle
-// changes as they turn: the law has that of the initial geometry and stays the same from search to search.
+// Beyond the edge's end, that end itself may bear on a face of the corner's block, which then is the rival. The angle
+// between edges of two blocks changes as they rotate: the law keeps that of the initial geometry and stays the same
+// from search to search.
 void PairSearch::add_twin_as_rival(const Side& block, std::size_t corner, const Side& other, std::size_t edge,
                                    bool at_start, ContactLaw& law) const {
     const std::size_t end = at_start ? edge : other.after(edge);
@@ -242,15 +246,15 @@ void PairSearch::add_twin_as_rival(const Side& block, std::size_t corner, const 
     const PlanePoint<> inward = at_start ? other.along[edge] : PlanePoint<>(-other.along[edge]);
     const PlanePoint<> along_face = at_start ? PlanePoint<>(-block.along[face]) : block.along[face];
     const double cosine = inward.dot(along_face);
-    // The one nearer in its normal is the neighbour on the outline of all differences. Where joints of two sets cross
-    // both are as near, and a hair's turn must not change the law.
+    // The edge with the nearer normal is the neighbour on the outline of all differences (corner_choice.hpp). Where
+    // joints of two sets cross, both are equally near, and a minute rotation must not change the law.
     constexpr double clearly_nearer = 0.02;
     const bool farther = law.alone > 0 && cosine < -law.rival_cosine + clearly_nearer;
     if (farther || !can_bear(other, end, block, face)) {
         return;
     }
     if (cosine > one_face) {
-        // Both go on into each other as one face, and what the block has beyond the end is not beside it.
+        // Edge and face lie on each other as one face, so that the edge beyond the end is not a rival.
         if (law.alone > 0) {
             law.rival = law.rival_sine = law.rival_cosine = law.alone = 0;
         }
@@ -280,10 +284,10 @@ bool PairSearch::bears(const Side& block, std::size_t corner, const Side& other,
     return before != unknown && list_->memory[before].touching;
 }
 
-// Where a joint comes out of a face at an acute angle, the corners of both blocks coincide in the initial geometry:
-// they bear on each other's joint, but on each other's face they would hold the joint. By how much the faces of a
-// corner dip deeper (sine) below one edge than below the one beyond its end; 0 where the corner is not drawn at that
-// end.
+// By how much (sine) the faces of a corner dip deeper below one edge than below the edge beyond its end; 0 if the
+// corner does not lie at that end in the initial geometry. Where a joint daylights in a face at an acute angle, the
+// corners of both blocks coincide in the initial geometry: they bear on each other's joint, but if they bore on each
+// other's face they would lock the joint.
 double PairSearch::dip_beyond_that_of(std::size_t corner, std::size_t edge, std::size_t beyond, bool at_start) const {
     const std::size_t block = bodies_.block_of[corner];
     const std::size_t end = at_start ? edge : bodies_.range[bodies_.block_of[edge]].after(edge);
@@ -337,7 +341,7 @@ ContactLaw PairSearch::law_between(const Side& block, std::size_t corner, const 
     const double next = to_next.dot(other.along[edge]);
     const double previous = to_previous.dot(other.along[edge]);
     ContactLaw law{};
-    // Over the end of an edge, a block that reaches back over it hands over to its twin; one that only touches the end
+    // A block that reaches back over the end of an edge hands over to its twin there; one that only touches the end
     // with a corner does not bear there at all.
     law.start_weight = std::max(next, previous) > lean ? 0.5 : -0.5;
     law.end_weight = -std::min(next, previous) > lean ? 0.5 : -0.5;
@@ -367,8 +371,9 @@ double PairSearch::shared_length(const Side& block, std::size_t face, const Side
     return std::max(0.0, std::min(length, std::max(one, two)) - std::max(0.0, std::min(one, two)));
 }
 
-// A corner's twin at the start of an edge is that end on the face that ends at the corner, because both outlines run
-// anticlockwise; at the edge's end it is the face that begins there.
+// The twin of a corner at the start of an edge is the contact of that start with the face that ends at the corner,
+// because both outlines run anticlockwise; at the edge's end it is the contact of that end with the face that begins
+// there.
 void PairSearch::pair_twins(PairContacts& found) const {
     const auto number_of = [&](std::size_t corner, std::size_t edge) {
         const auto is_it = [&](const RelaxationContact& contact) {

@@ -16,9 +16,9 @@ namespace delabole {
 // The contacts that a pair has had so far, or has now. Twins are counted from the pair's first contact.
 struct PairContacts {
     std::vector<RelaxationContact> contact = {};
-    std::vector<ContactLaw> law = {};  // of each contact, whatever its number says
+    std::vector<ContactLaw> law = {};  // law of each contact, in the order of `contact`
     std::vector<ContactMemory> memory = {};
-    // m; the blocks are apart by no less. Negative: the least displacement that parts them.
+    // m, least distance between the blocks; if negative, the least displacement that separates them.
     double distance = 0;
     double worst_overlap = 0;  // in shortest edges of the two blocks: of contacts, or of the blocks if that is more
 
@@ -33,18 +33,18 @@ struct PairPose {
     double second_angle = 0;
 };
 
-// In the initial geometry.
+// Distance of a pair in the initial geometry.
 struct InitialDistance {
-    // Greatest distance by which a line along an edge of either block parts them; negative: least displacement that
-    // ends an overlap.
+    // Greatest distance by which a line along an edge of either block separates them; if negative, the least
+    // displacement that ends their overlap.
     double distance;
-    // Whether a contact may overlap by more than the margin. Where none may, a search for contacts, which takes five
-    // times as long, would find none that does.
+    // Whether a contact may overlap by more than the margin. If none may, a search for contacts, which takes five times
+    // as long, is not needed.
     bool may_overlap;
 };
 InitialDistance initial_distance(const Bodies& bodies, std::size_t first, std::size_t second, double margin);
 
-// What a pair is searched for.
+// Options of the search of a pair.
 struct PairQuery {
     double margin;
     bool first;  // as in SearchOptions
@@ -55,13 +55,14 @@ class PairSearch {
   public:
     PairSearch(const RelaxationScene& scene, const Bodies& bodies, double viscous_damping);
 
-    // Contacts of corners of the first block on edges of the second, then the other way round. Those that were contacts
-    // already, in this range of the list, keep their memory. `then`: the last time, if there was one.
+    // Finds contacts of corners of the first block on edges of the second, then the other way round. Those that were
+    // contacts already, in the range `before` of the list, keep their memory. `then`: the pose at the last search, if
+    // there was one.
     void find(const BlockPair& pair, const std::vector<Motion>& motion, const PairQuery& query, const ContactList& list,
               const ContactRange& before, const std::optional<PairPose>& then, PairContacts& found);
 
   private:
-    // A block where it is now; its corners and edges counted from its first.
+    // A block in its present position; its corners and edges are counted from its first.
     struct Side {
         std::uint32_t block = 0;
         std::size_t begin = 0;
@@ -82,7 +83,7 @@ class PairSearch {
         double operator()(std::size_t corner, std::size_t edge) const { return gap[edge * corners + corner]; }
     };
 
-    // Of the pair's outlines in the initial geometry, about their centroids.
+    // Corners and directions of the pair's outlines in the initial geometry, about their centroids.
     PlanePoint<> corner_of(std::size_t corner) const;
     PlanePoint<> along_of(std::size_t edge) const;
     bool is_shifted(std::size_t corner) const { return bodies_.block_of[corner] == side_[0].block; }
@@ -92,7 +93,7 @@ class PairSearch {
     void add_twin_as_rival(const Side& block, std::size_t corner, const Side& other, std::size_t edge, bool at_start,
                            ContactLaw& law) const;
     bool can_bear(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;
-    bool bears(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;  // by what is known
+    bool bears(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;  // in the list
     double dip_beyond_that_of(std::size_t corner, std::size_t edge, std::size_t beyond, bool at_start) const;
     RelaxationContact contact_of(std::size_t corner, std::size_t edge) const;
     ContactLaw law_between(const Side& block, std::size_t corner, const Side& other, std::size_t edge) const;

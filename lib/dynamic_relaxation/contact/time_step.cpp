@@ -31,7 +31,7 @@ void SpringsOnBlock::add(const Eigen::Vector3d& normal, const Eigen::Vector3d& a
 void SpringsOnBlock::add(const RelaxationContact& contact, const ContactLaw& law, const std::vector<Motion>& motion) {
     const ContactPosition at = locate(contact, motion[contact.block], motion[contact.other]);
     const bool both_free = bodies_.fixed[contact.block] == 0 && bodies_.fixed[contact.other] == 0;
-    // One twin takes over what the other leaves; either of two rivals may bear all.
+    // A twin takes over only what the other twin leaves, but either of two rivals may carry the whole force.
     const double share = (both_free ? 2 : 1) * (contact.twin == no_twin || law.alone > 0 ? 1.0 : 0.5);
     const bool own = contact.block == block_;
     const double arm_x = own ? at.arm_x : at.other_arm_x;

@@ -11,12 +11,13 @@
 
 namespace delabole {
 
-// The springs and dashpots on one block, for the greatest step that leap-frog with dashpots half a step behind bears,
+// The springs and dashpots on one block and its greatest stable step of leap-frog integration with dashpots half a step
+// behind, which follows from
 //   step^2 stiffness / 4 + step damping / 2 = 1,
 // where stiffness and damping are the greatest eigenvalues of (mass matrix)^-1 (sum over all contacts of the list and
-// all whole bonds, each taken with the contacts that would replace it), those with free blocks counted twice: no system
-// of such blocks can be stiffer, whichever of the contacts close. Without damping it is 2 / (circular frequency). The
-// least over all blocks is a step that the system bears.
+// all whole bonds, each taken with the contacts that would replace it), contacts and bonds with free blocks counted
+// twice: no system of such blocks can be stiffer, whichever of the contacts close. Without damping the step is
+// 2 / (circular frequency). The least step of all blocks is stable for the whole system.
 class SpringsOnBlock {
   public:
     SpringsOnBlock(const Bodies& bodies, std::size_t block) : bodies_(bodies), block_(block) {}
@@ -27,7 +28,7 @@ class SpringsOnBlock {
     double stable_step() const;  // s; infinite without springs
 
   private:
-    // Rows of a displacement on the block's two displacements and its rotation.
+    // Adds rows that map the block's two displacements and its rotation to a displacement at the contact.
     void add(const Eigen::Vector3d& normal, const Eigen::Vector3d& along, const auto& joint, double share);
 
     const Bodies& bodies_;

@@ -15,7 +15,7 @@ struct Stretch {
     double end;
 };
 
-// There is none where the line lies outside a convex outline, or only touches it.
+// Returns nothing where the line lies outside a convex outline or only touches it.
 std::optional<Stretch> stretch_in(const Polygon<>& outline, const PlanePoint<>& from, const PlanePoint<>& along,
                                   double length) {
     Stretch inside{0, 0, length};
@@ -57,7 +57,7 @@ std::vector<BoltSegment> bolt_segments(const RelaxationScene& scene, const Relax
         }
     }
     std::ranges::sort(crossed, {}, &Stretch::begin);
-    // A head may be given with the rounding of a face.
+    // The given head may deviate from a face by rounding.
     const double tolerance = 1e-3 * bolt.length;
     if (crossed.size() < 2 || crossed.front().begin > tolerance || crossed.back().end < bolt.length - tolerance) {
         constexpr std::size_t nowhere = static_cast<std::size_t>(-1);

@@ -1,9 +1,9 @@
 // Bolts across joints, as springs between the blocks that they join.
 //
 // A bolt without grout stretches over its whole length, between the block at its head and the one at its end. A grouted
-// one is held all along: wherever it crosses from one block to the next, it stretches over a short free length there.
-// It is elastic up to its capacity, then yields; it pulls and never pushes, and resists shear only in so far as that
-// stretches it.
+// bolt is held along its whole length: wherever it crosses from one block to the next, it stretches over a short free
+// length. It is elastic up to its capacity, then yields; it acts in tension only, and resists shear only in so far as
+// shear stretches it.
 #pragma once
 
 #include "dynamic_relaxation/scene/relaxation_parameters.hpp"
@@ -14,8 +14,8 @@
 
 namespace delabole {
 
-// The segments of the bolt of that index. One segment of a block that does not exist, which the scene's check refuses,
-// where the bolt begins or ends outside the blocks or crosses no joint.
+// The segments of the bolt with this index. If the bolt begins or ends outside the blocks or crosses no joint, the
+// result is one segment of a block that does not exist, which the scene's check refuses.
 std::vector<BoltSegment> bolt_segments(const RelaxationScene& scene, const RelaxationBolt& bolt, std::size_t index);
 
 }  // namespace delabole

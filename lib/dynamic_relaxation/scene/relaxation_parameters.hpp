@@ -1,4 +1,4 @@
-// Dynamic relaxation as a case file has it: a scene of blocks with their joints, and what loads them.
+// Input of dynamic relaxation in a case file: a scene of blocks with their joints, and its loads.
 //
 // Section axes, per metre run: x into the slope, y up in the section, which dips towards -x by the scene's
 // tilt. Blocks are counted from 1: in a row and on a stepped base from the toe up, then the fixed blocks below. SI
@@ -24,7 +24,7 @@ enum class BlockHold { free, fixed, held_at_first };
 inline constexpr std::string_view hold_meaning =
     "fixed moves only as prescribed, held_at_first not before settings.consolidation_time; absent: free";
 
-// Intact rock across faces that lie on each other in the initial geometry, until it breaks: see bonds.hpp.
+// Intact rock, until it breaks, across faces that lie on each other in the initial geometry (bonds.hpp).
 struct RelaxationBond {
     double young_modulus;
     double shear_modulus;
@@ -46,7 +46,7 @@ struct RelaxationBond {
     }
 };
 
-// Strength over the shared length of two faces; the springs stand for one corner on one edge.
+// Strength applies to the shared length of two faces, stiffness to one corner on one edge.
 struct RelaxationJoint {
     double friction_angle;
     std::optional<double> residual_friction_angle;
@@ -103,9 +103,8 @@ struct RelaxationColumn {
     }
 };
 
-// Laboratory blocks are not alike. Each height is drawn from a normal distribution about the one given, and so is the
-// friction angle of each base and of each interface, cut off at twice the deviation; cohesion and stiffness are as
-// given.
+// Scatter of laboratory blocks. Each height and the friction angle of each base and each interface are drawn from
+// normal distributions about the given values, cut off at twice the deviation; cohesion and stiffness are as given.
 struct RelaxationScatter {
     double seed;
     double height_deviation;
@@ -120,7 +119,7 @@ struct RelaxationScatter {
     }
 };
 
-// Blocks beside each other on one plane, from the toe up; the plane is the last block.
+// Blocks side by side on one plane, from the toe up; the plane is the last block.
 struct RelaxationRow {
     double tilt;
     double density;
@@ -142,7 +141,7 @@ struct RelaxationRow {
     }
 };
 
-// Columns that each stand on a fixed block of their own, from the toe up.
+// Columns, each on a fixed block of its own, from the toe up.
 struct RelaxationColumns {
     double tilt;
     double density;
@@ -192,7 +191,7 @@ struct RelaxationPolygon {
     }
 };
 
-// Any convex blocks. Two faces in contact have the joint of the one with less friction.
+// Any convex blocks. Two faces in contact have the properties of the joint with less friction.
 struct RelaxationPolygons {
     double tilt;
     std::vector<RelaxationJoint> joint;
@@ -252,7 +251,8 @@ using BlockScene = std::variant<RelaxationRow, RelaxationColumns, RelaxationPoly
 
 enum class TiltingFrame { gravity, base };
 
-// The base seen from itself while gravity turns; or turned as it is in a laboratory, about a pivot, with its inertia.
+// A base that is either the frame of reference while gravity rotates, or is rotated as in a laboratory, about a pivot
+// and with inertia.
 struct Tilting {
     TiltingFrame turned;
     double final_tilt;

@@ -1,10 +1,10 @@
 // The input of dynamic relaxation: rigid convex blocks, the joints between them, and what loads them.
 //
-// Section axes, per metre run: x into the slope, y up. A scene may be drawn in any frame, for instance with the x axis
-// along an inclined base: `gravity` then says where down is. SI units and radians.
+// Section axes, per metre run: x into the slope, y up. A scene may use any frame, for instance with the x axis along an
+// inclined base: `gravity` then gives the downward direction. SI units and radians.
 //
 // Blocks touch at corners: a corner of one on an edge of another (Cundall 1971). Faces that lie on each other touch at
-// the two ends of the length they share, each of which is a corner of one of them.
+// the two ends of their shared length, each of which is a corner of one of them.
 #pragma once
 
 #include "geometry/polygon.hpp"
@@ -15,34 +15,35 @@
 
 namespace delabole {
 
-// The springs stand for one corner on one edge, whatever the length of the face: 2e6 N/m for each inch of a column's
-// height in the thesis (5.3).
+// Stiffness of one corner on one edge, whatever the length of the face: in the thesis 2e6 N/m for each inch of a
+// column's height (5.3).
 struct JointMaterial {
     double normal_stiffness;  // N/m per metre run, more than 0
     double shear_stiffness;   // N/m per metre run, more than 0
     double friction_angle;    // peak, 0 to below 90 deg
-    // After the first slip or opening, where there is a peak: Fig 5.4(c). Absent: the friction angle, as in Fig 5.4(b).
+    // Applies after the first slip or opening, if there is a peak: Fig 5.4(c). Unset: the friction angle, as in Fig
+    // 5.4(b).
     std::optional<double> residual_friction_angle = {};
-    // Pa over the shared length of the faces, lost with the first slip or opening. Half of each acts at either end;
-    // spread over the face where the joint has a bond of its own (FaceBond).
+    // Pa over the shared length of the faces, lost with the first slip or opening. Half of it acts at either end; it is
+    // spread over the face if the joint has a bond of its own (FaceBond).
     double cohesion = 0;
     double tensile_strength = 0;
-    // Material of the bonds that find_bonds makes across faces of this joint: intact rock. Absent: the joint is open.
+    // Material of the bonds that find_bonds makes across faces of this joint: intact rock. Unset: the joint is open.
     std::optional<std::size_t> bond = {};
-    // Pa, what of the cohesion is not lost, at most all of it: then the joint is perfectly plastic in shear.
+    // Pa, the part of the cohesion that is not lost, at most all of it: then the joint is perfectly plastic in shear.
     double residual_cohesion = 0;
 };
 
-// Intact rock between two blocks (bonds.hpp). Young's modulus is that of the plane: E in plane stress, E / (1 - nu^2)
-// in plane strain.
+// Intact rock between two blocks (bonds.hpp). Young's modulus is that of the plane problem: E in plane stress,
+// E / (1 - nu^2) in plane strain.
 struct BondMaterial {
     double young_modulus;     // Pa, more than 0
     double shear_modulus;     // Pa, more than 0
     double tensile_strength;  // Pa, at least 0
     double cohesion;          // Pa, at least 0
     double friction_angle;    // 0 to below 90 deg
-    // m, over which the rock at the bond deforms: stiffness per area is modulus over spacing. Absent: the distance of
-    // the blocks' centroids from the face, none behind a fixed block.
+    // m, length over which the rock at the bond deforms: stiffness per area is modulus over spacing. Unset: the
+    // distance of the blocks' centroids from the face, which counts as zero for a fixed block.
     std::optional<double> spacing = {};
 };
 
@@ -52,8 +53,8 @@ struct FaceBond {
     std::size_t edge;
     std::size_t other;
     std::size_t other_edge;
-    // Material of the rock that bridges them. Unset: no rock does; the joint's own strength acts over the whole face
-    // (bonds.hpp).
+    // Material of the rock that bridges them. Unset: there is no rock bridge, and the joint's own strength acts over
+    // the whole face (bonds.hpp).
     std::optional<std::size_t> material;
 };
 
@@ -67,12 +68,12 @@ struct RelaxationBlock {
 
 // Two faces in contact have the properties of the one with less friction.
 
-// Gravity is acceleration (-sin tilt, -cos tilt): the scene is seen in the frame of a base that dips towards -x by
+// Gravity is acceleration (-sin tilt, -cos tilt): the frame of the scene is that of a base that dips towards -x by
 // `tilt`.
 struct Gravity {
     double acceleration = 9.80665;  // m/s2, at least 0
-    double tilt = 0;                // at first
-    double final_tilt = 0;          // reached at `rate`, in increments; equal to `tilt`: constant
+    double tilt = 0;                // initial value
+    double final_tilt = 0;          // reached at `rate`, in increments; constant if equal to `tilt`
     double rate = 0;                // rad/s, at least 0
     double interval = 0;            // s between increments; 0: every step
     double start = 0;               // s; time of the first increment
@@ -81,13 +82,13 @@ struct Gravity {
 struct PointForce {
     std::size_t block;
     PlanePoint<> at;     // in the initial geometry; moves with the block
-    PlanePoint<> force;  // N/m, along the axes of the section; keeps its direction there, also while gravity turns
+    PlanePoint<> force;  // N/m, along the axes of the section; keeps its direction in them, also while gravity rotates
 };
 
-// A bolt, or where it crosses a joint if it is grouted: a spring that pulls two points of two blocks together
+// A whole bolt, or a grouted one where it crosses a joint: a spring that pulls two points of two blocks together
 // (bolts.hpp).
 struct BoltSegment {
-    std::size_t bolt;  // of which it is part
+    std::size_t bolt;  // number of the bolt that it belongs to
     std::size_t block;
     std::size_t other;
     PlanePoint<> at;        // on `block`, in the initial geometry
@@ -103,14 +104,14 @@ struct EdgePart {
     double end;    // more than `begin`
 };
 
-// Water in a joint: presses on one face of one block, linear from the edge's first vertex to its second, normal to the
-// face wherever the block goes. The joint's other face is a pressure of its own (joint_water.hpp).
+// Water pressure in a joint on one face of one block, linear from the edge's first vertex to its second and normal to
+// the face wherever the block moves. The joint's other face has a pressure of its own (joint_water.hpp).
 struct FacePressure {
     std::size_t block;
     std::size_t edge;
     double at_first;                    // Pa, at least 0; where the part begins
     double at_second;                   // Pa, at least 0; where it ends
-    std::optional<EdgePart> part = {};  // that is pressed; absent: the whole edge
+    std::optional<EdgePart> part = {};  // loaded part; unset: the whole edge
 };
 
 struct TimedVector {
@@ -119,9 +120,10 @@ struct TimedVector {
 };
 
 struct PrescribedMotion {
-    std::size_t block;                  // a fixed one
-    std::vector<TimedVector> velocity;  // m/s, of the centroid, section axes; zero before the first, the last one kept
-    double angular_velocity = 0;        // rad/s about `pivot`, from `start` for `duration`
+    std::size_t block;  // a fixed one
+    std::vector<TimedVector>
+        velocity;  // m/s, of the centroid, section axes; zero before the first, then constant after the last
+    double angular_velocity = 0;  // rad/s about `pivot`, from `start` for `duration`
     PlanePoint<> pivot = {0, 0};
     double start = 0;
     double duration = 0;
@@ -129,11 +131,11 @@ struct PrescribedMotion {
 
 struct Removal {
     std::size_t block;
-    double time;  // s; negative: the block is not there from the start
+    double time;  // s; negative: the block is absent from the start
 };
 
-// A belt under the section that moves with gravity's direction, and drives the blocks instead of gravity, whose
-// acceleration presses them on it (base_friction.hpp).
+// A belt under the section that moves in gravity's direction and drives the blocks by friction instead of gravity,
+// whose acceleration presses them onto it (base_friction.hpp).
 struct Belt {
     double speed;           // m/s, more than 0
     double friction_angle;  // of the blocks on the belt, more than 0 to below 90 deg
@@ -145,9 +147,9 @@ struct RelaxationScene {
     Gravity gravity = {};
     std::vector<PointForce> force = {};
     std::vector<FacePressure> pressure = {};
-    // Acceleration of the ground, m/s2: horizontal, towards +x in a section that is not tilted, and upward, as gravity
-    // has them at that time, on a belt its direction. Zero before the first and after the last; one alone stays. The
-    // scene is seen from the ground.
+    // Acceleration of the ground, m/s2: horizontal, towards +x in a section that is not tilted, and upward. Both
+    // directions follow gravity's at that time, on a belt the belt's. It is zero before the first and after the last
+    // value; a single value is constant. The scene is seen from the ground.
     std::vector<TimedVector> shaking = {};
     std::vector<PrescribedMotion> motion = {};
     std::vector<Removal> removal = {};
@@ -167,7 +169,7 @@ enum class SceneCheck {
     density_not_positive,
     stiffness_not_positive,
     stiffness_too_soft,   // a block would sink into its joint by more than a tenth of its size
-    stiffness_too_stiff,  // overlaps would drown in rounding
+    stiffness_too_stiff,  // rounding would hide overlaps
     friction_out_of_range,
     strength_negative,  // or a residual cohesion above the cohesion
     unknown_block,
@@ -175,7 +177,7 @@ enum class SceneCheck {
     unknown_edge,
     times_not_increasing,
     motion_of_free_block,
-    overlap_at_start,   // more than 10 times that under the block's own weight: it would explode
+    overlap_at_start,   // more than 10 times that under the block's own weight: the blocks would fly apart
     load_out_of_range,  // gravity, rates, durations and water pressures are not negative
     setting_out_of_range,
     bond_without_face,     // the two faces do not lie on each other in the initial geometry

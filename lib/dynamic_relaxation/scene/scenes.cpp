@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t of_interface = 0;
 constexpr std::size_t of_base = 1;
 constexpr double clear_widths = 3;  // of the base in front of columns
-// A row's plane goes on for as long as blocks may slide: they would leave one of a few widths unnoticed.
+// The plane extends as far as blocks may slide: from a plane of a few widths they would fall off unnoticed.
 constexpr double plane_widths = 1000;
 
 Polygon<> rectangle(double left, double bottom, double right, double top) {

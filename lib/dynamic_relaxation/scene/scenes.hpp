@@ -1,8 +1,8 @@
-// Scenes of the limit equilibrium models, for dynamic relaxation: a row of blocks on a plane, columns on a stepped
+// Scenes of the limit equilibrium models for dynamic relaxation: a row of blocks on a plane, and columns on a stepped
 // base.
 //
-// Both are drawn along their base, x up-dip, with gravity tilted instead. Free blocks come first, from the toe up, then
-// the fixed ones.
+// In both the x axis runs up-dip along the base, and gravity is tilted instead. Free blocks come first, from the toe
+// up, then the fixed ones.
 #pragma once
 
 #include "dynamic_relaxation/scene/scene.hpp"
@@ -14,7 +14,7 @@ namespace delabole {
 struct StandingBlock {
     double width;           // m
     double height;          // m
-    double step_above = 0;  // m, from its base up to that of the next block
+    double step_above = 0;  // m, from its base up to the base of the next block
 };
 
 struct StandingBlocks {
@@ -25,14 +25,15 @@ struct StandingBlocks {
     double tilt;              // rad, of the base, towards -x
 };
 
-// All on one fixed block, which reaches three blocks' widths beyond the row on both sides; steps are ignored.
+// All blocks stand on one fixed block, which extends three blocks' widths beyond the row on both sides; steps are
+// ignored.
 RelaxationScene row_scene(const StandingBlocks& blocks);
 
-// Each on its own fixed block, whose upper side the next column stands above by the step; the lowest one reaches three
-// widths out before the toe. The risers are part of the base: a column that turns leaves them.
+// Each column stands on its own fixed block, a step below the next one's; the lowest fixed block extends three widths
+// in front of the toe. The risers are part of the base: a column that rotates leaves them.
 RelaxationScene column_scene(const StandingBlocks& blocks);
 
-// Stiffness k of a corner with k width = ratio times the weight: ratios of 1e5 to 1e8 are of use.
+// Stiffness k of a corner for which k width is `ratio` times the weight; ratios from 1e5 to 1e8 are practical.
 double stiffness_of_ratio(double ratio, const StandingBlock& block, double density, double gravity);
 
 }  // namespace delabole

@@ -1,5 +1,5 @@
-// What a slope cut by joints has besides its geometry and joints: rocks, fixed boundaries, water, stages of excavation.
-// Section axes and metres as in jointed_slope/slope_geometry.hpp.
+// Input of a slope cut by joints, besides its geometry and joints: rocks, fixed boundaries, water, stages of
+// excavation. Section axes and metres are those of jointed_slope/slope_geometry.hpp.
 #pragma once
 
 #include "jointed_slope/slope_geometry.hpp"
@@ -40,8 +40,8 @@ struct SlopeFrame {
     }
 };
 
-// Pressure grows with depth below the table in every joint that has a share in it, and on surfaces below it. Beyond its
-// ends the table is level. A joint keeps its pressure however it moves.
+// Pressure grows with depth below the table in every joint in proportion to its share, and on surfaces below it. Beyond
+// its ends the table is level. A joint keeps its pressure however it moves.
 struct SlopeWater {
     double unit_weight;
     std::vector<SectionPoint> vertex;

@@ -69,7 +69,7 @@ Polygon<> rectangle(double left, double bottom, double right, double top) {
 }
 
 // A section is needed several times in a row for the same geometry: to check a case, to name its outputs, for each run
-// of a fit. The last one of each thread is kept.
+// of a fit. Each thread keeps its last section.
 const JointedSection& section_of(const SlopeGeometry& geometry, const std::vector<std::string>& rocks,
                                  const std::vector<std::string>& joints) {
     struct Kept {
@@ -243,7 +243,7 @@ class SlopeSceneMaker {
         scene_.rock.push_back(block.rock);
     }
 
-    // Adds the pressures on an edge of the block that is being made.
+    // Adds the pressures on an edge of the block under construction.
     void add_pressures(std::size_t edge, double unit_weight, const std::vector<FaceDepth>& depths) {
         for (std::size_t piece = 1; piece < depths.size(); ++piece) {
             const FaceDepth& from = depths[piece - 1];
@@ -321,7 +321,7 @@ class SlopeSceneMaker {
     std::optional<std::size_t> intact_ = {};
     std::optional<std::size_t> frame_joint_ = {};
     std::size_t index_at_fault_ = 0;
-    std::vector<bool> used_ = {};  // areas, then stages, that hold a block
+    std::vector<bool> used_ = {};  // areas, then stages, that contain a block
     Side below_ = {};
     Side behind_ = {};
     Side in_front_ = {};

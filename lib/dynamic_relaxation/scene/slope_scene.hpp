@@ -1,9 +1,9 @@
-// A slope cut by joints as a scene of dynamic relaxation: its blocks, what holds them, the water in their joints and
-// the stages in which some of them are taken away.
+// A slope cut by joints as a scene of dynamic relaxation: its blocks, its fixed boundaries, the water in its joints and
+// the stages in which some of the blocks are removed.
 //
-// Free blocks come first, from the lowest centre up, then fixed ones likewise, then the frame. A corner of a neighbour
-// on a straight face is no corner of the block itself, unless what it is made of changes there. Water presses on a face
-// in pieces, from each kink of the water table to the next (water_table.hpp).
+// Free blocks come first, from the lowest centre up, then fixed blocks in the same order, then the frame. A neighbour's
+// corner on a straight face is not a corner of the block itself, unless its material changes there. Water presses on a
+// face in pieces, from each kink of the water table to the next (water_table.hpp).
 #pragma once
 
 #include "dynamic_relaxation/scene/relaxation_parameters.hpp"
@@ -17,10 +17,10 @@ namespace delabole {
 
 struct SlopeScene {
     SlopeCheck check = SlopeCheck::valid;
-    std::size_t index_at_fault = 0;           // of the cut, the area or the stage that the check concerns
-    JointedSection section = {};              // without its vertices and blocks, which the scene holds
+    std::size_t index_at_fault = 0;           // of the cut, the area or the stage at fault
+    JointedSection section = {};              // without its vertices and blocks, which are in the scene
     std::vector<RelaxationBlock> block = {};  // materials: the slope's joints in their order
-    std::vector<std::size_t> rock = {};       // of each block; the frame's: one past the last
+    std::vector<std::size_t> rock = {};       // of each block; for the frame: one past the last
     std::vector<FacePressure> pressure = {};
     std::vector<Removal> removal = {};
 };

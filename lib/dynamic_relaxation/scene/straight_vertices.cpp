@@ -11,7 +11,7 @@ namespace delabole {
 
 namespace {
 
-// Where a drawn edge lies on an edge of the block.
+// Place of an edge of the given outline on an edge of the block.
 struct EdgePlace {
     std::size_t edge;
     double begin;  // m, from that edge's first vertex
@@ -26,7 +26,7 @@ bool is_corner(const RelaxationBlock& block, std::size_t vertex) {
            !goes_straight_on(block.outline[before], block.outline[vertex], block.outline[(vertex + 1) % count]);
 }
 
-// One for each drawn edge; none where nothing is left out.
+// Returns a place for each edge of the given outline; empty if no vertex is left out.
 std::vector<EdgePlace> leave_out_straight_vertices(RelaxationBlock& block) {
     const std::size_t count = block.outline.size();
     std::vector<std::size_t> corners;
@@ -80,12 +80,12 @@ void leave_out_straight_vertices(RelaxationScene& scene) {
         }
         const std::vector<EdgePlace>& of_block = places[pressure.block];
         if (pressure.edge >= of_block.size()) {
-            pressure.edge = of_block.size();  // no edge of the block that is left, either
+            pressure.edge = of_block.size();  // still an edge that does not exist
             continue;
         }
         const EdgePlace& place = of_block[pressure.edge];
         pressure.edge = place.edge;
-        // Rounding must not carry a part past the end of the edge.
+        // Rounding must not extend a part past the end of the edge.
         pressure.part = pressure.part ? EdgePart{place.begin + pressure.part->begin,
                                                  std::min(place.begin + pressure.part->end, place.end)}
                                       : EdgePart{place.begin, place.end};

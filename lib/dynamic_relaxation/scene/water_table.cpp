@@ -20,7 +20,7 @@ std::vector<FaceDepth> depths_along(const std::vector<SectionPoint>& table, cons
     const double length = face.norm();
     std::vector<FaceDepth> depths;
     const auto add = [&](const FaceDepth& next) {
-        // The face comes out of the water here, or goes down into it.
+        // The face crosses the water table here.
         if (!depths.empty() && (depths.back().depth < 0) != (next.depth < 0)) {
             const FaceDepth& last = depths.back();
             const double at = last.place + last.depth / (last.depth - next.depth) * (next.place - last.place);

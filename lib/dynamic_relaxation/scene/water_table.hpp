@@ -1,6 +1,7 @@
 // Water table of a jointed slope: straight from point to point, level beyond its ends. Pressure below it grows with the
-// depth, measured upright. Along a straight face that depth is straight from each kink of the table to the next, and
-// nothing where the face is above: integrated piece by piece, force and moment on a face are exact to rounding.
+// depth, measured vertically in the section. Along a straight face the depth is linear from each kink of the table to
+// the next, and zero where the face is above it: integrated piece by piece, force and moment on a face are exact to
+// rounding.
 #pragma once
 
 #include "geometry/polygon.hpp"
@@ -10,7 +11,7 @@
 
 namespace delabole {
 
-// y, m, of a table of at least one point, x increasing.
+// Elevation y, m, of a table of at least one point, x increasing.
 double water_table_height(const std::vector<SectionPoint>& table, double x);
 
 struct FaceDepth {
@@ -18,7 +19,7 @@ struct FaceDepth {
     double depth;  // m below the table, at least 0, linear from each place to the next
 };
 
-// Depths from the start of a straight face to its end. The two must be apart.
+// Depths from the start of a straight face to its end. The two points must not coincide.
 std::vector<FaceDepth> depths_along(const std::vector<SectionPoint>& table, const PlanePoint<>& start,
                                     const PlanePoint<>& end);
 

@@ -17,7 +17,7 @@ struct FaceStrength {
     double tensile_strength;
 };
 
-// Rock across a joint adds to its strength no more than it has itself.
+// The strength of a bonded joint is that of the joint or of the rock, whichever is greater, not their sum.
 FaceStrength strength_of(const BlocksUnderLoad& blocks, const SharedFace& face, std::span<const BondMemory> memory) {
     const RelaxationScene& scene = blocks.scene;
     const JointMaterial& joint = scene.material[weaker_joint(scene, blocks.bodies, face.edge, face.other_edge)];
@@ -55,7 +55,7 @@ PlanePoint<> centroid_of(const BlocksUnderLoad& blocks, std::size_t block) {
     return blocks.bodies.centroid[block] + PlanePoint<>(motion.x, motion.y);
 }
 
-// The face's edge has its own block, `other`, on its left.
+// `half` points along the edge of `other`, which lies to the left of it.
 void add_face(std::size_t block, std::size_t other, const PlanePoint<>& middle, const PlanePoint<>& half,
               const FaceStrength& strength, Assembly& assembly) {
     if (block != held) {
@@ -73,7 +73,7 @@ void add_face(std::size_t block, std::size_t other, const PlanePoint<>& middle, 
     }
 }
 
-// Whether a corner bears on its edge and on no corner of it.
+// Whether a corner bears on its edge and not on a corner of it.
 bool is_on_edge(const Bodies& bodies, const ContactLaw& law, const RelaxationContact& contact,
                 const ContactPosition& at) {
     constexpr double straight = 1e-6;  // sine
@@ -107,7 +107,7 @@ FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<Shar
 }
 
 void add_corners_on_edges(const BlocksUnderLoad& blocks, const ContactList& list, FaceAssembly& made) {
-    constexpr double short_face = 1e-6;  // of the shortest edge: the programme wants a length
+    constexpr double short_face = 1e-6;  // of the shortest edge: the linear programme requires a length
     const std::vector<std::size_t> body = bodies_of_blocks(blocks);
     for (std::size_t index = 0; index < list.contact.size(); ++index) {
         const ContactMemory memory = list.memory[index];

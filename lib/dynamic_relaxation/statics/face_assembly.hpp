@@ -1,4 +1,4 @@
-// Blocks and their faces as the linear programmes of limit equilibrium see them (limit_equilibrium/bound).
+// Blocks and their faces as input of the linear programmes of limit equilibrium (limit_equilibrium/bound).
 #pragma once
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
@@ -17,9 +17,9 @@ namespace delabole {
 struct BlocksUnderLoad {
     const RelaxationScene& scene;
     const Bodies& bodies;
-    const std::vector<char>& held;  // blocks that are fixed now: the base of the assembly
+    const std::vector<char>& held;  // blocks that are fixed at present: the base of the assembly
     const std::vector<Motion>& motion;
-    std::span<const BlockForce> load;  // of each block, its weight among it
+    std::span<const BlockForce> load;  // load of each block, including its weight
 };
 
 struct FaceAssembly {
@@ -27,13 +27,13 @@ struct FaceAssembly {
     std::vector<std::size_t> block_of;  // of each body: the blocks that are not held, in their order
 };
 
-// The faces with their peak strengths, and with that of bonded rock where it is more and the bond is whole. `bond`: as
-// the scene lists them; none: all are whole.
+// The faces with their peak strengths, or with those of bonded rock where they are greater and the bond is whole.
+// `bond`: in the order of the scene's bonds; empty: all are whole.
 FaceAssembly face_assembly(const BlocksUnderLoad& blocks, const std::vector<SharedFace>& faces,
                            std::span<const BondMemory> bond = {});
 
-// Adds what bears otherwise than over these faces, at a point: corners that touch an edge of another block, but for
-// corners on corners (corner_choice.hpp). Edges that go on straight past a corner are one edge.
+// Adds contacts at points, outside these faces: corners that touch an edge of another block, except corners on corners
+// (corner_choice.hpp). Edges that continue straight past a corner count as one edge.
 void add_corners_on_edges(const BlocksUnderLoad& blocks, const ContactList& list, FaceAssembly& made);
 
 }  // namespace delabole

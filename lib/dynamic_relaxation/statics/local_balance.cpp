@@ -62,7 +62,7 @@ void balance_one_by_one(const PseudoViscosity& resisting, const Eigen::VectorXd&
         std::max(of_greatest * *std::ranges::max_element(lacks), of_mean * equations.mean_ratio(lacking));
     std::vector<char> due(count);
     std::ranges::transform(lacks, due.begin(), [&](double lack) { return lack >= much ? 1 : 0; });
-    // This costs no more than to evaluate all contacts once.
+    // With this limit the sweeps cost no more than one evaluation of all contacts.
     const std::uint64_t most_evaluations = equations.contacts_evaluated() + list.contact.size();
     const auto may_go_on = [&] { return equations.contacts_evaluated() < most_evaluations; };
     for (int sweep = 0; sweep < most_sweeps && may_go_on(); ++sweep) {

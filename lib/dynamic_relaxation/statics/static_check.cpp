@@ -10,7 +10,7 @@ namespace delabole {
 
 namespace {
 
-// On a block at the end of an arm from its centroid.
+// Adds a force that acts on a block at the end of an arm from its centroid.
 void act(double x, double y, double arm_x, double arm_y, BlockForce& on) {
     on.x += x;
     on.y += y;

@@ -1,5 +1,5 @@
-// Whether a state is an equilibrium that its joints can hold. Counted up from the motion of the blocks and what
-// contacts remember alone, apart from the equations that a static solver or a run has used to come there.
+// Whether a state is an equilibrium that its joints can hold. The check uses only the motion of the blocks and the
+// memory of contacts, independently of the equations by which a static solver or a run has reached the state.
 #pragma once
 
 #include "dynamic_relaxation/contact/bonds.hpp"
@@ -10,14 +10,14 @@
 
 namespace delabole {
 
-// Shares of the weight of the block, of two free ones of the lighter one, but for bonds.
+// Shares of the weight of the block, or of the lighter one of two free blocks, except for bonds.
 struct StaticCheck {
     double unbalanced = 0;      // greatest force, with moment over radius, that loads and springs leave on a block
     double beyond_tension = 0;  // greatest pull of a contact in excess of its tensile strength
     double beyond_shear = 0;    // greatest shear force of a contact in excess of its friction and cohesion
     double bonds = 0;           // greatest loading of a whole bond, as a share of its strength
 
-    // `tolerance`: for rounding and for what has yet to die out, as a share of a weight.
+    // `tolerance`: for rounding and for motion that has yet to die out, as a share of a weight.
     bool holds(double tolerance) const {
         return unbalanced <= tolerance && beyond_tension <= tolerance && beyond_shear <= tolerance &&
                bonds <= 1 + tolerance;

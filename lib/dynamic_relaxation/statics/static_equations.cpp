@@ -13,7 +13,8 @@ namespace delabole {
 
 namespace {
 
-// Displacements along a line of a point of a block against one of another, and turns of one against the other.
+// Maps displacements of two blocks to the relative displacement of two of their points along a line, and to the
+// relative rotation.
 struct Arms {
     double radius;
     double other_radius;
@@ -26,9 +27,9 @@ struct Arms {
     PairDirection turn() const { return {0, 0, 1 / radius, -1 / other_radius}; }
 };
 
-// The law of contact_law.hpp without velocities. A contact that has opened by a hair still counts in the tangent:
-// without it, blocks that touch without pressure would have nothing to stand on. Where contacts resist with
-// pseudo-viscosity, open ones do so as well.
+// The law of contact_law.hpp without velocities. A minutely open contact still counts in the tangent: without it,
+// nothing would support blocks that touch without pressure. Where contacts resist with pseudo-viscosity, open ones
+// resist as well.
 PairResponse respond(const ContactLaw& law, const RelaxationContact& contact, const ContactPosition& at,
                      const Arms& arms, ContactMemory& memory, double hair, bool resists) {
     const double overlap = -at.gap;
@@ -45,7 +46,7 @@ PairResponse respond(const ContactLaw& law, const RelaxationContact& contact, co
                                      .apart = apart,
                                      .handed_over = 0,
                                      .taken_over = 0});
-    // One without weight goes on touching: it only has no force.
+    // A contact of zero weight stays in touch; it carries no force.
     memory.touching = holds_of_one(bearing_of(over, apart, bonded, 0));
     memory.sliding = false;
     const bool open = overlap < -hair && !bonded;
@@ -84,7 +85,7 @@ PairResponse respond(const ContactLaw& law, const RelaxationContact& contact, co
     return response;
 }
 
-// The response of a bond to displacements, and that to a turn.
+// The response of a bond to displacements, and its response to a rotation.
 std::array<PairResponse, 2> respond(const Bond& bond, const FacePosition& at, const Arms& arms) {
     PairResponse moved;
     moved.normal = arms.along(at.normal_x, at.normal_y, at);
@@ -111,7 +112,8 @@ double stiffest_spring(const ContactList& list, const Bonds& bonds) {
     return stiffest;
 }
 
-// Six rows of six columns: forces that the displacements of both blocks of a pair change, with those of resistance.
+// Six rows of six columns: changes of the forces with the displacements of both blocks of a pair, including
+// pseudo-viscosity.
 std::array<double, 36> tangent_of(std::span<const PairResponse> responses, double resisting) {
     std::array<double, 36> tangent{};
     for (const PairResponse& response : responses) {
@@ -130,7 +132,7 @@ std::array<double, 36> tangent_of(std::span<const PairResponse> responses, doubl
     return tangent;
 }
 
-// Forces of a pseudo-viscosity of 1 against the displacements of both blocks.
+// Resisting forces of a unit pseudo-viscosity for displacements of both blocks.
 std::array<double, 6> damping_against(const std::array<double, 6>& moved, std::span<const PairResponse> responses) {
     std::array<double, 6> force{};
     for (const PairResponse& response : responses) {
@@ -221,7 +223,7 @@ void StaticEquations::list_what_acts(const ContactList& list) {
     }
 }
 
-// Three rows and three columns for each pair of free blocks that act on each other, and for each free block.
+// Each free block and each pair of interacting free blocks has three rows and three columns.
 SparsePattern StaticEquations::pattern_of() const {
     SparsePattern pattern;
     for (std::size_t index = 0; index < free_blocks_.size(); ++index) {

@@ -15,7 +15,7 @@ namespace delabole {
 
 namespace {
 
-// Above so many free blocks rounds go astray: too many contacts change in each of them.
+// With more free blocks, rounds diverge: too many contacts change in each of them.
 constexpr std::size_t few_blocks = 24;
 
 class StaticSolver {
@@ -37,12 +37,12 @@ class StaticSolver {
         const MemoryArray memory = list.memory;
         std::vector<Motion> start = motion;
         StaticSolution found = approach(start, motion, list);
-        constexpr std::size_t few_enough = 400;  // many settle in the run for less
+        constexpr std::size_t few_enough = 400;  // larger assemblies settle in the run at less cost
         if (found.ratio > settings_.tolerance && !settings_.leave_crept && !bonds_.empty() &&
             equations_.free_blocks().size() < few_enough) {
             approach_in_steps(start, memory, found, motion, list);
         }
-        // Peak strength goes one joint after the other, wherever it is reached.
+        // Joints lose their peak strength one after the other, wherever it is reached.
         while (found.ratio <= settings_.tolerance && break_spent(motion, list)) {
             start = motion;
             found = approach(start, motion, list);
@@ -59,13 +59,13 @@ class StaticSolver {
     }
 
   private:
-    // Slender bonded columns lean far on each other before the full load is in balance, and rounds go astray on the
-    // way. Under a load that grows they follow. (Without bonds it would not help: what friction cannot hold, it cannot
-    // hold in part either.) Where this fails, too, all is left as it was.
+    // Slender bonded columns lean far on each other before the full load is in balance, and rounds diverge on the way.
+    // Under an increasing load they converge. (Without bonds that would not help: friction that cannot hold the full
+    // load cannot hold a part of it either.) If this fails too, the state is left unchanged.
     void approach_in_steps(const std::vector<Motion>& start, const MemoryArray& memory, StaticSolution& found,
                            std::vector<Motion>& motion, ContactList& list) {
         constexpr int steps = 8;
-        constexpr double astray = 0.3;  // of a load: not to be made good by the steps after it
+        constexpr double astray = 0.3;  // of a load: too much for the following steps to correct
         std::vector<Motion> stepped = start;
         MemoryArray memory_found = std::exchange(list.memory, memory);
         StaticSolution last{0, false, false, start, {}, 0};
@@ -82,8 +82,8 @@ class StaticSolver {
         motion = std::move(stepped);
     }
 
-    // What corners on corners hold has to be held either way (corner_choice.hpp). Returns whether there was anything to
-    // try.
+    // Blocks held by corners on corners have to be held with either edge (corner_choice.hpp). Returns whether there was
+    // anything to try.
     bool try_corners(StaticSolution& found, std::vector<Motion>& motion, ContactList& list) {
         MemoryArray memory_before = list.memory;
         if (try_other_edges({bodies_, motion}, equations_.weights(), list).empty()) {
@@ -101,7 +101,7 @@ class StaticSolver {
         return true;
     }
 
-    // Contacts with a peak that carry all they can slip, and have their residual strength from then on.
+    // Contacts with a peak that carry their full strength can slip, and have their residual strength from then on.
     bool break_spent(const std::vector<Motion>& motion, ContactList& list) const {
         constexpr double nearly = 1 - 1e-9;
         bool any = false;
@@ -122,17 +122,17 @@ class StaticSolver {
         return any;
     }
 
-    // `start`: where the limits of motion are measured from.
+    // `start`: the state from which the limits of motion are measured.
     StaticSolution approach(const std::vector<Motion>& start, std::vector<Motion>& motion, ContactList& list) {
         return is_small_ ? approach_in_rounds(start, motion, list) : approach_in_motion(start, motion, list);
     }
 
     StaticSolution approach_in_rounds(const std::vector<Motion>& start, std::vector<Motion>& motion,
                                       ContactList& list) {
-        // The resistance is as stiff as the joints at first, so that no contact is left behind by a leap; then smaller
-        // as long as balance does not get much worse. Blocks may lose balance for a while before they jam. Leaps to
-        // where it is far worse, or over half of the distance that is allowed, are not made: friction would keep what
-        // they leave behind, and could hold blocks that nothing holds.
+        // The resistance is at first as stiff as the joints, so that no contact is missed in a large step. It is then
+        // reduced as long as the balance does not become much worse: blocks may lose balance for a while before they
+        // jam. A step that makes the balance far worse, or exceeds half of the allowed distance, is not made: friction
+        // would preserve the forces that it leaves, and could hold blocks that nothing else holds.
         constexpr double smaller = 1.6;
         constexpr double larger = 4;
         constexpr double much_worse = 1.5;
@@ -201,8 +201,8 @@ class StaticSolver {
         return equations_.unbalanced_ratio();
     }
 
-    // A round with too much pseudo-viscosity for blocks to creep: stiff joints only recover from the last one, which
-    // moved blocks along straight lines.
+    // A round with too much pseudo-viscosity for blocks to creep. The last round moved blocks along straight lines, and
+    // joints that are stiff only recover from that here.
     double settle(double resistance, std::vector<Motion>& motion, ContactList& list) {
         constexpr double least = 1e-3;
         if (const auto change = equations_.change({std::max(resistance, least), 0}, equations_.unbalanced())) {
@@ -211,25 +211,26 @@ class StaticSolver {
         return evaluate(motion, list);
     }
 
-    // One implicit step of the motion without mass, from `motion` and the memories that contacts had before it: forces
-    // out of balance are those that pseudo-viscosity holds. Newton's method, with a line search over the root of the
-    // mean square of what they lack; where a step of all blocks leaves much lacking, those that lack most follow alone.
+    // One implicit step of the motion without mass, from `motion` and the memories that contacts had before it:
+    // pseudo-viscosity balances the unbalanced forces. The method is Newton's, with a line search over the root mean
+    // square of the remaining imbalance; where a step of all blocks leaves much imbalance, the blocks with most of it
+    // are solved for one by one.
     struct ImplicitStep {
         Eigen::VectorXd moved;
         int solutions = 0;      // of linear equations
-        bool balanced = false;  // with pseudo-viscosity, well enough for the next step
-        bool kept = false;      // or nearer to that than at first
+        bool balanced = false;  // including pseudo-viscosity, well enough for the next step
+        bool kept = false;      // balanced, or nearer to balance than at first
     };
 
     ImplicitStep step_implicitly(double pseudo_viscosity, const MemoryArray& before, std::vector<Motion>& motion,
                                  ContactList& list) {
-        constexpr double well_enough = 0.3;  // of what was lacking at first: the next step makes it good
+        constexpr double well_enough = 0.3;  // of the initial imbalance: the next step corrects the rest
         constexpr double nearer = 0.5;
         constexpr double astray = 2;
         constexpr int most_solutions = 8;
         constexpr int most_halvings = 3;
         constexpr double rounding = 1e-13;
-        // What rigid motion of many blocks together meets has to fade faster than what holds contacts from changing.
+        // The resistance to rigid motion of many blocks together has to decrease faster than the one between contacts.
         const PseudoViscosity resisting{pseudo_viscosity * std::min(1.0, 10 * pseudo_viscosity), pseudo_viscosity};
         ImplicitStep step{Eigen::VectorXd::Zero(equations_.unbalanced().size())};
         Eigen::VectorXd lacking = equations_.unbalanced();
@@ -288,13 +289,13 @@ class StaticSolver {
                                       ContactList& list) {
         constexpr double smaller = 2;
         constexpr double larger = 4;
-        constexpr double thinnest = 1e-13;
-        constexpr double thickest = 1e3;
+        constexpr double least_viscosity = 1e-13;
+        constexpr double greatest_viscosity = 1e3;
         constexpr int easily = 4;  // solutions
         constexpr int most_solutions = 2000;
         constexpr double half_way = 0.5;
         constexpr double short_step = 1;
-        constexpr int most_jumps = 20;  // to and fro, they lead nowhere
+        constexpr int most_jumps = 20;  // jumps to and fro lead nowhere
         int jumped = 0;
         double pseudo_viscosity = 0.3;
         equations_.let_contacts_resist();
@@ -304,7 +305,7 @@ class StaticSolver {
         bool improves = true;
         int solutions = 0;
         while (best.ratio > settings_.finest && (best.ratio > settings_.tolerance || improves) &&
-               pseudo_viscosity <= thickest) {
+               pseudo_viscosity <= greatest_viscosity) {
             if (solutions >= most_solutions) {
                 best.cut_short = best.ratio > settings_.tolerance;
                 break;
@@ -323,9 +324,9 @@ class StaticSolver {
                 equations_.evaluate(motion, memory, list);
                 return best;
             }
-            // However short a step, a contact may change in it so that its force jumps, as where one corner hands over
-            // to another: what has come out of balance by that is left to the steps after it. In motion that would
-            // follow a jump bonds may break, which is left to the run.
+            // Even in a very short step a contact's force may jump, for instance where one corner hands over to
+            // another. The steps after it remove that imbalance. With bonds the motion after a jump could break some:
+            // the dynamic run then decides.
             const bool jumps =
                 gone < 1 && !step.kept && pseudo_viscosity > short_step && jumped < most_jumps && bonds_.empty();
             jumped += jumps ? 1 : 0;
@@ -346,7 +347,7 @@ class StaticSolver {
             }
             if (step.balanced && step.solutions <= easily) {
                 const double by = step.solutions == 1 ? smaller * smaller : smaller;
-                pseudo_viscosity = std::max(pseudo_viscosity / by, thinnest);
+                pseudo_viscosity = std::max(pseudo_viscosity / by, least_viscosity);
             }
         }
         motion = best.most_balanced;
@@ -354,10 +355,10 @@ class StaticSolver {
         return best;
     }
 
-    // Few blocks that are not left where they crept to are not worth it: they jam sooner in the run.
+    // Creep of few blocks is not worth its cost unless they are left where they crept to: they jam sooner in the run.
     bool creeps() const { return settings_.creep_rotation > 0 && (settings_.leave_crept || !is_small_); }
 
-    // A change led from within the limits to beyond them: so much of it is taken back, so that the run has only to show
+    // Share of a change to take back if it led from within the limits to beyond them, so that the run only has to show
     // that blocks move on.
     static double share_beyond(double come, double gone) {
         constexpr double just_within = 0.99;
@@ -369,14 +370,14 @@ class StaticSolver {
         for (const std::size_t block : equations_.free_blocks()) {
             const Motion& now = motion[block];
             const Motion& then = start[block];
-            const double way =
+            const double displacement =
                 std::hypot(now.x - then.x, now.y - then.y) + std::abs(now.angle - then.angle) * bodies_.radius[block];
-            share = std::max(share, way / settings_.farthest);
+            share = std::max(share, displacement / settings_.farthest);
         }
         return share;
     }
 
-    // Up to 1 a motion is within the limits.
+    // A share up to 1 means that the motion is within the limits.
     double share_of_limits(const std::vector<Motion>& start, const StaticSolution& met,
                            const std::vector<Motion>& motion) const {
         double share = share_of_farthest(start, motion);

@@ -9,8 +9,8 @@ namespace delabole {
 namespace {
 
 struct QuadraturePoint {
-    double first;   // barycentric, of the corner at the edge's start
-    double second;  // of the corner at its end; the rest belongs to the centroid
+    double first;   // barycentric weight of the corner at the edge's start
+    double second;  // weight of the corner at its end; the centroid has the rest
     double weight;
 };
 
@@ -35,7 +35,7 @@ const std::array<QuadraturePoint, 7>& triangle_rule() {
 
 // Mean over the block's area of the square of the distance from its centroid along a direction.
 double mean_square_along(const Bodies& bodies, std::size_t block, const Motion& motion, const PlanePoint<>& direction) {
-    // The direction is turned back to section axes.
+    // The direction is rotated back to section axes.
     const PlanePoint<> back((1 - motion.versine) * direction.x() + motion.sine * direction.y(),
                             (1 - motion.versine) * direction.y() - motion.sine * direction.x());
     double twice_area = 0;
@@ -66,8 +66,8 @@ BlockForce belt_drag(const Belt& belt, const PlanePoint<>& belt_velocity, double
         return {share * x, share * y, 0};
     }
     const double speed = std::sqrt(x * x + y * y);
-    // Turning that adds less than this share of the speed changes the resultant by its square, and the moment is linear
-    // in it. Most blocks of a slope, most of the time, are spared the quadrature.
+    // A rotation that adds less than this share of the speed changes the resultant only by the square of that share,
+    // and the moment is linear in it. This avoids the quadrature for most blocks of a slope most of the time.
     constexpr double slow_turning = 1e-3;
     if (speed > 2 * slowest && std::abs(motion.spin) * bodies.radius[block] < slow_turning * speed) {
         const double share = friction / speed;
@@ -99,7 +99,7 @@ BlockForce belt_drag(const Belt& belt, const PlanePoint<>& belt_velocity, double
 }
 
 double longest_step(const Belt& belt, const Gravity& gravity) {
-    // Half of what brings a creeping block to the belt's speed in one step.
+    // Half of the step in which a creeping block would reach the belt's speed.
     return belt_creep * belt.speed / (2 * std::tan(belt.friction_angle) * gravity.acceleration);
 }
 

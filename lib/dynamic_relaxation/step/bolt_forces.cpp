@@ -11,7 +11,7 @@ namespace {
 struct Stretched {
     double extension;      // m, since the initial geometry
     PlanePoint<> towards;  // unit vector from the block to the other
-    PlanePoint<> arm;      // about the block's centroid, as it is turned now
+    PlanePoint<> arm;      // about the block's centroid, in its present rotation
     PlanePoint<> other_arm;
 };
 
@@ -21,7 +21,8 @@ Stretched stretched(const BoltSegment& segment, const Bodies& bodies, const std:
     const PlanePoint<> arm = segment.at - bodies.centroid[segment.block];
     const PlanePoint<> other_arm = segment.other_at - bodies.centroid[segment.other];
     const PlanePoint<> drawn = segment.other_at - segment.at;
-    // By the displacement, not by two lengths: those would lose what a stiff bolt feels.
+    // Computed from the displacement, because the difference of two lengths would lose the small extensions of a stiff
+    // bolt.
     const PlanePoint<> moved =
         PlanePoint<>(two.x - one.x, two.y - one.y) + two.turned_by(other_arm) - one.turned_by(arm);
     const PlanePoint<> now = drawn + moved;
@@ -60,7 +61,7 @@ void add_bolt_forces(const RelaxationScene& scene, const Bodies& bodies, Relaxat
         }
         const Stretched now = stretched(segment, bodies, state.motion);
         BoltMemory& memory = state.bolt[index];
-        // m, that it can stretch from its pretension before it yields.
+        // m, extension beyond the pretension at which it yields.
         const double elastic = (segment.capacity - segment.pretension) / segment.stiffness;
         memory.yielded = std::max(memory.yielded, now.extension - memory.extension_at_start - elastic);
         const PlanePoint<> force = force_of(segment, memory, now.extension) * now.towards;
@@ -70,7 +71,7 @@ void add_bolt_forces(const RelaxationScene& scene, const Bodies& bodies, Relaxat
 }
 
 double stable_step_of_bolts(const RelaxationScene& scene, const Bodies& bodies) {
-    // No frequency's square exceeds twice the greatest of the blocks' own sums.
+    // The square of no frequency exceeds twice the greatest sum of any one block.
     std::vector<double> square(bodies.size(), 0);
     for (const BoltSegment& segment : scene.bolt) {
         const auto add = [&](std::size_t block, const PlanePoint<>& at) {

@@ -11,7 +11,7 @@ namespace delabole {
 
 namespace {
 
-// Settling: not at rest yet, but much slower than before.
+// `settles`: not yet at rest, but much slower than before.
 enum class Standing { rests, settles, creeps, failed, run_failed, interrupted };
 
 class WeakeningSlope {
@@ -31,7 +31,7 @@ class WeakeningSlope {
         made_.end.unbroken.resize(scene.block.size());
     }
 
-    // Runs on with bonds of this share until it rests or has failed.
+    // Continues the run with bonds of this share of their strength until the slope rests or has failed.
     Standing settle(double share, double longest_run) {
         ++made_.runs;
         weaken(share);
@@ -65,7 +65,7 @@ class WeakeningSlope {
             case RelaxationOutcome::held_by_corners:
                 return Standing::rests;
             case RelaxationOutcome::undecided:
-            case RelaxationOutcome::onset:  // it has moved, and its time is over
+            case RelaxationOutcome::onset:  // the slope has moved, and its time is over
                 ++made_.creeping;
                 return fastest_late_ < fastest_early_ / 2 ? Standing::settles : Standing::creeps;
             default:
@@ -74,7 +74,7 @@ class WeakeningSlope {
         }
     }
 
-    // What has moved counts from here on, and here is where runs begin.
+    // Takes the present state as the unbroken one: displacements count from here, and runs begin here.
     void take_as_unbroken() {
         made_.end.unbroken = made_.end.state.motion;
         unbroken_ = made_.end;
@@ -82,7 +82,8 @@ class WeakeningSlope {
     }
     void go_back_to_unbroken() { made_.end = unbroken_; }
 
-    // The next share in the row of shares at which the load of the moment breaks a bond; nothing above the weakest.
+    // The next share in the sequence at which the present load breaks a bond; empty if there is none down to the
+    // weakest.
     std::optional<double> next_breaking(double share) {
         while (share * reduction_.ratio >= reduction_.weakest) {
             share *= reduction_.ratio;
@@ -134,7 +135,7 @@ class WeakeningSlope {
         return area;
     }
 
-    // Root mean square of the free blocks' velocity, weighted by mass.
+    // Mass-weighted root mean square of the free blocks' velocity.
     double speed(const RelaxationState& state) const {
         double mass = 0;
         double sum = 0;
@@ -150,7 +151,7 @@ class WeakeningSlope {
 
     bool run_until_loose(Simulation& simulation) {
         constexpr std::uint64_t steps_between_checks = 100;
-        // A slope that swings stands still for a moment now and then.
+        // An oscillating slope is at rest for an instant now and then.
         constexpr int checks_before_rest = 5;
         const double scheduled = last_scheduled_time(made_.end.scene, settings_);
         int checks_at_rest = 0;
@@ -202,7 +203,7 @@ class WeakeningSlope {
     StrengthReduction reduction_;
     const std::function<bool()>& watch_;
     Bodies bodies_;
-    double failed_distance_;  // m; of the unbroken slope, which also settles, more than of a slope that breaks
+    double failed_distance_;  // m; larger while the unbroken slope settles than for a slope that breaks
     CriticalStrength made_ = {};
     ReducedSlope unbroken_ = {};
     bool begun_ = false;
@@ -213,7 +214,7 @@ class WeakeningSlope {
     double fastest_late_ = 0;
 };
 
-// The search ends with this status where a run did not come to rest.
+// Status of the search if a run did not come to rest.
 StrengthStatus status_of(Standing standing, StrengthStatus failed) {
     switch (standing) {
     case Standing::interrupted:
@@ -225,7 +226,7 @@ StrengthStatus status_of(Standing standing, StrengthStatus failed) {
     }
 }
 
-// Whether the unbroken slope stands; otherwise the search is over.
+// Whether the unbroken slope stands; if not, the search is over.
 bool begins(WeakeningSlope& slope, const StrengthReduction& reduction) {
     CriticalStrength& made = slope.made();
     const Standing standing = slope.settle(reduction.strongest, reduction.longest_run / 2);
@@ -255,7 +256,7 @@ CriticalStrength find_critical_strength(const RelaxationScene& scene, const Rela
     }
     double share = reduction.strongest;
     while (const std::optional<double> next = slope.next_breaking(share)) {
-        // The share before it stands, too: there nothing broke, or it was tried.
+        // The slope also stands at the share before: either no bond broke there, or it was tried.
         made.stands = *next / reduction.ratio;
         share = *next;
         const Standing standing = slope.settle(share, reduction.longest_run);
@@ -326,7 +327,7 @@ CrackPath crack_path(const ReducedSlope& slope) {
         xy += bond.by * arm.x() * arm.y();
         yy += bond.by * arm.y() * arm.y();
     }
-    // The principal axis of the greatest spread: columns are crossed and followed alike.
+    // The principal axis of greatest spread does not depend on whether the crack crosses columns or follows them.
     path.inclination = std::atan2(2 * xy, xx - yy) / 2;
     const PlanePoint<> along(std::cos(path.inclination), std::sin(path.inclination));
     double first = 0;

@@ -40,7 +40,7 @@ MotionFrame frame_of(const Simulation& simulation, FrameParts parts) {
             parts == FrameParts::all ? corner_forces(simulation.bodies(), state) : std::vector<CornerForce>{}};
 }
 
-// An even number. Motion alone is kept of any scene, whatever its size.
+// The result is even. Frames of motion alone have the same limit for a scene of any size.
 std::size_t most_frames(std::size_t blocks, FrameParts parts) {
     constexpr std::size_t most = 120;
     constexpr std::size_t block_frames = 1'200'000;

@@ -1,4 +1,4 @@
-// Print edits: how blocks, contacts and energies go on over time (thesis 5.2.4, Tables 5.1 to 5.5).
+// Print edits: histories of blocks, contacts and energies over time (thesis 5.2.4, Tables 5.1 to 5.5).
 #pragma once
 
 #include "dynamic_relaxation/step/bolt_forces.hpp"
@@ -51,12 +51,12 @@ struct MonitoredBlock {
     double angular_velocity = 0;
 };
 
-// Sum over the corners between two blocks, on the first of them, in section axes; spring forces without
+// Sum over the corners between two blocks, acting on the first of them, in section axes; spring forces without
 // dashpots.
 struct MonitoredContact {
     double horizontal = 0;  // N/m
     double vertical = 0;
-    double normal = 0;   // sum of the pressing forces of the corners
+    double normal = 0;   // sum of the normal forces of the corners
     double overlap = 0;  // m, the greatest
 };
 
@@ -64,8 +64,8 @@ struct HistoryLine {
     double time = 0;
     double tilt = 0;
     EnergyLedger energy = {};
-    std::vector<MonitoredBlock> block = {};      // as the request lists them
-    std::vector<MonitoredContact> contact = {};  // likewise
+    std::vector<MonitoredBlock> block = {};      // in the order of the request
+    std::vector<MonitoredContact> contact = {};  // in the order of the request
     std::vector<double> base_slip = {};          // m, of every block since the start
     std::vector<double> rotation = {};           // rad, of every block since the start
     std::vector<double> bolt = {};               // N/m, of every bolt
@@ -80,13 +80,13 @@ struct CornerForce {
     std::size_t other;
     PlanePoint<> at;     // in the frame of the initial geometry, moved
     PlanePoint<> force;  // N/m, on `block`
-    double normal;       // N/m, pressing
+    double normal;       // N/m, compressive
     double shear;        // N/m, along the edge
     double overlap;      // m
     bool sliding;
 };
 
-// Spring forces of all corners that press, in equilibrium the whole of the forces.
+// Spring forces of all corners in compression; in equilibrium these are all contact forces.
 std::vector<CornerForce> corner_forces(const Bodies& bodies, const RelaxationState& state);
 
 struct MotionFrame {
@@ -95,19 +95,19 @@ struct MotionFrame {
     std::vector<Motion> motion = {};
     std::vector<BlockOutcome> outcome = {};
     std::vector<BoltPull> bolt = {};
-    std::vector<CornerForce> force = {};  // empty where only the motion is kept
+    std::vector<CornerForce> force = {};  // empty if only the motion is kept
 };
 
 enum class FrameParts { motion, all };
 
-// Frames spread evenly over a run whose length nobody knows beforehand: every second one is dropped, and the interval
-// doubled, whenever there are too many.
+// Frames spread evenly over a run whose length is not known beforehand: whenever there are too many, every second one
+// is dropped and the interval doubled.
 struct MotionRecord {
     std::vector<MotionFrame> frame = {};
     double interval = 0;  // s, between frames; 0 before the first
     double next = 0;      // s, when the next frame is due
 
-    // Keeps as many frames as their parts leave room for: 8 to 120.
+    // Keeps as many frames as their size allows: 8 to 120.
     void record(const Simulation& simulation, FrameParts parts = FrameParts::all);
     void add_last(const Simulation& simulation);
 };

@@ -15,8 +15,8 @@ double tilt_at(const Gravity& gravity, double time) {
     if (gravity.interval > 0) {
         turning = std::floor(turning / gravity.interval) * gravity.interval;
     }
-    const double way = gravity.final_tilt - gravity.tilt;
-    return gravity.tilt + std::copysign(std::min(std::abs(way), gravity.rate * turning), way);
+    const double rotation = gravity.final_tilt - gravity.tilt;
+    return gravity.tilt + std::copysign(std::min(std::abs(rotation), gravity.rate * turning), rotation);
 }
 
 PlanePoint<> gravity_at(const Gravity& gravity, double time) {
@@ -26,7 +26,7 @@ PlanePoint<> gravity_at(const Gravity& gravity, double time) {
 
 namespace {
 
-// The last value kept.
+// Interpolates linearly; the last value applies to all later times.
 PlanePoint<> value_at(const std::vector<TimedVector>& record, double time) {
     if (record.empty() || time < record.front().time) {
         return {0, 0};

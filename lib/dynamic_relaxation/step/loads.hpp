@@ -16,7 +16,7 @@ PlanePoint<> gravity_at(const Gravity& gravity, double time);  // m/s2
 PlanePoint<> shaking_at(const RelaxationScene& scene, double time);
 
 struct FaceForce {
-    PlanePoint<> arm;    // about the block's centroid, as it is turned now
+    PlanePoint<> arm;    // about the block's centroid, in its present rotation
     PlanePoint<> force;  // N/m
 };
 
@@ -26,11 +26,11 @@ FaceForce force_of(const FacePressure& pressure, const Bodies& bodies, const Mot
 // Sets the velocity of a fixed block.
 void prescribe(const PrescribedMotion& prescribed, const Bodies& bodies, double time, Motion& motion);
 
-// Forces on all blocks but contacts and bonds. Nothing on those that are held.
+// Forces on all blocks except those of contacts and bonds; zero for blocks that are held.
 void sum_loads(const RelaxationScene& scene, const RelaxationSettings& settings, const Bodies& bodies, double time,
                const std::vector<char>& held, const std::vector<Motion>& motion, std::vector<BlockForce>& load);
 
-// After it, nothing changes any more of itself; no equilibrium is final before.
+// Time, s, after which no scheduled change follows; no equilibrium is final before it.
 double last_scheduled_time(const RelaxationScene& scene, const RelaxationSettings& settings);
 
 }  // namespace delabole

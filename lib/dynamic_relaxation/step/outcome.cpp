@@ -32,7 +32,7 @@ Shift shift_of(const Bodies& bodies, const RelaxationState& state, std::size_t b
     return {now.angle - then.angle - turn.angle, (change - carried).norm()};
 }
 
-// A block that has come farther has moved.
+// A block that has moved farther than these counts as moved.
 struct Thresholds {
     double rotation;  // rad
     double slide;     // of the block's radius
@@ -63,7 +63,8 @@ BlockMovement movement_of(const BlockOutcome& outcome, double radius, const Thre
     return rotates ? BlockMovement::slides_backward_and_rotates : BlockMovement::slides_backward;
 }
 
-// The face that looks up more, if it does at all; on faces that look up alike, the corner that has slipped farther.
+// Whether the first face points more upward, and upward at all; of equally inclined faces, the one whose corner has
+// slipped farther comes first.
 bool goes_before(const SlipOverFace& one, const SlipOverFace& other) {
     constexpr double alike = 1e-6;
     if (one.upward <= alike) {
@@ -105,7 +106,7 @@ void note_base_slip(const Bodies& bodies, const std::vector<Motion>& motion, con
     if (!is_base_contact(bodies, contact) || (!memory.touching && memory.slip == 0)) {
         return;
     }
-    // Slip is counted along the edge, of the corner's block against the other.
+    // Slip is measured along the edge, of the corner's block relative to the other.
     const bool block_fixed = bodies.fixed[contact.block] != 0;
     const PlanePoint<> along = motion[contact.other].turned({contact.along_x, contact.along_y});
     const PlanePoint<> outward(along.y(), -along.x());

@@ -13,20 +13,20 @@ namespace delabole {
 
 enum class RelaxationOutcome {
     undecided,            // neither at rest nor failed when time ran out
-    equilibrium,          // unbalanced forces and kinetic energy have died away
-    held_by_corners,      // likewise, but without forces of corners on corners blocks would move (corner_choice.hpp)
+    equilibrium,          // unbalanced forces and kinetic energy have decayed
+    held_by_corners,      // at rest, but without forces of corners on corners blocks would move (corner_choice.hpp)
     onset,                // blocks moved past the threshold of onset; the run was told to stop there
     collapse,             // blocks moved past the threshold of collapse
-    overlap_too_large,    // of a contact, or of two blocks as they lie: one has got into the other
-    energy_not_balanced,  // at the end, the ledger lacks more than `most_energy_lacking`
+    overlap_too_large,    // of a contact, or of the outlines of two blocks: one has penetrated the other
+    energy_not_balanced,  // at the end, the energy balance lacks more than `most_energy_lacking`
     motion_not_finite,
     interrupted,
     scene_not_valid,
 };
 
-// Share of the energy turned over, and stored in springs at the start, that a run's ledger may lack and its outcome
-// still be believed: several times what impacts lose. Energy that lifts the blocks by no more than so many of their
-// settlements moves none: blocks that only stand turn over no more than that.
+// Share of the energy converted, and stored in springs at the start, that a run's energy balance may lack for its
+// outcome to be accepted: several times what impacts lose. A smaller energy than lifts the blocks by this number of
+// their settlements cannot move them: blocks that only stand convert no more than that.
 constexpr double most_energy_lacking = 0.1;
 constexpr double settlements_lacking = 10;
 
@@ -41,7 +41,7 @@ enum class BlockMovement {
     held_by_corners,  // at rest, but would move without forces of corners on corners
     fixed,
     removed,  // by a schedule
-    left,     // below the level at which what has left the slope is taken away
+    left,     // below the elevation at which blocks that have left the slope are removed
 };
 
 constexpr bool has_failed(BlockMovement movement) {
@@ -53,14 +53,14 @@ constexpr bool is_gone(BlockMovement movement) {
 }
 
 struct BlockOutcome {
-    // Against the thresholds of onset. Where failure has set in, against a tenth of the farthest motion, if that is
-    // less: a run that ends with the first block beyond its threshold tells which others have begun to move with it.
+    // Judged against the thresholds of onset, or, after onset, against a tenth of the farthest motion if that is less:
+    // a run that ends with the first block beyond its threshold thus shows which others have begun to move with it.
     BlockMovement movement = BlockMovement::stays;
-    // Since the start; where all fixed blocks move as one, as seen from them.
+    // Since the start; if all fixed blocks move as one, relative to them.
     double rotation = 0;      // rad, anticlockwise: towards -x for a block that topples out of the slope
     double displacement = 0;  // m, of the centroid
-    // m, plastic, over the face of fixed blocks that looks up most, of the corner that slips farthest; negative:
-    // forward, towards -x. Accuracy: a block that turns over a corner changes corners, and so this, within fifty steps.
+    // m, plastic slip over the most upward face of a fixed block, of the corner that slips farthest; negative: forward,
+    // towards -x. Accuracy: a block that rotates over a corner changes corners, and so this value, within fifty steps.
     double base_slip = 0;
     static constexpr auto fields() {
         using B = BlockOutcome;
@@ -94,22 +94,22 @@ struct ContactName {
 
 struct RelaxationCost {
     std::uint64_t steps = 0;
-    std::uint64_t pair_checks = 0;  // at pairs of blocks, for contacts
+    std::uint64_t pair_checks = 0;  // checks of pairs of blocks for contacts
     std::uint64_t contacts_evaluated = 0;
     double step = 0;  // s, the last one
 };
 
 struct RelaxationResult {
     RelaxationOutcome outcome = RelaxationOutcome::scene_not_valid;
-    SceneFault fault = {};                  // where the scene is not valid
+    SceneFault fault = {};                  // set if the scene is not valid
     double time = 0;                        // s of model time
     double tilt = 0;                        // rad, of gravity at the end
-    double tilt_of_base = 0;                // rad, against gravity: the same with a turned base's own
+    double tilt_of_base = 0;                // rad, against gravity: `tilt` plus the rotation of a moved base
     std::optional<double> onset_time = {};  // s
     std::optional<FirstCrack> first_crack = {};
     std::size_t broken_bonds = 0;
-    std::optional<StartBalance> start_balance = {};  // absent where nothing was preloaded
-    double unbalanced_ratio = 0;                     // greatest unbalanced force over the block's weight of late
+    std::optional<StartBalance> start_balance = {};  // absent if the start was not preloaded
+    double unbalanced_ratio = 0;                     // recent greatest unbalanced force over the block's weight
     EnergyLedger ledger = {};
     std::optional<ContactName> deepest = {};
     std::optional<BlockOverlap> overlap = {};  // the greatest share measured, every 5000 steps and at the end
@@ -118,7 +118,7 @@ struct RelaxationResult {
     std::vector<BoltOutcome> bolt = {};
 };
 
-// Extremes over all free blocks since the start; where all fixed blocks move as one, as seen from them.
+// Extremes over all free blocks since the start; if all fixed blocks move as one, relative to them.
 struct MotionExtremes {
     double rotation = 0;      // rad
     double displacement = 0;  // of the centroid, in radii of the block
@@ -126,12 +126,12 @@ struct MotionExtremes {
 
 MotionExtremes farthest_motion(const Bodies& bodies, const RelaxationState& state);
 
-// Slip of a contact over a fixed face that looks up, kept for its free block if it goes before what is there. `up`: a
-// unit vector against gravity.
+// Records the slip of a contact over an upward fixed face for its free block, if it has precedence over the recorded
+// one. `up`: a unit vector against gravity.
 void note_base_slip(const Bodies& bodies, const std::vector<Motion>& motion, const RelaxationContact& contact,
                     const ContactMemory& memory, const PlanePoint<>& up, std::vector<SlipOverFace>& noted);
 
-// Slip of contacts since the last time becomes part of `base_slip`.
+// Adds the slip of contacts since the last call to `base_slip`.
 void account_for_base_slip(const Bodies& bodies, const PlanePoint<>& up, RelaxationState& state);
 
 std::vector<BlockOutcome> block_outcomes(const Bodies& bodies, const PlanePoint<>& up, const RelaxationState& state,

@@ -18,7 +18,7 @@ namespace {
 constexpr double longest_to_shortest_edge = 1e5;
 constexpr double shortest_edge_in_radii = 1e-6;
 constexpr double softest = 10;     // stiffness over the weight of a block and its length
-constexpr double stiffest = 1e13;  // likewise; beyond it an overlap has less than three digits
+constexpr double stiffest = 1e13;  // stiffness over the same; above it an overlap has less than three digits
 constexpr double greatest_friction = 89.95;
 constexpr double straight = 1e-9;  // sine of a corner's turn
 
@@ -55,7 +55,7 @@ SceneCheck check_outline(const Polygon<>& outline) {
         const PlanePoint<> edge = outline[(vertex + 1) % count] - outline[vertex];
         const PlanePoint<> next = outline[(vertex + 2) % count] - outline[(vertex + 1) % count];
         const double cross = edge.x() * next.y() - edge.y() * next.x();
-        // A corner in the middle of a straight face may be off it by rounding.
+        // A corner in the middle of a straight face may deviate from it by rounding.
         if (cross < -straight * edge.norm() * next.norm()) {
             return SceneCheck::outline_not_convex;
         }
@@ -63,7 +63,7 @@ SceneCheck check_outline(const Polygon<>& outline) {
         longest = std::max(longest, edge.norm());
         shortest = std::min(shortest, edge.norm());
     }
-    // An outline that winds round twice turns by more than a circle.
+    // An outline that winds round twice has a total turn of more than a circle.
     if (turning > 7) {
         return SceneCheck::outline_not_convex;
     }
@@ -139,7 +139,8 @@ SceneFault check_blocks(const RelaxationScene& scene) {
     return any_free ? SceneFault{} : SceneFault{SceneCheck::no_free_block, 0};
 }
 
-// A joint has to carry the blocks that it separates: neither soft as a cushion nor stiffer than numbers resolve.
+// A joint has to carry the blocks that it separates: it may be neither as soft as a cushion nor too stiff for the
+// precision of numbers.
 SceneFault check_stiffness(const RelaxationScene& scene) {
     for (std::size_t index = 0; index < scene.block.size(); ++index) {
         const RelaxationBlock& block = scene.block[index];
@@ -339,7 +340,7 @@ SceneFault check_scene(const RelaxationScene& scene) {
     if (scene.material.empty()) {
         return {SceneCheck::unknown_material, 0};
     }
-    // Blocks first: stiffnesses that follow from their weights are wrong where those are.
+    // Blocks are checked first: stiffnesses that follow from their weights are wrong if those are.
     for (const auto check : {check_blocks, check_materials, check_stiffness, check_loads, check_bonds, check_belt}) {
         const SceneFault fault = check(scene);
         if (fault.check != SceneCheck::valid) {
@@ -351,7 +352,7 @@ SceneFault check_scene(const RelaxationScene& scene) {
 
 namespace {
 
-// Of each block.
+// Longest edge of each block.
 std::vector<std::size_t> longest_edges(const Bodies& bodies) {
     std::vector<std::size_t> longest;
     longest.reserve(bodies.size());
@@ -367,7 +368,8 @@ std::vector<std::size_t> longest_edges(const Bodies& bodies) {
 // Whether every corner of a block lies clearly outside an edge of another one. Their `initial_distance` is then
 // positive and leaves no contact that may overlap, but costs several times as much.
 bool lies_outside(const Bodies& bodies, std::size_t block, std::size_t edge, double margin) {
-    constexpr double clearly = 1e-2;  // in shortest edges, five times what `initial_distance` takes for a contact
+    constexpr double clearly = 1e-2;  // in shortest edges, five times the distance at which `initial_distance` finds a
+                                      // contact
     const std::size_t other = bodies.block_of[edge];
     const double clearance = margin + clearly * std::min(bodies.shortest_edge[block], bodies.shortest_edge[other]);
     const PlanePoint<> between = bodies.centroid[block] - bodies.centroid[other];
@@ -396,18 +398,18 @@ SceneFault check_start(const RelaxationScene& scene) {
     const std::vector<BlockPair> pairs =
         neighbouring_blocks(bodies, unmoved, none_removed, std::vector<double>(bodies.size(), margin / 2));
     const std::vector<std::size_t> longest = longest_edges(bodies);
-    // Pair by pair: a list of all contacts would take most of the memory and of the time of a check.
+    // Pairs are checked one at a time: a list of all contacts would take most of the memory and of the time of a check.
     PairSearch search(scene, bodies, 0);
     const ContactList none;
     PairContacts found;
     for (const BlockPair& pair : pairs) {
         const auto [first, second] = pair;
-        // Flat, inclined blocks are within the bounding boxes of a thousand others.
+        // Flat, inclined blocks lie within the bounding boxes of a thousand others.
         if (lies_outside(bodies, second, longest[first], margin / 2) ||
             lies_outside(bodies, first, longest[second], margin / 2)) {
             continue;
         }
-        // Half the margin, which rounding does not come near: the search measures the same by other sums.
+        // Half the margin is safe from rounding: the search computes the same distance by other sums.
         const InitialDistance initial = initial_distance(bodies, first, second, margin / 2);
         if (initial.may_overlap) {
             search.find(pair, unmoved, {margin, true}, none, {0, 0}, {}, found);
@@ -424,7 +426,7 @@ SceneFault check_start(const RelaxationScene& scene) {
                 return {SceneCheck::overlap_at_start, contact.block, contact.other};
             }
         }
-        // Blocks that cross, or lie deep in each other, have no contacts.
+        // Blocks that cross or overlap deeply have no contacts.
         const double stiffness = std::min(softest_joint(scene, bodies, first), softest_joint(scene, bodies, second));
         if (-initial.distance > allowed(first, second, stiffness)) {
             return {SceneCheck::overlap_at_start, first, second};

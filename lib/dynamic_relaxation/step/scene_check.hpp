@@ -6,19 +6,19 @@
 
 namespace delabole {
 
-// Numbers, outlines, stiffnesses and references. All but the overlap.
+// Checks numbers, outlines, stiffnesses and references, but not overlaps.
 SceneFault check_scene(const RelaxationScene& scene);
 
-// Ranges of settings.hpp.
+// Checks the ranges of settings.hpp.
 SceneFault check_settings(const RelaxationSettings& settings);
 
-// The first free block that has left the slope at the start; the scene must have passed check_scene.
+// Finds the first free block that has left the slope at the start; the scene must have passed check_scene.
 SceneFault check_departure(const RelaxationScene& scene, const RelaxationSettings& settings);
 
-// Overlaps of the initial geometry; the scene must have passed check_scene.
+// Checks overlaps of the initial geometry; the scene must have passed check_scene.
 SceneFault check_start(const RelaxationScene& scene);
 
-// All of them.
+// Runs all of these checks.
 SceneFault check(const RelaxationScene& scene, const RelaxationSettings& settings);
 
 }  // namespace delabole

@@ -36,9 +36,9 @@ std::vector<double> unnoticed_displacements(const RelaxationScene& scene, const 
     return ways;
 }
 
-// Local damping that opposes a spring's swing acts as a stiffer spring, up to 1 + `local_damping` times: at 0.2 the
-// greatest share allowed, 0.8, is stable, and with more a share that is less by as much. On a belt friction damps what
-// swings, and any share is.
+// Local damping that opposes a spring's oscillation acts as a stiffer spring, up to 1 + `local_damping` times: at 0.2
+// the greatest share allowed, 0.8, is stable, and with more damping the stable share decreases in proportion. On a belt
+// friction damps oscillations, and any share is stable.
 double share_of_stable_step(const RelaxationScene& scene, const RelaxationSettings& settings) {
     constexpr double most = 0.8 * 1.2;
     return scene.belt ? settings.step_fraction : std::min(settings.step_fraction, most / (1 + settings.local_damping));
@@ -118,7 +118,7 @@ void Simulation::prepare() {
     for (const JointMaterial& joint : scene_.material) {
         stiffest = std::max(stiffest, joint.normal_stiffness);
     }
-    // The speed of a spring that swings with the force that still counts as balance.
+    // The speed of a spring that oscillates with the force that still counts as balanced.
     const double gravity = scene_.gravity.acceleration > 0 ? scene_.gravity.acceleration : 1;
     for (std::size_t block = 0; block < bodies_.size(); ++block) {
         scales_.inverse_radius.push_back(1 / bodies_.radius[block]);
@@ -156,7 +156,7 @@ void Simulation::begin(JointsAtStart joints) {
     find_contacts_where_due();
     state_.ledger.bonds = 0;
     state_.ledger.elastic_at_start = bonds_.elastic_energy(state_.motion, state_.bond);
-    // Slip on the way to a balance is part of where the blocks begin, that of blocks that creep is not.
+    // Slip on the way to a balance belongs to the initial state of the blocks; slip of creeping blocks does not.
     const bool crept = settings_.creep && state_.start_balance &&
                        state_.start_balance->unbalanced_ratio > static_solve_settings().tolerance;
     for (std::size_t index = 0; index < state_.contacts.contact.size(); ++index) {
@@ -166,7 +166,7 @@ void Simulation::begin(JointsAtStart joints) {
         memory.slip = crept ? memory.slip : 0;
         state_.contacts.memory.set(index, memory);
         if (!is_preloaded(settings_.start) && contact.gap < 0) {
-            memory.touching = true;  // drawn with an overlap: its spring is compressed before the first step
+            memory.touching = true;  // initial geometry with an overlap: its spring is compressed before the first step
         }
         state_.ledger.elastic_at_start += elastic_energy(state_.contacts.law_of(contact), contact, memory,
                                                          state_.motion[contact.block], state_.motion[contact.other]);
@@ -276,7 +276,7 @@ double Simulation::fastest() {
     return *fastest_;
 }
 
-// For neighbours, contacts and the stable step.
+// Marks the block for checks of neighbours, contacts and the stable step.
 void Simulation::check_contacts_of(std::size_t block) {
     state_.watch.due[block] = state_.watch.neighbours_until[block] = state_.watch.step_until[block] =
         -std::numeric_limits<double>::infinity();
@@ -299,7 +299,7 @@ void Simulation::find_contacts_where_due() {
     }
 }
 
-// Returns whether any were due.
+// Returns whether any blocks were due.
 bool Simulation::check_contacts() {
     if (!contact_watch_.update({state_.motion, state_.removed}, bonds_, state_.bond, state_.watch, state_.contacts)) {
         return false;
@@ -327,7 +327,7 @@ bool Simulation::check_contacts() {
 
 void Simulation::choose_step(double last) {
     const double speed = fastest();
-    // While blocks are fast the step does not grow: they would not be seen coming.
+    // The step does not grow while blocks are fast, because their contacts would be found too late.
     const double seen_ahead = speed > 0 ? std::max(last, margin_ / (8 * speed)) : longest_step_;
     const double stable = 1 / std::hypot(1 / contact_watch_.stable_step(), 1 / stable_step_of_bolts(scene_, bodies_));
     double largest = std::min({share_of_stable_step(scene_, settings_) * stable, longest_step_, seen_ahead});
@@ -356,7 +356,7 @@ void Simulation::apply_loads() {
 }
 
 void Simulation::integrate() {
-    // Sums are taken over the same groups of blocks in the same order, whoever adds up a group.
+    // Sums are taken over the same groups of blocks in the same order, whichever thread adds up a group.
     constexpr std::size_t group_size = 256;
     const std::size_t groups = (bodies_.size() + group_size - 1) / group_size;
     sums_.resize(groups);

@@ -1,12 +1,12 @@
 // Dynamic relaxation of rigid blocks (Cundall 1971; chapter 5 of the thesis): Newton's equations of motion with
 // springs, friction and dashpots at the corners, integrated explicitly until the blocks rest or fail.
 //
-// Time stepping is the leap-frog of (I) with velocities half a step behind positions, the first kick half as long, so
-// that free motion is exact to second order. What a step does stands in Simulation::step.
+// Time stepping is leap-frog integration of (I) with velocities half a step behind positions and a first kick half as
+// long, so that free motion is exact to second order. Simulation::step shows the parts of a step.
 //
-// Limits: rigid blocks, plane; rock breaks only where a bond stands for it (bonds.hpp). Overlaps are the price of
-// explicit contact: they shift the critical tilt of a single block to tan(tilt) = b/a - (W/(k b)) sqrt(1 + (b/a)^2),
-// and accordingly in systems.
+// Limits: rigid blocks in plane motion; rock breaks only where a bond represents it (bonds.hpp). Explicit contact
+// requires overlaps: they shift the critical tilt of a single block to tan(tilt) = b/a - (W/(k b)) sqrt(1 + (b/a)^2),
+// and that of systems accordingly.
 #pragma once
 
 #include "dynamic_relaxation/blocks/block_sweep.hpp"
@@ -28,14 +28,15 @@ class Simulation {
   public:
     // The scene must be valid.
     Simulation(RelaxationScene scene, RelaxationSettings settings);
-    // Goes on from a state of the same scene and settings, to the last bit.
+    // Continues from a state of the same scene and settings, exact to the last bit.
     Simulation(RelaxationScene scene, RelaxationSettings settings, RelaxationState state);
-    // Begins preloaded from where a run of the same blocks, of other strengths or other gravity, came to rest.
+    // Begins preloaded from the state in which a run of the same blocks, with other strengths or other gravity, came to
+    // rest.
     Simulation(RelaxationScene scene, RelaxationSettings settings, const ConsolidatedState& from);
 
     void step();
-    // At rest: balance that relies on corners on corners has yet to be found with the other edges (corner_choice.hpp).
-    // Returns whether a trial has begun or ended: the run has to go on.
+    // Called at rest: a balance that relies on corners on corners has yet to be found with the other edges
+    // (corner_choice.hpp). Returns whether a trial has begun or ended, so that the run has to go on.
     bool try_corners();
     bool running() const { return outcome() == RelaxationOutcome::undecided && !out_of_time(); }
 
@@ -45,10 +46,10 @@ class Simulation {
     const RelaxationState& state() const { return state_; }
     const Bodies& bodies() const { return bodies_; }
 
-    // s; what is to be done at a time up to this is done now: no later step ends nearer to it.
+    // s; whatever is scheduled up to this time is done now, because no later step ends nearer to it.
     double reached() const { return state_.time + state_.step / 2; }
     double tilt() const;          // of gravity, now
-    double tilt_of_base() const;  // against gravity: that of gravity and that by which fixed blocks have been turned
+    double tilt_of_base() const;  // against gravity: gravity's tilt plus the rotation of fixed blocks
     std::vector<BlockOutcome> block_outcomes() const;
     EnergyLedger ledger() const;
     double kinetic_energy() const;
@@ -58,8 +59,8 @@ class Simulation {
     // Whether joints that are closed in the initial geometry have their peak strengths, or what another run left them.
     enum class JointsAtStart { whole, as_left };
 
-    // A block that nothing has moved for some checks is at rest until the forces on it are out of balance by this share
-    // of its weight, far below the ratio that counts as equilibrium: it is not moved, and costs next to nothing.
+    // A block that nothing has moved for some checks is at rest until the unbalanced force on it exceeds this share of
+    // its weight, far below the ratio that counts as equilibrium: it is not moved, and costs almost no time.
     double rest_ratio() const { return 1e-3 * settings_.equilibrium_ratio; }
     static bool rests(std::uint32_t checks_at_rest) { return checks_at_rest >= checks_before_rest; }
     static constexpr std::uint32_t checks_before_rest = 4;
@@ -71,7 +72,7 @@ class Simulation {
     void take_away_what_is_not_there();
     PlanePoint<> up() const { return {std::sin(tilt()), std::cos(tilt())}; }
     bool consolidating() const { return state_.time < settings_.consolidation_time; }
-    double kinetic_energy_of(std::size_t block) const;  // J/m; none where it is held
+    double kinetic_energy_of(std::size_t block) const;  // J/m; 0 where it is held
     void hold_blocks();
     void follow_schedules();
     void break_bonds();
@@ -79,7 +80,7 @@ class Simulation {
     void start_in_equilibrium(JointsAtStart joints);
     bool solve_under(double load_share, bool first, const StaticSolveSettings& limits);
     void account_for_springs_of_removed(std::size_t block);
-    // Why: taken_away or has_left.
+    // `why`: taken_away or has_left.
     void take_away(std::size_t block, char why);
     void let_blocks_leave();
     double fastest();  // m/s, no point of any block is faster
@@ -111,15 +112,15 @@ class Simulation {
     ContactForces contact_forces_;
     Bonds bonds_;
     ContactWatch contact_watch_;
-    std::vector<std::size_t> just_broken_ = {};  // bonds whose contacts have yet to be found
+    std::vector<std::size_t> just_broken_ = {};  // bonds whose contacts are not yet found
     std::vector<SharedFace> watched_ = {};       // for the first tension crack
     std::vector<BlockForce> load_ = {};          // of the step
-    bool loads_are_final_ = false;               // nothing changes them any more
+    bool loads_are_final_ = false;               // no further change of loads
     BlockScales scales_ = {};
-    std::vector<char> held_ = {};  // fixed now: fixed blocks, and those held for consolidation
+    std::vector<char> held_ = {};  // fixed at present: fixed blocks, and those held for consolidation
     bool held_for_consolidation_ = false;
     std::vector<StepSums> sums_ = {};     // of the step
-    std::optional<double> fastest_ = {};  // with velocities as they are now; none: to be found
+    std::optional<double> fastest_ = {};  // with the present velocities; empty: not yet computed
 };
 
 // Runs to the end. `watch` is called before each step and may end the run by returning false.

@@ -1,4 +1,4 @@
-// The checks of a run every so many steps: whether it is over, whether a crack has opened, which blocks rest.
+// The checks of a run at intervals of steps: whether it is over, whether a crack has opened, which blocks rest.
 #include "dynamic_relaxation/contact/corner_choice.hpp"
 #include "dynamic_relaxation/statics/face_assembly.hpp"
 #include "dynamic_relaxation/statics/static_check.hpp"
@@ -17,10 +17,10 @@ namespace {
 
 // Steps between two checks of the balance of forces.
 constexpr std::uint64_t steps_between_checks = 50;
-// Between two measurements of how blocks lie in each other: together they cost less than a hundredth of the run.
+// Steps between two measurements of the overlap of blocks: together they cost less than a hundredth of the run.
 constexpr std::uint64_t steps_between_audits = 5000;
 
-// J/m; what it takes to lift every free block by its settlement on the softest joint.
+// J/m; energy that lifts every free block by its settlement on the softest joint.
 double energy_of_settlements(const RelaxationScene& scene, const Bodies& bodies) {
     const auto softest =
         std::ranges::min_element(scene.material, {}, [](const JointMaterial& joint) { return joint.normal_stiffness; });
@@ -47,11 +47,11 @@ void Simulation::decide() {
     const bool growing = kinetic > state_.kinetic_then;
     state_.kinetic_then = kinetic;
     const double unbalanced = std::exchange(state_.unbalanced, 0.0);
-    // The last check may come a few steps after the one before it.
+    // The last check may be only a few steps after the one before it.
     const double lately = std::max(unbalanced, std::exchange(state_.unbalanced_then, unbalanced));
     const auto at_rest = [&](double ratio) {
         return !growing && !carried_along() && ratio < settings_.equilibrium_ratio &&
-               // The last step was made under the last of the loads.
+               // The last step was made under the final loads.
                state_.time - state_.last_step > last_scheduled_time(scene_, settings_) && holds_at_rest();
     };
     const MotionExtremes farthest = farthest_motion(bodies_, state_);
@@ -66,8 +66,8 @@ void Simulation::decide() {
         state_.onset_time = state_.time;
     }
     if (settings_.stop_at_onset && state_.onset_time >= 0) {
-        // What fails gathers speed as it moves on; a block that has been pushed may lean beyond the threshold, slow
-        // down and fall back. On a belt nothing gathers speed.
+        // Failing blocks accelerate; a block that has been pushed may lean beyond the threshold, slow down and fall
+        // back. On a belt nothing accelerates.
         constexpr double far_beyond = 2;
         const bool moves_on = growing && in_thresholds > state_.in_thresholds_then;
         if (in_thresholds <= 1) {
@@ -81,7 +81,7 @@ void Simulation::decide() {
     const bool collapsed = farthest.rotation > settings_.collapse_rotation ||
                            farthest.displacement > settings_.collapse_displacement ||
                            std::ranges::find(state_.removed, has_left) != state_.removed.end();
-    // Motion that is followed for a given time has its verdict at the end.
+    // Motion that is followed for a given time is judged at the end.
     const bool followed = last && !settings_.stop_at_equilibrium && !settings_.stop_at_collapse;
     if (collapsed && (settings_.stop_at_collapse || followed)) {
         decide(RelaxationOutcome::collapse);
@@ -92,7 +92,7 @@ void Simulation::decide() {
                : held_by_corners()                                 ? RelaxationOutcome::held_by_corners
                                                                    : RelaxationOutcome::equilibrium);
     } else if (last && state_.onset_time >= 0 && (settings_.stop_at_collapse || followed)) {
-        // It has moved past the thresholds and has found no rest since.
+        // Blocks have moved past the thresholds and have not come to rest since.
         decide(RelaxationOutcome::onset);
     }
 }
@@ -117,10 +117,10 @@ bool Simulation::try_corners() {
     return !concerned.empty();
 }
 
-// Whether the faces alone cannot hold the blocks, as they lie now and under the loads of now; notes which would move.
-// After onset only what touches counts; before, faces as they are drawn, since a little more or less of a turn opens
-// one end of them or the other. What the programme cannot answer for is not questioned, nor is a belt, whose
-// resistance turns with the motion.
+// Whether the faces alone cannot hold the blocks in their present positions and under the present loads; records the
+// blocks that would move. After onset only touching contacts count; before it, the faces of the initial geometry do,
+// because a minute rotation opens one end of them or the other. Cases that the linear programme cannot solve count as
+// held by the faces, and so does a belt, whose resistance changes direction with the motion.
 bool Simulation::held_by_corners() {
     if (settings_.corners_bear || scene_.belt ||
         !relies_on_corners({bodies_, state_.motion}, weights(), state_.contacts)) {
@@ -140,7 +140,7 @@ bool Simulation::held_by_corners() {
     if (found.status != LpStatus::optimal || found.stands()) {
         return false;
     }
-    constexpr double moves = 1e-3;  // of the fastest
+    constexpr double moves = 1e-3;  // of the greatest displacement
     state_.held_by_corners.assign(bodies_.size(), 0);
     for (std::size_t body = 0; body < made.block_of.size(); ++body) {
         const std::size_t block = made.block_of[body];
@@ -152,7 +152,7 @@ bool Simulation::held_by_corners() {
     return true;
 }
 
-// Checks what the contacts do not tell: whether blocks lie in each other, and at the end whether energy balances.
+// Checks what contacts do not show: overlaps of blocks, and at the end the energy balance.
 void Simulation::audit() {
     const bool ends = !running();
     if (!ends && state_.steps % steps_between_audits != 0) {
@@ -180,7 +180,7 @@ void Simulation::audit() {
     }
 }
 
-// Without dashpots, in which a motion that has yet to die out may hide.
+// Dashpots are left out, because they may hide a motion that has yet to die out.
 bool Simulation::holds_at_rest() const {
     constexpr double yet_to_die_out = 10;
     return check_statics(bodies_, held_, load_, scales_.inverse_weight, bonds_.list(), state_.bond, state_.motion,
@@ -188,7 +188,7 @@ bool Simulation::holds_at_rest() const {
         .holds(yet_to_die_out * settings_.equilibrium_ratio);
 }
 
-// A block that a belt carries at an even speed is in balance too, but not at rest.
+// A block that a belt carries at a constant speed is balanced as well, but not at rest.
 bool Simulation::carried_along() {
     return scene_.belt && fastest() > settings_.equilibrium_ratio * scene_.belt->speed;
 }

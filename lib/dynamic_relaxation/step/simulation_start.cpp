@@ -1,4 +1,4 @@
-// The static start of a run, runs that begin from a state at rest, and blocks that are not there at the start.
+// The static start of a run, runs that begin from a state at rest, and blocks that are absent at the start.
 #include "dynamic_relaxation/contact/corner_choice.hpp"
 #include "dynamic_relaxation/statics/static_solver.hpp"
 #include "dynamic_relaxation/step/loads.hpp"
@@ -13,7 +13,7 @@ namespace delabole {
 
 namespace {
 
-// What dissipated or slipped before belongs to the run before.
+// Earlier dissipation and slip belong to the run before.
 ContactMemory with_no_energy_yet(ContactMemory memory) {
     memory.damping = memory.friction = memory.slip = 0;
     memory.normal_drag = memory.shear_drag = 0;
@@ -51,7 +51,7 @@ RelaxationState Simulation::begun_at(const RelaxationState& at_rest) {
     }
     state.bolt = at_rest.bolt;
     ContactWatch::start(blocks, state.watch);
-    // Contacts that come about from now on are none of the initial geometry's.
+    // Contacts that form from now on do not belong to the initial geometry.
     state.watch.searches = 1;
     return state;
 }
@@ -75,10 +75,10 @@ StaticSolveSettings Simulation::static_solve_settings() const {
     StaticSolveSettings limits{};
     limits.tolerance = settings_.equilibrium_ratio / 10;
     limits.finest = rest_ratio() / 1000;
-    // Blocks that only jam once they have leaned a little move farther here than between two searches of the run.
+    // Blocks that jam only after they have leaned a little move farther here than between two searches of the run.
     limits.farthest = 5 * margin_;
     if (last_scheduled_time(scene_, settings_) <= state_.time) {
-        // Creep that finds no balance shows nothing but onset: it need not go as far where blocks go back after it.
+        // Creep without a balance shows nothing but onset: it may stop earlier if the blocks are put back after it.
         constexpr double jammed_by_then = 0.01;
         limits.leave_crept = settings_.creep;
         limits.creep_rotation =
@@ -104,7 +104,7 @@ void Simulation::start_in_equilibrium(JointsAtStart joints) {
         StaticSolveSettings on_the_way = limits;
         on_the_way.creep_rotation = 0;
         on_the_way.leave_crept = false;
-        // What is not in balance under a part of the loads is left to all of them.
+        // What is not balanced under a part of the loads is left to the step with all of them.
         bool balanced = true;
         for (int step = 1; step < steps && balanced; ++step, first = false) {
             balanced = solve_under(static_cast<double>(step) / steps, first, on_the_way);
@@ -114,7 +114,7 @@ void Simulation::start_in_equilibrium(JointsAtStart joints) {
 }
 
 // Bonds that cannot bear the loads break one after the other, the most overloaded first, while the rest finds its
-// balance; where it finds none, the run goes on with it. Returns whether it did.
+// balance; without a balance the run continues from that state. Returns whether a balance was found.
 bool Simulation::solve_under(double load_share, bool first, const StaticSolveSettings& limits) {
     std::vector<Eigen::Vector3d> loads;
     for (const BlockForce& load : load_) {

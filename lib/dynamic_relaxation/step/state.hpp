@@ -1,4 +1,4 @@
-// All that a run needs to go on: nothing else changes from step to step.
+// All that a run needs to continue: nothing else changes from step to step.
 #pragma once
 
 #include "dynamic_relaxation/blocks/block_sweep.hpp"
@@ -16,14 +16,14 @@
 
 namespace delabole {
 
-// J per metre run. Applied work = kinetic + elastic + friction + bonds + dashpots + local damping + kinetic damping +
-// residual.
+// Energies, J per metre run. Applied work = kinetic + elastic + friction + bonds + dashpots + local damping + kinetic
+// damping + residual.
 struct EnergyLedger {
     double applied = 0;
     double prescribed = 0;
     double kinetic = 0;
     double elastic = 0;
-    double friction = 0;  // also broken bonds and springs of removed blocks
+    double friction = 0;  // includes broken bonds and springs of removed blocks
     double bonds = 0;
     double dashpots = 0;
     double local_damping = 0;
@@ -53,10 +53,10 @@ struct EnergyLedger {
     double residual() const {
         return applied + prescribed - kinetic - elastic - friction - bonds - dashpots - local_damping - kinetic_damping;
     }
-    // All that has been turned over.
+    // All energy that has been converted.
     double turnover() const;
-    // Residual over turnover. 0 where the residual is no more than rounding of what springs hold, as where blocks only
-    // stand and all that is turned over is of that size.
+    // Residual over turnover; 0 if the residual is no more than rounding of the energy of springs, as for blocks that
+    // only stand, whose whole turnover is of that size.
     double residual_share() const;
 };
 
@@ -68,10 +68,10 @@ struct FirstCrack {
     std::uint64_t other = 0;
 };
 
-// The most balanced state that the static solve met: the run starts there, unless blocks have crept on.
+// The most balanced state that the static solve met: the run starts there, unless blocks have crept farther.
 struct StartBalance {
     double unbalanced_ratio = 0;  // greatest unbalanced force on a block, with moment over radius, over its load
-    bool cut_short = false;       // ended for lack of linear solutions: with more there may be balance
+    bool cut_short = false;       // ended at the limit of linear solutions: with more there may be a balance
 };
 
 struct SlipOverFace {
@@ -79,36 +79,35 @@ struct SlipOverFace {
     double slip = 0;    // m, negative towards -x
 };
 
-// How far a segment of a bolt had been stretched when it was put in, and has yielded since.
+// Extension of a segment of a bolt at its installation, and its yield since.
 struct BoltMemory {
     double extension_at_start = 0;  // m
     double yielded = 0;             // m
 };
 
-// Why a block is no longer there.
+// Reason for the removal of a block.
 inline constexpr char taken_away = 1;  // by a schedule
-inline constexpr char has_left = 2;    // the slope
+inline constexpr char has_left = 2;    // the slope, below a given elevation
 
 struct RelaxationState {
     double time = 0;       // s
     double step = 0;       // s, chosen when contacts were last checked
-    double last_step = 0;  // s, that led here; 0 at the start and after velocities were taken away
+    double last_step = 0;  // s, of the step that led here; 0 at the start and after velocities were set to zero
     std::uint64_t steps = 0;
     std::uint64_t contacts_evaluated = 0;
     std::vector<Motion> motion = {};
     std::vector<Motion> origin = {};                 // at the start, after the static solve
-    std::optional<StartBalance> start_balance = {};  // absent where nothing was preloaded
+    std::optional<StartBalance> start_balance = {};  // absent if nothing was preloaded
     NoticedMotion noticed = {};
-    std::vector<std::uint32_t> checks_at_rest =
-        {};                                       // in a row, without anything to move a block; see Simulation::rests
-    std::vector<char> removed = {};               // 0: not; else why
-    std::vector<double> base_slip = {};           // m, of each block over fixed ones up to when it was last booked
-    std::vector<SlipOverFace> dropped_slip = {};  // of contacts that have been dropped since
+    std::vector<std::uint32_t> checks_at_rest = {};  // checks in a row without motion (Simulation::rests)
+    std::vector<char> removed = {};                  // 0: not removed; otherwise the reason
+    std::vector<double> base_slip = {};              // m, of each block over fixed ones up to the last record
+    std::vector<SlipOverFace> dropped_slip = {};     // of contacts that have been dropped since
     ContactList contacts = {};
     WatchState watch = {};
-    std::vector<BondMemory> bond = {};  // as the scene lists them
-    std::vector<BoltMemory> bolt = {};  // likewise
-    EnergyLedger ledger = {};           // sums; what is of the moment is filled in when asked for
+    std::vector<BondMemory> bond = {};  // in the order of the scene's bonds
+    std::vector<BoltMemory> bolt = {};  // in the order of the scene's bolt segments
+    EnergyLedger ledger = {};           // sums; momentary values are filled in on request
 
     // For the decision.
     double unbalanced = 0;       // greatest since the last check
@@ -116,16 +115,16 @@ struct RelaxationState {
     double kinetic_then = 0;     // J/m, at the last check
     double kinetic_before = 0;   // J/m, a step ago; for kinetic damping
     bool kinetic_rising = false;
-    double onset_time = -1;         // s; negative: none
+    double onset_time = -1;         // s; negative: no onset
     double in_thresholds_then = 0;  // farthest motion in thresholds of onset, at the last check
     std::optional<FirstCrack> first_crack = {};
     std::optional<BlockOverlap> overlap = {};  // the greatest share that was measured so far
     std::uint64_t outcome = 0;                 // RelaxationOutcome
-    std::vector<char> held_by_corners = {};    // of each block: whether it is, where that is the outcome; else empty
+    std::vector<char> held_by_corners = {};    // for each block, if that is the outcome; otherwise empty
 };
 
-// A state at rest for other runs to begin from: they have its motion, its springs, slip and what has broken, and its
-// time, by which everything scheduled has happened. Their energy balances, steps and displacements begin anew.
+// A state at rest from which other runs begin. They take over its motion, springs, slip, broken contacts and time (no
+// scheduled event is left). Their energy balance, step count and displacements start at zero.
 struct ConsolidatedState {
     RelaxationState at_rest;
 };

@@ -9,7 +9,7 @@ namespace delabole {
 
 namespace {
 
-// Why a run says neither that the blocks stand nor that they fail; nothing where it does.
+// Why a run shows neither that the blocks stand nor that they fail; empty if it shows either.
 std::optional<CriticalStatus> no_answer(RelaxationOutcome outcome) {
     switch (outcome) {
     case RelaxationOutcome::equilibrium:
@@ -66,7 +66,7 @@ class Bisection {
     }
 
   private:
-    // Nothing, with the status set, where the run had no answer.
+    // Returns nothing, and sets the status, if the run had no answer.
     std::optional<bool> stands_at(double value) {
         const CriticalProbe run = probe_(value);
         critical_.last = value;
@@ -87,7 +87,7 @@ class Bisection {
         return stands;
     }
 
-    // False, with the status set, where a run had no answer.
+    // Returns false, and sets the status, if a run had no answer.
     bool bisect() {
         while (std::abs(critical_.stands - critical_.fails) > tolerance_) {
             const double middle =
@@ -106,8 +106,8 @@ class Bisection {
 
     bool is_milder(double one, double other) const { return stands_low_ ? one < other : one > other; }
 
-    // Whether the blocks fail at a value milder than the one that bisection found to stand; the bracket is then that
-    // value and the nearest milder one that stood. A run without an answer says nothing here.
+    // Whether the blocks fail at a value milder than the one at which bisection found them to stand; the bracket then
+    // lies between that value and the nearest milder one at which they stood. A run without an answer is ignored here.
     bool fails_milder(double should_stand) {
         const double found = critical_.stands;
         for (const double share : milder_shares) {

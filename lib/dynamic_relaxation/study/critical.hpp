@@ -1,9 +1,10 @@
 // The value of a parameter between standing and failing, by bisection over runs.
 //
-// The answer is a bracket: one end stands, the other fails. Its width is the resolution, not the accuracy: stiffness
-// shifts the answer (simulation.hpp). Blocks that came to rest only after they had moved may stand at one value and
-// fail at a milder one; bisection sees one such change. Where the blocks at the ratio found came to rest in motion,
-// values 2 to 10 % milder are tried as well, and the answer is the mildest at which they were found to fail.
+// The answer is a bracket: the blocks stand at one end and fail at the other. Its width is the resolution, not the
+// accuracy: stiffness shifts the answer (simulation.hpp). Blocks that came to rest only after they had moved may stand
+// at one value and fail at a milder one; bisection sees one such change. Where the blocks at the ratio found came to
+// rest in motion, values 2 to 10 % milder are tried as well, and the answer is the mildest at which they were found to
+// fail.
 #pragma once
 
 #include "dynamic_relaxation/step/outcome.hpp"
@@ -16,21 +17,21 @@ namespace delabole {
 
 enum class CriticalStatus {
     found,
-    stands_everywhere,  // it stands at the bound at which it was to fail
-    fails_everywhere,   // it fails at the bound at which it was to stand
-    undecided,          // a run neither rested nor failed; the bracket is as far as the search came
-    run_failed,         // overlaps too large or motion not finite; likewise
-    interrupted,        // likewise
+    stands_everywhere,  // the blocks stand at the bound at which they should fail
+    fails_everywhere,   // the blocks fail at the bound at which they should stand
+    undecided,          // a run neither came to rest nor failed; the bracket is as narrow as the search made it
+    run_failed,         // overlaps too large or motion not finite; the bracket is as for `undecided`
+    interrupted,        // the bracket is as for `undecided`
     not_valid,          // the scene is not valid at one of the values
 };
 
 struct CriticalValue {
     CriticalStatus status = CriticalStatus::found;
-    double stands = 0;                   // nearest value known to stand
-    double fails = 0;                    // nearest value known to fail
-    std::optional<double> stands_again;  // value at which they stand although they fail at the milder `fails`
+    double stands = 0;                   // nearest value at which the blocks are known to stand
+    double fails = 0;                    // nearest value at which they are known to fail
+    std::optional<double> stands_again;  // value at which the blocks stand although they fail at the milder `fails`
     bool held_by_corners = false;        // at `fails`: the blocks rest, but on corners alone
-    double last = 0;                     // value of the last run: the one that ended the search where it was not found
+    double last = 0;                     // value of the last run: if no value was found, the one that ended the search
     std::uint64_t runs = 0;
     std::uint64_t steps = 0;
     std::uint64_t contacts_evaluated = 0;
@@ -39,19 +40,19 @@ struct CriticalValue {
 };
 
 struct CriticalProbe {
-    RelaxationOutcome outcome;  // equilibrium stands; onset and collapse fail, and so does what only corners hold
+    RelaxationOutcome outcome;  // equilibrium stands; onset and collapse fail, and so do blocks held only by corners
     std::uint64_t steps;
     std::uint64_t contacts_evaluated = 0;
-    bool rested_in_motion = false;  // statics found no equilibrium, or was not asked for one
+    bool rested_in_motion = false;  // statics found no equilibrium, or was not used
 };
 
-// Where a bracket is divided. Of ratios over decades the geometric mean takes no more runs for small ones than for
-// great ones.
+// How a bracket is divided. With the geometric mean, ratios over decades take no more runs for small values than for
+// large ones.
 enum class BracketMean { arithmetic, geometric };
 
-// Bisects between a bound at which the blocks should stand and one at which they should fail, either of which may be
-// the greater, until they are no more than `tolerance` (more than 0) apart. Both bounds are tried first; for the
-// geometric mean they are more than 0.
+// Bisects between a bound at which the blocks should stand and one at which they should fail, in either order, until
+// they are no more than `tolerance` (more than 0) apart. Both bounds are tried first; for the geometric mean both are
+// more than 0.
 CriticalValue find_critical(const std::function<CriticalProbe(double value)>& probe, double should_stand,
                             double should_fail, double tolerance, BracketMean mean = BracketMean::arithmetic);
 

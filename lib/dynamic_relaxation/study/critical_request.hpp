@@ -1,8 +1,9 @@
-// What a relaxation case may ask to be searched between standing and failing, and the path on which its blocks come to
-// each value that is tried.
+// The parameters for which a relaxation case may ask for the critical value between standing and failing, and the
+// loading path on which its blocks come to each value tried.
 //
-// Joints with friction remember: the forces between blocks before failure depend on how the loads came, and so does the
-// value at which the blocks fail. No path is wrong; the spread of the values on several of them is error of the model.
+// Joints with friction depend on their history: the forces between blocks before failure depend on the loading path,
+// and so does the value at which the blocks fail. No path is wrong; the spread of the values on several of them is an
+// error of the model.
 #pragma once
 
 #include "dynamic_relaxation/scene/settings.hpp"
@@ -20,13 +21,12 @@
 namespace delabole {
 
 enum class LoadingPath {
-    // The blocks come to rest as the case has them, stages of excavation included: at its own strengths or weight, or
-    // at
-    // the bound at which they should stand. Each value tried is a sudden change from that one state: springs, slip and
-    // what has broken stay. Static equilibrium is sought first, without inertia; then comes the run.
+    // The blocks come to rest in the case as given, stages of excavation included: at its own strengths or weight, or
+    // at the bound at which they should stand. Each value tried is a sudden change from that one state, in which
+    // springs, slip and broken contacts are kept. Static equilibrium is sought first, without inertia; the run follows.
     consolidated,
     preloaded,  // each value from the initial geometry: springs free, all loads at once, without inertia; then the run
-    gravity,    // likewise, but weight, water and forces grow in ten equal steps, or in time where settings.start =
+    gravity,    // as preloaded, but weight, water and forces grow in ten equal steps, or in time if settings.start =
                 // "ramped"
     sudden,     // each value from the initial geometry: springs free, all loads at once, with inertia
     stages,     // each value from before the first stage of excavation, with settings.start; then stage after stage
@@ -40,7 +40,7 @@ inline constexpr std::string_view path_meaning =
 
 inline constexpr std::string_view paths_meaning = "all: the value on each path and their spread, too; absent: one";
 
-// Constant tilt at which the blocks begin to fail.
+// Search for the constant tilt at which the blocks begin to fail.
 struct TiltSearch {
     double lower;
     double upper;
@@ -65,7 +65,7 @@ struct TiltSearch {
     }
 };
 
-// Friction angle of all joints, peak and residual, below which the blocks fail.
+// Search for the friction angle of all joints, peak and residual, below which the blocks fail.
 struct FrictionSearch {
     double lower;
     double upper;
@@ -90,7 +90,7 @@ struct FrictionSearch {
     }
 };
 
-// Factor of safety F: that by which strength has to be divided for the blocks to fail (strength_reduction.hpp).
+// Search for the factor of safety F: the divisor of strength at which the blocks fail (strength_reduction.hpp).
 struct ReductionSearch {
     std::optional<double> lower;
     std::optional<double> upper;
@@ -117,8 +117,8 @@ struct ReductionSearch {
     }
 };
 
-// Factor on gravity at which the blocks begin to fail at the strengths that they have; water and forces do not grow
-// with it. Without cohesion, tensile strength, water and forces no factor makes a difference.
+// Search for the factor on gravity at which the blocks begin to fail with their given strengths; water and forces do
+// not grow with it. Without cohesion, tensile strength, water and forces the factor has no effect.
 struct WeightSearch {
     std::optional<double> lower;
     std::optional<double> upper;
@@ -159,20 +159,20 @@ constexpr Dimension dimension_of(CriticalParameter parameter) {
                                                                                             : Dimension::ratio;
 }
 
-// A request with what it leaves open filled in.
+// A request with its omitted values filled in.
 struct CriticalPlan {
     CriticalParameter parameter;
     double lower;
     double upper;
     double tolerance;
-    std::vector<LoadingPath> path;   // that of the answer first
-    std::vector<std::string> joint;  // names of those whose strength is divided; empty: all
+    std::vector<LoadingPath> path;   // the first one gives the answer
+    std::vector<std::string> joint;  // names of joints whose strength is divided; empty: all
 
     // Whether the blocks stand at low values and fail at high ones.
     bool stands_low() const { return parameter != CriticalParameter::friction; }
     double should_stand() const { return stands_low() ? lower : upper; }
     double should_fail() const { return stands_low() ? upper : lower; }
-    // Ratios are divided at their geometric mean.
+    // Brackets of ratios are divided at their geometric mean.
     bool is_ratio() const { return dimension_of(parameter) == Dimension::ratio; }
 };
 

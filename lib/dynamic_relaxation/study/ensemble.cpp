@@ -21,7 +21,7 @@ double generalized_golden_ratio(std::size_t dimensions) {
     return root;
 }
 
-// Shares from 0 to below 1, one after the other; all 0 for the first member.
+// Sequence of shares from 0 to below 1; all 0 for the first member.
 class Shares {
   public:
     Shares(std::size_t dimensions, std::size_t member)
@@ -32,7 +32,7 @@ class Shares {
         const double share = member_ * step_;
         return share - std::floor(share);
     }
-    // Standard normal; 0 for the first member.
+    // Standard normal deviate; 0 for the first member.
     double normal() {
         constexpr double most = 2;
         double share = uniform() + 0.5;
@@ -118,10 +118,10 @@ EnsemblePrediction predict_ensemble(const RelaxationStudy& study, Prediction fir
         for (const Prediction& member : members) {
             squares += (member.outputs[output] - mean) * (member.outputs[output] - mean);
         }
-        // An output that is infinite in one of them has no deviation.
+        // An output that is infinite in one of the members has no deviation.
         ensemble.deviation[output] = std::isfinite(mean) ? std::sqrt(squares / (count - 1)) : mean;
     }
-    // Members have the same outline, and so their profiles the same stations, unless excavation leaves gaps in them.
+    // The members have the same outline, so that their profiles have the same stations unless excavation leaves gaps.
     const std::size_t stations = members.front().profile.size();
     if (!std::ranges::all_of(members, [&](const Prediction& member) { return member.profile.size() == stations; })) {
         return ensemble;

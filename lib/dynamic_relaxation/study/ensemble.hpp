@@ -1,11 +1,12 @@
-// A slope predicted as the mean of several that differ as nature's do. Where exactly the joints of a set run is seldom
-// known, and which blocks fail depends on it: one drawing is one chance among many.
+// Prediction of a slope as the mean of several realizations of its joints. The exact positions of the joints of a set
+// are seldom known, and which blocks fail depends on them: a single section is one realization among many.
 //
-// The first member is the slope as drawn. In the others each joint set is shifted by a share of its spacing, evenly
-// over the whole of it, and spacings and friction angles of the joints deviate normally, by two standard deviations at
-// most; joints that scatter or end at random do so anew. The shares are those of an additive recurrence (Roberts 2018:
-// multiples of the powers of the reciprocal generalized golden ratio, modulo 1), which spreads them more evenly than
-// chance and the same for all values of the parameters: the mean changes smoothly with them, and a fit can use it.
+// The first member is the slope as given. In the others each joint set is shifted by a share of its spacing, uniformly
+// over the whole spacing, and spacings and friction angles of the joints have normal deviations, limited to two
+// standard deviations; random spacings and ends of joints are drawn again. The shares come from an additive recurrence
+// (Roberts 2018: multiples of the powers of the reciprocal generalized golden ratio, modulo 1). It spreads them more
+// evenly than random numbers, and the same for all values of the parameters: the mean changes smoothly with them, and a
+// fit can use it.
 #pragma once
 
 #include "parameters/fields.hpp"
@@ -37,33 +38,33 @@ struct EnsembleRequest {
     }
 };
 
-// A member of a jointed slope's ensemble; the first, 0, is the study itself. It has no ensemble of its own.
+// A member of a jointed slope's ensemble; member 0 is the study itself. The returned study has no ensemble.
 RelaxationStudy member_of(const RelaxationStudy& study, std::size_t member);
 
 struct EnsemblePrediction {
-    std::string_view failure = {};       // of the first member without an answer, where too many have none
-    double without_answer = 0;           // members; the rest is of the others
+    std::string_view failure = {};       // of the first member without an answer, if too many have none
+    double without_answer = 0;           // number of members without an answer; the other results are from the rest
     std::vector<double> mean = {};       // of each output of a member
-    std::vector<double> deviation = {};  // likewise, standard deviation between the members
-    Polyline profile = {};               // mean level left standing
+    std::vector<double> deviation = {};  // standard deviation of each output between the members
+    Polyline profile = {};               // mean elevation of the ground left standing
     double profile_deviation = 0;        // m, root mean square distance of the members' profiles from it
 };
 
-// Runs that lost their energy balance or their blocks tell nothing. Where they are more than this share, the mean of
-// the others would not be that of all.
+// Runs that lost their energy balance or their blocks give no answer. If their share is greater than this, the mean of
+// the other runs would not represent the ensemble.
 inline constexpr double most_without_answer = 0.25;
 
-// `first`: of the study itself. `predict`: of the other members. `go_on` is told the share done; returning false ends
-// the work with the failure "interrupted".
+// `first`: prediction of the study itself. `predict`: makes those of the other members. `go_on` receives the share
+// done; if it returns false, the work ends with the failure "interrupted".
 EnsemblePrediction predict_ensemble(const RelaxationStudy& study, Prediction first,
                                     const std::function<Prediction(const RelaxationStudy&)>& predict,
                                     const std::function<bool(double)>& go_on);
 
-// What a model with an ensemble answers: for each output of a member its mean, under the same name, then its deviation
-// (deviation_prefix), that of the profile, and how many members had no answer.
+// Outputs of a model with an ensemble: for each output of a member its mean, under the same name, then its deviation
+// (deviation_prefix), the deviation of the profile, and the number of members without an answer.
 std::vector<Quantity> outputs_of_ensemble(const std::vector<Quantity>& outputs);
 
-// Results in the order of the members. Nothing where there is a failure.
+// Results in the order of outputs_of_ensemble; none if the ensemble failed.
 Prediction prediction_of(EnsemblePrediction ensemble);
 
 }  // namespace delabole

@@ -15,7 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double share_of(double moved_by, double limit) {
     const double ratio = (moved_by / limit) * (moved_by / limit);
-    // It must not overflow for a block that has fallen far.
+    // This form does not overflow for a block that has fallen far.
     return ratio > 1 ? 1 / (1 + 1 / (ratio * ratio)) : ratio * ratio / (1 + ratio * ratio);
 }
 
@@ -23,7 +23,7 @@ PlanePoint<> drawn_corner(const Bodies& bodies, std::size_t corner) {
     return bodies.centroid[bodies.block_of[corner]] + bodies.corner[corner];
 }
 
-// The part of an upright line that runs through a block.
+// The part of a vertical line that runs through a block.
 struct Chord {
     double bottom = infinity;
     double top = -infinity;
@@ -45,7 +45,7 @@ Chord chord_at(const Bodies& bodies, std::size_t block, double x) {
     return chord;
 }
 
-// The blocks and the ground met along one upright line.
+// Blocks and ground along one vertical line.
 struct Station {
     double x = 0;
     double ground = -infinity;
@@ -53,7 +53,7 @@ struct Station {
     double failed = 0;  // m of height
 };
 
-// Positive above the line from one point to another farther into the slope.
+// Height over the line from one point to another farther into the slope, normal to it; positive above.
 double height_over(const Point& from, const Point& to, const Point& point) {
     const Point along = (to - from).normalized();
     return along.x() * (point.y() - from.y()) - along.y() * (point.x() - from.x());
@@ -75,7 +75,7 @@ class Survey {
         weigh_blocks();
         walk_over_ground();
         if (line_.size() < 2) {
-            return std::move(result_);  // nothing but excavation
+            return std::move(result_);  // everything was excavated
         }
         find_crest();
         find_surface();
@@ -151,7 +151,7 @@ class Survey {
                 stand_on_lines(block, left);
             }
         }
-        // Where everything was taken away the ground is unknown.
+        // Where all blocks were removed the ground is unknown.
         std::erase_if(line_, [](const Station& station) { return !std::isfinite(station.ground); });
         for (const Station& station : line_) {
             result_.ground.emplace_back(station.x, station.ground);
@@ -183,7 +183,7 @@ class Survey {
         }
     }
 
-    // The corner farthest above the straight line between the ends of the ground; of several, the one in front.
+    // Finds the corner farthest above the straight line between the ends of the ground; of several, the one in front.
     void find_crest() {
         const Point front = result_.ground.front();
         const Point rear = result_.ground.back();
@@ -196,7 +196,7 @@ class Survey {
                 result_.crest = point;
             }
         }
-        // Stations pass the corner by.
+        // Stations do not coincide with corners, so that the corners are searched as well.
         for (std::size_t corner = 0; corner < bodies_.corner.size(); ++corner) {
             const std::size_t block = bodies_.block_of[corner];
             const PlanePoint<> point = drawn_corner(bodies_, corner);
@@ -221,7 +221,7 @@ class Survey {
         }
     }
 
-    // Stations from the foot to the top, the last unfailed one on either side included.
+    // Stations from the foot to the top, including the last unfailed one on either side.
     std::pair<std::size_t, std::size_t> failed_stations() const {
         constexpr double noticed = 0.01;
         std::size_t first = line_.size();

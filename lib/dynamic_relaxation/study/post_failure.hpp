@@ -1,17 +1,19 @@
-// What of a slope has failed and what is left standing, from where its blocks were at the start and where they are now.
+// The part of a slope that has failed and the ground left standing, from the initial and the present positions of its
+// blocks.
 //
-// A block's movement is m = sqrt(displacement^2 + (rotation times radius)^2) since the start. It counts as failed by
-// the share m^4 / (m^4 + limit^4): half at the limit, a ten-thousandth at a tenth of it. Areas and levels add such
-// shares, so that they change smoothly with the motion and a fit can use them. What is taken away in a stage counts as
-// gone, not as failed; what is taken away because it has failed, as wholly failed (retrogression.hpp).
+// A block's movement is m = sqrt(displacement^2 + (rotation times radius)^2) since the start. The share of it that
+// counts as failed is m^4 / (m^4 + limit^4): half at the limit, a ten-thousandth at a tenth of it. Areas and elevations
+// add such shares, so that they change smoothly with the motion and a fit can use them. Blocks removed in a stage of
+// excavation count as absent, not as failed; blocks removed because they have failed count as wholly failed
+// (retrogression.hpp).
 //
-// The level left standing at x is that of the ground at the start, less the share-weighted height of the blocks on the
-// upright line there. Of an overhang the sum alone is right. The failure's foot and top are where more than a hundredth
-// of the slope's height is gone; its knee is the point of the ground left standing that is farthest below the straight
-// line between them, as the level of 425 ft at Delabole, where the stepped lower surface meets the upper one. A slope
-// that has not failed has its own foot and top for that.
+// The elevation left standing at x is that of the ground at the start, less the share-weighted height of the blocks on
+// the vertical line there; for an overhang only this sum is correct. The failure's foot and top are where more than a
+// hundredth of the slope's height is lost. Its knee is the point of the ground left standing that is farthest below the
+// straight line between them, e.g. the level of 425 ft at Delabole, where the stepped lower surface meets the upper
+// one. For a slope that has not failed, its own foot and top are used.
 //
-// Section axes: x into the slope, y up, metres and radians; a tilt of gravity is not taken out.
+// Section axes: x into the slope, y up, metres and radians, without a correction for a tilt of gravity.
 #pragma once
 
 #include "dynamic_relaxation/blocks/bodies.hpp"
@@ -39,7 +41,7 @@ struct PostFailureRequest {
     }
 };
 
-// Open joints that come out at the ground behind the crest, of one kind of joint.
+// Open joints of one kind that daylight at the ground behind the crest.
 struct CrestJoint {
     std::string joint;
     double open;
@@ -57,7 +59,7 @@ struct CrestJoint {
     }
 };
 
-// Mean over blocks at the ground behind the crest, by their width there; zero where there are none.
+// Mean over blocks at the ground behind the crest, weighted by their width there; zero if there are none.
 struct CrestMovement {
     double horizontal;
     double vertical;
@@ -111,22 +113,22 @@ struct CrestCrack {
     std::size_t joint;  // index among the scene's joints
 };
 
-// A block that has a part of the ground behind the crest.
+// A block that forms a part of the ground behind the crest.
 struct CrestBlock {
     std::size_t block;
-    double position;  // m behind the crest, of the middle of its part
+    double position;  // m behind the crest, of the middle of that part
     double width;     // m
     CrestMovement movement;
 };
 
 struct PostFailure {
     PostFailureAnswer answer = {};
-    Polyline ground = {};                // at the start, without what stages have taken away
+    Polyline ground = {};                // at the start, without the blocks removed by stages
     Polyline left_standing = {};         // from the front end of the section into the slope
     Point crest = {0, 0};                // of the slope at the start
     std::vector<Point> surface = {};     // foot, knee and top of the failure
-    std::vector<double> share = {};      // of each block in the failure, 0 to 1
-    std::vector<CrestCrack> crack = {};  // open ones, from the crest into the slope
+    std::vector<double> share = {};      // of each block that has failed, 0 to 1
+    std::vector<CrestCrack> crack = {};  // open joints, from the crest into the slope
     std::vector<CrestBlock> block = {};  // from the crest into the slope
 };
 
@@ -136,10 +138,10 @@ struct MovedSlope {
     const std::vector<Motion>& now;
     const std::vector<char>& removed;        // by stages
     const std::vector<std::string>& joints;  // names, one for each material
-    std::vector<char> failed = {};           // and taken away for it; empty: none
+    std::vector<char> failed = {};           // and removed for that reason; empty: none
 };
 
-// At least one block must be free. Where stages have taken all away, everything is empty and zero.
+// At least one block must be free. If stages have removed all blocks, everything is empty and zero.
 PostFailure post_failure(const MovedSlope& slope, const PostFailureRequest& request);
 
 }  // namespace delabole

@@ -1,4 +1,4 @@
-// Case parameters to scene and settings.
+// Converts case parameters to a scene and settings.
 #include "dynamic_relaxation/blocks/joint_water.hpp"
 #include "dynamic_relaxation/contact/bonds.hpp"
 #include "dynamic_relaxation/scene/bolts.hpp"
@@ -39,7 +39,7 @@ Quality quality_of(const RelaxationStudy& study) {
     return {standard.step_fraction, standard_stiffness_ratio, standard.equilibrium_ratio};
 }
 
-// Stiffness 0 where the joint leaves it to the ratio.
+// Stiffness 0 means that it follows from the stiffness ratio.
 JointMaterial material_of(const RelaxationJoint& joint) {
     const double normal = joint.normal_stiffness.value_or(0);
     return {normal,
@@ -52,7 +52,7 @@ JointMaterial material_of(const RelaxationJoint& joint) {
             joint.residual_cohesion.value_or(0)};
 }
 
-// Materials of joints in their order in the case.
+// The materials are those of the joints, in the order of the case.
 void add_bonds(RelaxationScene& scene, const std::vector<RelaxationJoint>& joints) {
     for (std::size_t index = 0; index < joints.size(); ++index) {
         if (const std::optional<RelaxationBond>& bond = joints[index].bond) {
@@ -63,8 +63,8 @@ void add_bonds(RelaxationScene& scene, const std::vector<RelaxationJoint>& joint
     }
 }
 
-// A normal deviate within twice the deviation, the same on every machine: the polar method of Marsaglia over the bits
-// of the generator.
+// A normal deviate within twice the deviation, the same on every machine: Marsaglia's polar method on the bits of the
+// generator.
 double deviate(std::mt19937_64& random) {
     constexpr double most = 2;
     const auto uniform = [&] { return 2 * (static_cast<double>(random() >> 11U) * 0x1p-53) - 1; };
@@ -85,7 +85,7 @@ double scattered(double friction_angle, double deviation) {
     return std::clamp(friction_angle + deviation, 0.0, degrees(89.9));
 }
 
-// Heights before the blocks are drawn; friction afterwards, joint by joint from the toe up.
+// Heights are drawn before the blocks are made; friction is drawn afterwards, joint by joint from the toe up.
 void scatter_heights(StandingBlocks& blocks, const RelaxationScatter& scatter, std::mt19937_64& random) {
     for (StandingBlock& block : blocks.block) {
         block.height *= 1 + scatter.height_deviation * deviate(random);
@@ -100,11 +100,11 @@ void scatter_friction(RelaxationScene& scene, std::size_t standing, const Relaxa
     constexpr std::size_t left = 3;
     const auto drawn = [&](std::size_t material) {
         JointMaterial joint = scene.material[material];
-        const double way = scatter.friction_deviation * deviate(random);
-        joint.friction_angle = scattered(joint.friction_angle, way);
+        const double deviation = scatter.friction_deviation * deviate(random);
+        joint.friction_angle = scattered(joint.friction_angle, deviation);
         if (joint.residual_friction_angle) {
             joint.residual_friction_angle =
-                std::min(scattered(*joint.residual_friction_angle, way), joint.friction_angle);
+                std::min(scattered(*joint.residual_friction_angle, deviation), joint.friction_angle);
         }
         scene.material.push_back(joint);
         return scene.material.size() - 1;
@@ -116,7 +116,7 @@ void scatter_friction(RelaxationScene& scene, std::size_t standing, const Relaxa
                 drawn(scene.block[block].joint[right]);
         }
     }
-    // The face with less friction counts where two touch: below a block it is to be that of the block.
+    // Where two faces touch, the one with less friction governs: below a block that has to be the block's own.
     JointMaterial below = scene.material[scene.block[standing].joint[top]];
     below.friction_angle = degrees(89.9);
     below.residual_friction_angle.reset();
@@ -126,7 +126,7 @@ void scatter_friction(RelaxationScene& scene, std::size_t standing, const Relaxa
     }
 }
 
-// Counted from 1 in a case. Anything that is no number of a block becomes one that the scene's check refuses.
+// Numbers in a case are counted from 1. A number that no block has becomes one that the scene's check refuses.
 std::size_t index_of(double number) {
     constexpr double most = 1e9;
     return number >= 1 && number <= most && number == std::floor(number) ? static_cast<std::size_t>(number) - 1
@@ -197,7 +197,7 @@ RelaxationScene blocks_of(const RelaxationPolygons& polygons) {
     return scene;
 }
 
-// The scene has no blocks where the slope cannot be cut.
+// The scene has no blocks if the slope cannot be cut.
 RelaxationScene blocks_of(const RelaxationSlope& slope) {
     SlopeScene made = slope_scene(slope);
     RelaxationScene scene;
@@ -214,7 +214,7 @@ RelaxationScene blocks_of(const RelaxationSlope& slope) {
     return scene;
 }
 
-// Blocks, joints and water on given faces, without what else loads them.
+// Blocks, joints and water on given faces, without the other loads.
 RelaxationScene drawn_scene(const RelaxationStudy& study) {
     RelaxationScene scene = std::visit([](const auto& blocks) { return blocks_of(blocks); }, study.model.scene);
     for (const WaterPressure& pressure : study.model.pressure) {
@@ -235,7 +235,7 @@ double extent_along(const PlanePoint<>& direction, const Polygon<>& outline) {
     return direction.dot(*greatest - *least);
 }
 
-// The direction of the edge that is nearest to level. It turns with the block, as no axis of the section does.
+// The direction of the edge that is nearest to horizontal. Unlike the axes of the section it turns with the block.
 PlanePoint<> most_level_edge(const Polygon<>& outline, const PlanePoint<>& up) {
     PlanePoint<> most_level(1, 0);
     double least_rise = std::numeric_limits<double>::infinity();
@@ -251,8 +251,9 @@ PlanePoint<> most_level_edge(const Polygon<>& outline, const PlanePoint<>& up) {
     return most_level;
 }
 
-// N/m2; of the free block for which it is greatest. Blocks are measured along their base; those that joints cut out of
-// a slope may have none and are measured across gravity. Neither changes when a scene is drawn turned with its gravity.
+// Greatest weight over width of the free blocks, N/m2. The width of a block is measured along its base; blocks that
+// joints cut out of a slope may have no base and are measured normal to gravity. Neither width changes when scene and
+// gravity are rotated together.
 double greatest_weight_over_width(const RelaxationScene& scene, bool is_slope) {
     const PlanePoint<> up(std::sin(scene.gravity.tilt), std::cos(scene.gravity.tilt));
     const PlanePoint<> level(up.y(), -up.x());
@@ -286,21 +287,21 @@ void apply_tilting(RelaxationScene& scene, const Tilting& tilting) {
         gravity.start = start;
         return;
     }
-    const double way = tilting.final_tilt - gravity.tilt;
+    const double rotation = tilting.final_tilt - gravity.tilt;
     for (std::size_t block = 0; block < scene.block.size(); ++block) {
         if (scene.block[block].fixed) {
             PrescribedMotion motion{block, {}};
-            // A base that dips more towards -x has turned anticlockwise.
-            motion.angular_velocity = std::copysign(tilting.rate, way);
+            // A base that dips more towards -x has rotated anticlockwise.
+            motion.angular_velocity = std::copysign(tilting.rate, rotation);
             motion.pivot = {tilting.pivot_x.value_or(0), tilting.pivot_y.value_or(0)};
             motion.start = start;
-            motion.duration = std::abs(way) / tilting.rate;
+            motion.duration = std::abs(rotation) / tilting.rate;
             scene.motion.push_back(std::move(motion));
         }
     }
 }
 
-// Otherwise the scene's check refuses it before anything is asked of its joints.
+// If this is false, the scene's check refuses the scene before its joints are used.
 bool all_joints_known(const RelaxationScene& scene) {
     return std::ranges::all_of(scene.block, [&](const RelaxationBlock& block) {
         return block.outline.size() >= 3 &&
@@ -308,7 +309,7 @@ bool all_joints_known(const RelaxationScene& scene) {
     });
 }
 
-// Blocks that share no face get a pressure on one that the scene's check refuses.
+// For blocks that share no face a pressure is added that the scene's check refuses.
 void add_joint_water(RelaxationScene& scene, const std::vector<WaterInJoint>& joint_water) {
     constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
     if (joint_water.empty() || !all_joints_known(scene)) {
@@ -423,7 +424,7 @@ RelaxationSettings relaxation_settings(const RelaxationStudy& study, const Relax
     settings.equilibrium_ratio = numerics.equilibrium_ratio.value_or(quality.equilibrium_ratio);
     settings.time_step = numerics.time_step;
     take(settings.viscous_damping, numerics.viscous_damping);
-    // Shaking leaves displacements behind, of which damping would take a share.
+    // Shaking leaves permanent displacements, which damping would reduce.
     settings.local_damping = study.model.shaking.size() > 1 ? 0 : settings.local_damping;
     take(settings.local_damping, numerics.local_damping);
     settings.kinetic_damping = numerics.kinetic_damping == OffOn::on;

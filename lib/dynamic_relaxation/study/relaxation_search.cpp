@@ -1,4 +1,4 @@
-// Searches for a critical value: what the blocks are at a value, and how they come to it.
+// Searches for a critical value: the scene at each value, and the loading path to it.
 #include "dynamic_relaxation/step/scene_check.hpp"
 #include "dynamic_relaxation/study/strength_reduction.hpp"
 #include "dynamic_relaxation/study/study_run.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double standard_angle_tolerance = degrees(0.005);
 constexpr double standard_ratio_tolerance = 0.005;
-constexpr double own_ratio = 1;  // of strength or weight, as the case has it
+constexpr double own_ratio = 1;  // of strength or weight, as given in the case
 
 LoadingPath path_of(RelaxationStart start) {
     switch (start) {
@@ -28,7 +28,7 @@ LoadingPath path_of(RelaxationStart start) {
     return LoadingPath::preloaded;
 }
 
-// The path on which a case is searched that names none.
+// The path of a search for which the case names none.
 LoadingPath usual_path(const RelaxationStudy& study, CriticalParameter parameter) {
     if (dimension_of(parameter) == Dimension::ratio) {
         return LoadingPath::consolidated;
@@ -62,7 +62,7 @@ class PathSearch {
           scene_(relaxation_scene(study)),
           reduced_(materials_of_joints(study.model.scene, scene_, plan.joint)),
           settings_(settings_for(study, work, scene_)) {
-        // A search needs neither what happens after onset nor the time until then.
+        // A search needs neither the motion after onset nor the time until then.
         settings_.stop_at_onset = true;
         settings_.creep = true;
         settings_.stop_at_equilibrium = true;
@@ -72,7 +72,7 @@ class PathSearch {
             }
             settings_.start = start_of_path();
         }
-        // These paths are decided by statics, which does not depend on inertia: light blocks need not make steps short.
+        // Statics decides on these paths and does not depend on inertia: light blocks need not shorten the steps.
         settings_.mass_scaling =
             settings_.mass_scaling || path_ == LoadingPath::consolidated || path_ == LoadingPath::preloaded;
     }
@@ -104,7 +104,7 @@ class PathSearch {
         return value;
     }
 
-    // Up to this share of the path's work is done in a run that has come to a share of its own.
+    // Sets the watch, which receives the share of the path's work done, including that of the present run.
     void tell(const std::function<bool(double)>& watch) { watch_ = watch; }
 
   private:
@@ -143,8 +143,8 @@ class PathSearch {
         return scene;
     }
 
-    // Nothing, with the status set, where the blocks come to rest neither as the case has them nor at the bound at
-    // which they should.
+    // Returns nothing, and sets the status, if the blocks come to rest neither in the case as given nor at the bound at
+    // which they should stand.
     std::optional<CriticalProbe> consolidate(PathValue& value) {
         std::vector<double> candidates{plan_.should_stand()};
         if (plan_.is_ratio() && plan_.upper >= own_ratio) {
@@ -208,7 +208,7 @@ class PathSearch {
         return progress_.probe.back();
     }
 
-    // A run that goes on from a state may take as long as one from the start.
+    // A run that continues from a state may take as long as one from the start.
     RelaxationSettings settings_of_run() const {
         RelaxationSettings settings = settings_;
         if (progress_.consolidated) {

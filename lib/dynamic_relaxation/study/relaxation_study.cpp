@@ -15,7 +15,7 @@ namespace delabole {
 
 RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work, const RelaxationScene& scene) {
     RelaxationSettings settings = relaxation_settings(study, scene);
-    // Fewer blocks are done before another thread has woken up.
+    // Fewer blocks are computed before another thread has woken up.
     constexpr std::size_t blocks_worth_a_thread = 500;
     settings.threads =
         std::clamp<std::size_t>(scene.block.size() / blocks_worth_a_thread, 1, std::max(work.threads, 1U));
@@ -57,7 +57,7 @@ bool ends_with_duration(const RelaxationStudy& study) {
     return numerics.watch || stop == RelaxationStop::collapse || stop == RelaxationStop::duration;
 }
 
-// Why a run has no answer; empty where it has one.
+// Why a run has no answer; empty if it has one.
 std::string_view failure_of(const RelaxationRun& made) {
     switch (made.result.outcome) {
     case RelaxationOutcome::equilibrium:
@@ -74,7 +74,8 @@ std::string_view failure_of(const RelaxationRun& made) {
     }
 }
 
-// The blocks of a slope have no lasting numbers: another spacing makes others. Nor have stages.
+// Numbers of blocks of a slope change with its joint spacing, and those of stages with the blocks: neither can be
+// compared between runs.
 RelaxationAnswer without_blocks_of_slope(RelaxationAnswer answer, const RelaxationStudy& study) {
     if (std::holds_alternative<RelaxationSlope>(study.model.scene)) {
         answer.block.clear();
@@ -85,7 +86,7 @@ RelaxationAnswer without_blocks_of_slope(RelaxationAnswer answer, const Relaxati
     return answer;
 }
 
-// The prediction of a run and a search that have an answer.
+// The prediction from a run and a search, both with an answer.
 Prediction prediction_of(const RelaxationStudy& study, const RelaxationRun& made,
                          const std::optional<CriticalAnswer>& critical) {
     std::vector<double> outputs = output_values(without_blocks_of_slope(answer_of(made), study));
@@ -101,7 +102,7 @@ Prediction prediction_of(const RelaxationStudy& study, const RelaxationRun& made
     return {{}, std::move(outputs), made.post_failure ? made.post_failure->left_standing : Polyline{}};
 }
 
-// The study without its ensemble.
+// The prediction of the study without its ensemble.
 Prediction predict_once(const RelaxationStudy& study) {
     if (const auto* slope = std::get_if<RelaxationSlope>(&study.model.scene)) {
         const SlopeScene made = slope_scene(*slope);
@@ -147,8 +148,8 @@ RelaxationAnswer shape_of_answer(const RelaxationStudy& study) {
     return shape;
 }
 
-// A search that ended at one of its bounds tells this. At the critical value itself the blocks stand. Of several paths
-// it is not known which ended there.
+// A search that ended at one of its bounds gives a bound of the output. At the critical value itself the blocks stand.
+// With several paths it is not known which of them ended there.
 std::vector<OutputBound> bounds_of(const CriticalPlan& plan, std::size_t output) {
     if (plan.path.size() > 1) {
         return {};

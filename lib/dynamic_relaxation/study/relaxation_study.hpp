@@ -1,5 +1,5 @@
-// What a relaxation case asks for beyond its scene: numerical settings, a critical value, a history; and how a run
-// answers.
+// Input of a relaxation case beyond its scene: numerical settings, a critical value, a history; and the answer of a
+// run.
 #pragma once
 
 #include "dynamic_relaxation/scene/relaxation_parameters.hpp"
@@ -19,16 +19,16 @@
 
 namespace delabole {
 
-// Step fraction, stiffness ratio and equilibrium ratio together: 0.8, 3e5, 1e-5; 0.6, 1e6, 1e-6; 0.4, 1e8, 1e-7. Chosen
-// by `delabole trade`: of a preloaded start the stiffness alone decides the critical value, and steps of 0.1 to 0.6 of
-// the stable one give the same bracket.
+// Step fraction, stiffness ratio and equilibrium ratio together: 0.8, 3e5, 1e-5; 0.6, 1e6, 1e-6; 0.4, 1e8, 1e-7. They
+// were chosen with `delabole trade`: with a preloaded start the critical value depends on the stiffness alone, and
+// steps of 0.1 to 0.6 of the stable one give the same bracket.
 enum class RelaxationQuality { draft, standard, reference };
 
 enum class RelaxationStop { equilibrium, onset, collapse, duration, rest };
 
 enum class OffOn { off, on };
 
-// RelaxationSettings says what each does; absent: its value there, or that of the quality.
+// RelaxationSettings explains each member; unset: the value there, or that of the quality.
 struct RelaxationNumerics {
     std::optional<RelaxationQuality> quality;
     std::optional<double> stiffness_ratio;
@@ -139,11 +139,11 @@ struct RelaxationStudy {
 };
 
 RelaxationScene relaxation_scene(const RelaxationStudy& study);
-// Number of the scene's blocks, with the fixed ones. Values may be out of their ranges; a slope that cannot be cut has
-// none.
+// Number of the scene's blocks, including fixed ones. Values may be out of their ranges; a slope that cannot be cut has
+// no blocks.
 std::size_t number_of_blocks(const RelaxationStudy& study);
 RelaxationSettings relaxation_settings(const RelaxationStudy& study);
-// Likewise, with the scene of the study, so that a slope is not cut again.
+// The same settings for a study whose scene is given, so that a slope is not cut again.
 RelaxationSettings relaxation_settings(const RelaxationStudy& study, const RelaxationScene& scene);
 // The stiffness ratio of the settings, or of their quality. Joints that give their own stiffness do not follow it.
 double stiffness_ratio_of(const RelaxationStudy& study);
@@ -167,8 +167,8 @@ struct RelaxationAnswer {
     double time_step;
     double contacts_evaluated;
     std::optional<PostFailureAnswer> post_failure;     // of a jointed slope
-    std::optional<PostFailureAnswer> early_failure;    // likewise
-    std::optional<RetrogressionAnswer> retrogression;  // where it is asked for
+    std::optional<PostFailureAnswer> early_failure;    // of a jointed slope
+    std::optional<RetrogressionAnswer> retrogression;  // if requested
     std::vector<BlockOutcome> block;
     std::vector<BoltOutcome> bolt;
     static constexpr auto fields() {
@@ -212,37 +212,37 @@ struct RelaxationAnswer {
     }
 };
 
-// Called now and then with the share of the work done, 0 to 1; returning false ends the work as interrupted.
+// Called from time to time with the share of the work done, 0 to 1; if it returns false, the work ends as interrupted.
 using RelaxationWatch = std::function<bool(double share)>;
 
 // The state of the search on one path so far.
 struct SearchProgress {
     std::vector<CriticalProbe> probe = {};             // finished runs, in their order
-    std::optional<RelaxationState> probe_state = {};   // of the run after them, where one has begun
-    std::optional<RelaxationState> consolidated = {};  // that runs begin from; absent on other paths, or until found
+    std::optional<RelaxationState> probe_state = {};   // of the run in progress, if any
+    std::optional<RelaxationState> consolidated = {};  // from which runs begin; absent on other paths, or until found
     std::optional<RelaxationState> failed = {};        // at the end of the last run that failed
 };
 
-// All that a study has found so far; what it goes on from to the last bit.
+// All results of a study so far, from which it continues exact to the last bit.
 struct StudyProgress {
     std::optional<RelaxationState> state = {};  // of the run at the case's own values; absent before its first step
-    double next_line = 0;                       // s of model time, of the history
+    double next_line = 0;                       // s of model time, of the next line of the history
     RelaxationHistory history = {};
     MotionRecord record = {};
     MotionRecord slope = {};                  // motion of a jointed slope
-    std::vector<FailureStage> stage = {};     // of retrogression, finished ones; `state` is of the one after them
-    std::vector<SearchProgress> search = {};  // on the paths of the plan, as far as they were begun
+    std::vector<FailureStage> stage = {};     // finished stages of retrogression; `state` is of the next one
+    std::vector<SearchProgress> search = {};  // on the paths of the plan that have begun
 };
 
-// Frames take room and time: for pictures of moving blocks only.
+// Frames take memory and time: they are kept only for pictures of moving blocks.
 enum class KeepFrames { no, yes };
 
-// How a study is run. The answer depends on none of it, except on a watch that ends the work.
+// How a study is run. The answer does not depend on it, except on a watch that ends the work.
 struct StudyWork {
     RelaxationWatch watch = {};
     KeepFrames frames = KeepFrames::no;
     unsigned threads = 1;
-    std::function<bool()> keep_due = {};  // asked as often as the watch, after it
+    std::function<bool()> keep_due = {};  // called after each call of the watch
     std::function<void(const StudyProgress&)> keep = {};
 };
 
@@ -250,85 +250,86 @@ struct RelaxationRun {
     RelaxationScene scene;
     RelaxationSettings settings;
     RelaxationResult result;
-    RelaxationHistory history;                  // empty where none is asked for
-    std::vector<MotionFrame> frames = {};       // empty where none are kept
-    std::optional<RelaxationState> end{};       // absent where the scene is not valid
+    RelaxationHistory history;                  // empty if none is requested
+    std::vector<MotionFrame> frames = {};       // empty if none are kept
+    std::optional<RelaxationState> end{};       // absent if the scene is not valid
     std::optional<PostFailure> post_failure{};  // of a jointed slope, at the end
-    // The last of some dozens of moments spread evenly over the run at which no more than half of the area that has
-    // failed in the end had.
+    // State at the last of some dozens of times, spread evenly over the run, at which no more than half of the finally
+    // failed area had failed.
     std::optional<PostFailure> early_failure{};
     double early_time = 0;              // s
-    bool ends_with_duration = false;    // what has not been decided by then was not to be
+    bool ends_with_duration = false;    // the duration is the intended end, also of an undecided run
     bool in_stages = false;             // by retrogression
-    std::vector<FailureStage> stage{};  // of it, those that failed; `end` and `result` are then of the run after them
+    std::vector<FailureStage> stage{};  // failed stages of retrogression; `end` and `result` are of the run after them
 
-    // The run was out of time or steps before the end that was asked for.
+    // Whether the run reached its limit of time or steps before the requested end.
     bool unfinished() const {
         return result.outcome == RelaxationOutcome::undecided &&
                (!ends_with_duration || result.cost.steps >= settings.most_steps);
     }
 };
 
-// The same checks as those of relax().
+// Makes the same checks as relax().
 SceneFault check(const RelaxationStudy& study);
 
-// The run at the case's own values, from where it has come to; afterwards `progress` holds it whole.
+// The run at the case's own values, continued from `progress`; afterwards `progress` holds the complete run.
 RelaxationRun run(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);
 RelaxationRun run(const RelaxationStudy& study, const StudyWork& work = {});
 
-// The answer of a run without its slope.
+// Answer of a run, without the part that concerns its slope.
 RelaxationAnswer answer_of(const RelaxationResult& result);
 RelaxationAnswer answer_of(const RelaxationRun& run);
 
-// The part of a slope that has failed at any time of a run. Nothing for other scenes.
+// The part of a slope that has failed at a given time of a run. Empty for other scenes.
 std::optional<PostFailure> post_failure_of(const RelaxationStudy& study, const RelaxationRun& run,
                                            const std::vector<Motion>& motion, const std::vector<char>& removed);
 
-// The search of `critical`, which must be there, with what it leaves open filled in.
+// The search `critical`, which must be set, with its omitted values filled in.
 CriticalPlan critical_plan(const RelaxationStudy& study);
 
-// Whether blocks are taken away during the run.
+// Whether blocks are removed during the run.
 bool has_stages(const RelaxationStudy& study);
 
 // The critical value that a search found on one path.
 struct PathValue : CriticalValue {
     LoadingPath path = LoadingPath::consolidated;
     std::optional<double> consolidated_at = {};  // value at which the blocks came to rest; absent on other paths
-    // The run at `fails`, to onset or where it is held by corners; absent where none failed.
+    // The run at `fails`, to onset or until it is held by corners; absent if no run failed.
     std::optional<RelaxationRun> failed = {};
 };
 
-// The answer on the first path of the plan, with those on the others.
+// The answer on the first path of the plan, with those on the other paths.
 struct CriticalAnswer : PathValue {
     std::vector<PathValue> other = {};
 
-    // Greatest less least value; all paths have found one.
+    // Greatest less least value; requires that all paths have found one.
     double spread() const;
     // The first status that is not `found`.
     CriticalStatus worst_status() const;
 };
 
-// The search of `critical` on the paths of its plan, from where it has come to. Each run begins from the initial
-// geometry or from the consolidated state, never from another run: their order makes no difference.
+// The search `critical` on the paths of its plan, continued from `progress`. Each run begins from the initial geometry
+// or from the consolidated state, never from another run: their order makes no difference.
 CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work, StudyProgress& progress);
 CriticalAnswer find_critical(const RelaxationStudy& study, const StudyWork& work = {});
 
-// All that a run answers, as named numbers.
+// All outputs of a run, as named numbers.
 std::vector<Quantity> outputs_of_run(const RelaxationStudy& study);
 
-// Names of what a search adds to the outputs: the critical value and, where there are several paths, that on each of
-// the others ("factor_of_safety_gravity") and the spread ("factor_of_safety_spread").
+// Names of the outputs of a search: the critical value and, if there are several paths, that on each of the others
+// ("factor_of_safety_gravity") and the spread ("factor_of_safety_spread").
 std::vector<Quantity> outputs_of_search(const CriticalPlan& plan);
 
-// The ensemble of the study, which must have one, of whose first member the run and the search have been made; they
-// must have an answer. `watch` is told the share done.
+// Runs the ensemble of the study, which must have one. The run and the search of its first member are given and must
+// have an answer. `watch` receives the share done.
 EnsemblePrediction run_ensemble(const RelaxationStudy& study, const RelaxationRun& made,
                                 const std::optional<CriticalAnswer>& critical, const RelaxationWatch& watch);
 
-// Inputs: every number of the study's model. Outputs: every number of RelaxationAnswer and, where it is asked for, what
-// the search adds; of a jointed slope the ground left standing is the predicted profile. A run that was stopped, or
-// stayed undecided though it was to find equilibrium, is a failed prediction under the name of its outcome; so is a
-// critical value that was not found, under that of its status. With an ensemble as outputs_of_ensemble says.
+// Inputs: every number of the study's model. Outputs: every number of RelaxationAnswer and, if requested, those of the
+// search; for a jointed slope the ground left standing is the predicted profile. A run that was stopped, or stayed
+// undecided although it was to find equilibrium, is a failed prediction under the name of its outcome; a critical value
+// that was not found is one under the name of its status. With an ensemble the outputs are those of
+// outputs_of_ensemble.
 ModelInterface model_interface(const RelaxationStudy& study);
 
 }  // namespace delabole

@@ -21,7 +21,7 @@ double area_of(const Bodies& bodies, std::size_t block) {
         .area;
 }
 
-// Areas until all blocks are in, shares of their sum afterwards.
+// Adds a block to the stage. The members hold areas until all blocks are added, and shares of their sum afterwards.
 void add_block(const Bodies& bodies, const FailureStage& stage, std::size_t index, RetrogressionStage& sum) {
     const std::size_t block = stage.block[index];
     const Motion& start = stage.start[block];
@@ -45,7 +45,7 @@ void divide_by_area(RetrogressionStage& sum) {
     }
 }
 
-// Blocks that stay lose the water on faces that they have shared with those that are gone.
+// Remaining blocks lose the water pressure on faces that they shared with removed blocks.
 std::vector<FacePressure> drained(const std::vector<FacePressure>& pressures, const Bodies& bodies,
                                   const std::vector<SharedFace>& faces, const std::vector<char>& gone) {
     std::vector<FacePressure> left = pressures;
@@ -64,7 +64,7 @@ std::vector<FacePressure> drained(const std::vector<FacePressure>& pressures, co
             }
             const EdgePart part = pressure.part.value_or(EdgePart{0, whole});
             const auto keep = [&](double from, double to) {
-                // A piece that is left by rounding alone presses on nothing.
+                // A piece that exists only by rounding carries no pressure.
                 if (to - from > 1e-9 * whole) {
                     const double slope = (pressure.at_second - pressure.at_first) / (part.end - part.begin);
                     kept.push_back({block, pressure.edge, pressure.at_first + slope * (from - part.begin),
@@ -100,7 +100,7 @@ class Retrogression {
           settings_(settings_for(study, work, whole_)) {
         settings_.stop_at_onset = true;
         settings_.stop_at_equilibrium = true;
-        settings_.creep = true;  // what happens after onset does not matter
+        settings_.creep = true;  // motion after onset does not matter
     }
 
     RelaxationRun run() {
@@ -128,7 +128,7 @@ class Retrogression {
             made.result.cost.contacts_evaluated += stage.contacts_evaluated;
         }
         made.stage = progress_.stage;
-        // Afterwards `progress` holds the last run whole: whoever goes on from there finds the same end.
+        // Afterwards `progress` holds the complete last run, so that a continuation finds the same end.
         progress_.state = made.end;
         if (made.result.outcome == RelaxationOutcome::onset || made.result.outcome == RelaxationOutcome::collapse) {
             progress_.stage.pop_back();
@@ -165,7 +165,7 @@ class Retrogression {
         }
     }
 
-    // Whether blocks failed, and were taken away.
+    // Returns whether blocks failed and were removed.
     bool run_stage(RelaxationRun& made) {
         std::optional<RelaxationState> begun = std::exchange(progress_.state, {});
         Simulation simulation =
@@ -217,7 +217,7 @@ class Retrogression {
         } while (!falling.empty());
     }
 
-    // Nobody knows how many stages are to come.
+    // The number of stages to come is unknown.
     double share_done(double of_stage) const {
         const auto stages = static_cast<double>(progress_.stage.size());
         return (stages + of_stage / (stages + 2)) / (stages + 1);
@@ -230,7 +230,7 @@ class Retrogression {
                             study_.post_failure.value_or(PostFailureRequest{}));
     }
 
-    // The failure at the onset of the stage in which half of the area that fails in the end has gone.
+    // The failure at the onset of the stage in which half of the finally failed area has been removed.
     PostFailure early_failure(const RelaxationRun& made) const {
         const double half = made.post_failure->answer.failed_area / 2;
         std::vector<char> failed(bodies_.size(), 0);
@@ -256,7 +256,7 @@ class Retrogression {
     RelaxationSettings settings_;
     Bodies bodies_ = {};
     std::vector<SharedFace> faces_ = {};
-    std::vector<char> gone_ = {};  // failed in the stages so far
+    std::vector<char> gone_ = {};  // blocks that failed in the stages so far
 };
 
 }  // namespace

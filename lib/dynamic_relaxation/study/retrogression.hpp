@@ -1,15 +1,15 @@
-// Retrogressive failure of a jointed slope: what fails leaves the slope, what stood behind it has to stand by itself,
-// and so on until the rest stands (Cruden & Varnes 1996: retrogressing; 2.4.2 (ii) of the thesis: progressive and
+// Retrogressive failure of a jointed slope: failed blocks leave the slope, those behind them have to stand without
+// them, and so on until the rest stands (Cruden & Varnes 1996: retrogressing; 2.4.2 (ii) of the thesis: progressive and
 // repeating).
 //
-// Each stage is a run of its own from the initial geometry, without the blocks that failed in the stages before, to
+// Each stage is a run of its own from the initial geometry, without the blocks that failed in earlier stages, to
 // equilibrium or to the onset of failure. At onset the blocks that have moved by more than a tenth of the farthest
-// motion are the failing mass (BlockOutcome::movement). With them go blocks that nothing holds any more
-// (blocks_without_hold). They are taken away; of the others nothing is kept, neither their small displacements nor
-// their stresses. So the ground left standing follows from equilibrium alone: no time, no fall and no debris enters it,
-// and the same slope gives the same answer.
+// motion are the failing mass (BlockOutcome::movement), together with blocks that have lost all support
+// (blocks_without_hold). They are removed; the others keep neither their small displacements nor their stresses. So the
+// ground left standing follows from equilibrium alone, without time, fall or debris, and the same slope gives the same
+// answer.
 //
-// Limits. Debris supports nothing: where it comes to rest against the slope, less fails than is found here. A joint
+// Limits. Debris gives no support: where it comes to rest against the slope, less fails than is found here. A joint
 // that a failure has opened is drained: its water no longer presses on the face that stays. A pond does not follow the
 // ground.
 #pragma once
@@ -34,9 +34,9 @@ struct RetrogressionRequest {
     }
 };
 
-// A mass that failed, and how it moved at onset: by the area of blocks that turn about a point within two radii of
-// their centroid, out of the slope (they topple) or into it, and of the others (they slide, or fall; so do all that go
-// because they have lost their hold).
+// A mass that failed and how it moved at onset, by area: blocks that rotate about a point within two radii of their
+// centroid, out of the slope (they topple) or into it, and the others (they slide or fall; this includes all blocks
+// that have lost their support).
 struct RetrogressionStage {
     double blocks;
     double area;
@@ -74,10 +74,10 @@ struct RetrogressionAnswer {
 };
 
 struct FailureStage {
-    std::vector<std::uint64_t> block = {};  // that failed: at first those that moved, in increasing order
-    std::uint64_t moved = 0;                // so many of them; the others lost their hold with these
+    std::vector<std::uint64_t> block = {};  // blocks that failed: first those that moved, in increasing order
+    std::uint64_t moved = 0;                // number of blocks that moved; the others lost their support with them
     std::vector<Motion> start = {};         // of all blocks, after the static start
-    std::vector<Motion> onset = {};         // likewise, when these had begun to fail
+    std::vector<Motion> onset = {};         // of all blocks, when these had begun to fail
     double time = 0;                        // s, to onset
     std::uint64_t steps = 0;
     std::uint64_t contacts_evaluated = 0;

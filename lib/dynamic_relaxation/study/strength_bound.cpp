@@ -14,7 +14,7 @@ namespace delabole {
 
 namespace {
 
-// The force of a bolt depends on how the blocks move.
+// Bolts are excluded because their force depends on the motion of the blocks.
 bool is_static(const RelaxationScene& scene) {
     return scene.bolt.empty() && scene.motion.empty() && scene.removal.empty() && scene.shaking.empty() &&
            !scene.belt && (scene.gravity.rate == 0 || scene.gravity.final_tilt == scene.gravity.tilt);
@@ -34,13 +34,13 @@ Assembly assembly_of(const RelaxationScene& scene) {
     return assembly_of(scene, bodies, find_shared_faces(bodies));
 }
 
-// Returns nothing where the linear programme has no answer.
+// Returns nothing if the linear programme has no answer.
 std::optional<bool> stands(const Assembly& assembly) {
     const LeastImbalance found = least_imbalance(assembly);
     return found.status == LpStatus::optimal ? std::optional(found.stands()) : std::nullopt;
 }
 
-// One body of the assembly among the others that are left, as if these were fixed.
+// One body of the assembly among the remaining ones, as if these were fixed.
 Assembly alone(const Assembly& assembly, std::size_t body, const std::vector<char>& gone) {
     Assembly made{AssemblyCheck::valid, {assembly.bodies[body]}, {}};
     for (const Contact& contact : assembly.contacts) {

@@ -12,26 +12,26 @@
 
 namespace delabole {
 
-// Greatest factor of safety by strength reduction for which forces exist that strength allows and that hold all blocks,
-// whatever the loading path and the stiffness of the joints. A path may lead to failure far below it: lp_bound.hpp says
-// why.
+// Greatest factor of safety by strength reduction for which admissible forces exist that hold all blocks, whatever the
+// loading path and the stiffness of the joints. A path may lead to failure far below it, for the reason given in
+// lp_bound.hpp.
 //
-// Forces act over faces that lie on each other in the initial geometry, with peak strengths, under the loads of the
-// start; fixed blocks are the base. What corners hold on corners does not count: where many meet, as in joint sets that
-// cross, a slope may stand somewhat above it (the published problem RJ-5, without cohesion, by 2 %). Faces have at
-// each end half of their tensile strength, which is more than an elastic section has; bonded rock has its own strength
-// where that is more than the joint's. Nothing where something is scheduled for later. Infinite where blocks stand
-// without strength, 0 where none is enough. Time: 10 to 60 linear programmes; 0.1 s for 60 blocks, 20 s for 450.
+// Forces act over faces that lie on each other in the initial geometry, with peak strengths, under the initial loads;
+// fixed blocks are the base. Contacts of corners on corners do not count: where there are many, as where joint sets
+// cross, a slope may stand slightly above this factor (the published problem RJ-5, without cohesion, by 2 %). Each end
+// of a face has half of its tensile strength, which is more than an elastic section has; bonded rock has its own
+// strength if that is more than the joint's. Empty if anything is scheduled for later. Infinite if blocks stand without
+// strength, 0 if no strength is enough. Time: 10 to 60 linear programmes; 0.1 s for 60 blocks, 20 s for 450.
 std::optional<double> greatest_strength_reduction(const RelaxationScene& scene,
                                                   const std::atomic<bool>* stop = nullptr);
 
-// Whether the scene's own strength is enough for such forces. False: if the blocks do stand, then because corners bear
-// on corners. Nothing also where the linear programme has no answer. Time: 0.03 s for 200 blocks, 0.3 s for 1500.
+// Whether the scene's own strength is enough for such forces. If not, blocks that stand do so because corners bear on
+// corners. Empty also if the linear programme has no answer. Time: 0.03 s for 200 blocks, 0.3 s for 1500.
 std::optional<bool> stands_on_faces(const RelaxationScene& scene);
 
-// The blocks that have lost a neighbour to those that are `gone` and that the others could not hold even if they
-// stood fast themselves (the removable blocks of Goodman & Shi 1985, with friction and water). Some that are left may
-// lose their hold with them: ask again with these gone as well.
+// The blocks that have lost a neighbour among those `gone` and that the others could not hold even if they were fixed
+// (the removable blocks of Goodman & Shi 1985, with friction and water). Further blocks may lose their support with
+// them: call again with these gone as well.
 std::vector<std::size_t> blocks_without_hold(const RelaxationScene& scene, const Bodies& bodies,
                                              const std::vector<SharedFace>& faces, const std::vector<char>& gone);
 

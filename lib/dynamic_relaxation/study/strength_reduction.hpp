@@ -1,9 +1,9 @@
-// Strength divided by a factor, for a factor of safety of the strength that joints and intact rock have.
+// Strength reduction: strength of joints and intact rock divided by a factor, for a factor of safety.
 //
-// Divided are, of a joint, peak and residual cohesion, tensile strength and the tangents of the peak and of the
-// residual friction angle; of the intact rock that bonds the joint, cohesion, tensile strength and the tangent of the
-// friction angle. Not divided are stiffnesses and moduli, weight, water, forces and shaking, and the friction of a belt
-// that drives the blocks. A factor below 1 raises strength.
+// The division applies to a joint's peak and residual cohesion, its tensile strength and the tangents of its peak and
+// residual friction angles; for the intact rock that bonds the joint, to cohesion, tensile strength and the tangent of
+// the friction angle. It does not apply to stiffnesses and moduli, weight, water, forces and shaking, nor to the
+// friction of a belt that drives the blocks. A factor below 1 raises strength.
 //
 // Reference: Zienkiewicz, O.C., Humpheson, C. & Lewis, R.W. (1975) Associated and non-associated visco-plasticity and
 // plasticity in soil mechanics. Geotechnique 25, 671-689.
@@ -20,15 +20,15 @@
 namespace delabole {
 
 // `factor` is more than 0. No friction angle is raised beyond 89.9 deg, near which scenes are refused. Two faces in
-// contact have the properties of the one with less friction, as reduced.
+// contact have the properties of the one with less friction after the reduction.
 RelaxationScene with_reduced_strength(RelaxationScene scene, std::span<const std::size_t> materials, double factor);
 
-// Names by which a case knows its joints, in their order: those of a jointed slope; "interface" and "base" of a row or
-// columns; "1", "2", ... of blocks.
+// Names of the joints in a case, in their order: those of a jointed slope; "interface" and "base" of a row or columns;
+// "1", "2", ... of blocks.
 std::vector<std::string> joint_names(const BlockScene& scene);
 
-// The scene's materials that come from the named joints of `made_of`, from all where none is named. Scatter makes more
-// materials than there are joints.
+// The scene's materials that come from the named joints of `made_of`, or from all joints if none is named. Scatter
+// makes more materials than there are joints.
 std::vector<std::size_t> materials_of_joints(const BlockScene& made_of, const RelaxationScene& scene,
                                              const std::vector<std::string>& names);
 

@@ -1,4 +1,4 @@
-// How the runs of a study and of its searches are begun, checked and carried on.
+// Start, checks and continuation of the runs of a study and of its searches.
 #pragma once
 
 #include "dynamic_relaxation/study/relaxation_study.hpp"
@@ -7,11 +7,11 @@
 
 namespace delabole {
 
-// Uses as many threads as are worth their while.
+// Uses as many threads as speed up the run.
 RelaxationSettings settings_for(const RelaxationStudy& study, const StudyWork& work, const RelaxationScene& scene);
 
-// Runs to the end, or until the watch says false, and returns whether it was the end. What is `seen` does not depend on
-// where a run was stopped: a state is seen once, before the step that leaves it.
+// Runs to the end, or until the watch returns false, and returns whether the end was reached. The calls of `seen` do
+// not depend on where a run was stopped: a state is seen once, before the step that leaves it.
 bool go_on(Simulation& simulation, const StudyWork& work, const std::function<bool(double)>& watch,
            const std::function<void()>& keep, const std::function<void()>& seen);
 

@@ -1,5 +1,5 @@
-// Structs of numbers, or of flags, in groups of eight: of each member, those of a group stand side by side, numbers in
-// a line of 64 bytes, as loops over lanes want them.
+// Structs of numbers, or of flags, in groups of eight: within a group the values of each member are contiguous, numbers
+// in a line of 64 bytes, as loops over lanes need them.
 #pragma once
 
 #include "dynamic_relaxation/wide/large_array.hpp"
@@ -16,7 +16,7 @@ constexpr std::size_t packed_size = 8;
 struct alignas(packed_size * sizeof(double)) NumberGroup : std::array<double, packed_size> {};
 using FlagGroup = std::array<bool, packed_size>;
 
-// Takes from all members the number, or flag, at a place of a group. `Struct` has members of this type alone.
+// Takes the number, or flag, of each member at a place in a group. `Struct` has members of this type alone.
 template <template <class> class Struct, class Group>
 Struct<typename Group::value_type> taken_from(const Struct<Group>& group, std::size_t place) {
     using Number = typename Group::value_type;
@@ -42,8 +42,8 @@ void put_into(Struct<Group>& group, std::size_t place, const Struct<typename Gro
     }
 }
 
-// Group: NumberGroup for structs of double, FlagGroup for structs of bool. How many there are is known to whoever keeps
-// arrays side by side.
+// Group: NumberGroup for structs of double, FlagGroup for structs of bool. The owner of parallel arrays keeps their
+// common size.
 template <template <class> class Struct, class Group>
 class PackedArray {
   public:
@@ -55,7 +55,7 @@ class PackedArray {
     void set(std::size_t index, const Item& one) {
         put_into<Struct, Group>(group_[index / packed_size], index % packed_size, one);
     }
-    // `size`: how many there are so far.
+    // `size`: number of items so far.
     void push_back(std::size_t size, const Item& one) {
         group_.resize(size / packed_size + 1);
         set(size, one);

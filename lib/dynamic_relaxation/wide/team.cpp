@@ -4,7 +4,7 @@ namespace delabole {
 
 namespace {
 
-// Rounds follow each other within microseconds: a thread polls this often before it goes to sleep.
+// Rounds follow each other within microseconds: a thread polls this many times before it goes to sleep.
 constexpr int polls_before_sleep = 2000;
 
 }  // namespace

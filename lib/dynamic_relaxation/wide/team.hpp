@@ -1,4 +1,4 @@
-// A few threads that do the same work on different parts of it, thousands of times a second.
+// A few threads that do the same work on different parts of the data, thousands of times a second.
 #pragma once
 
 #include <atomic>

@@ -79,7 +79,7 @@ LpBound bound_of(const std::vector<RowMember<double>>& members) {
     return largest_tilt(assembly);
 }
 
-// Says which blocks the mechanism of the programme slides or turns.
+// Returns from the mechanism of the linear programme which blocks slide or rotate.
 RowState failure_in(const std::vector<VirtualMotion>& mechanism) {
     constexpr double still = 1e-9;  // of motions scaled to about 1
     bool slides = false;
@@ -92,7 +92,7 @@ RowState failure_in(const std::vector<VirtualMotion>& mechanism) {
     return !turns ? RowState::slides : slides ? RowState::slides_and_topples : RowState::topples;
 }
 
-// Returns nothing where the programme has no answer.
+// Returns nothing if the linear programme has no answer.
 std::optional<RowAnswer> bounded_answer(const std::vector<RowMember<double>>& members, double inclination) {
     if (members.size() > most_bounded_row) {
         return std::nullopt;

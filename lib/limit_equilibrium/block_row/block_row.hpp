@@ -1,16 +1,16 @@
-// A row of blocks on an inclined plane: every mode of sliding and toppling, which can happen and at what tilt, and what
-// governs. Equations and checks: block_row_mode.hpp; choice of the mode: block_row_search.hpp; the thesis's formulas
-// for equal blocks: closed_forms.hpp.
+// A row of blocks on an inclined plane: all modes of sliding and toppling, those that can happen and their tilts, and
+// the governing one. Equations and checks: block_row_mode.hpp; choice of the mode: block_row_search.hpp; the thesis's
+// formulas for equal blocks: closed_forms.hpp.
 //
-// Some rows of unequal blocks begin to move in ways that are not among the modes (block_row_search.hpp). Where no mode
-// is admissible the bound by linear programming (lp_bound.hpp) stands in for the tilts: beyond it no forces keep the
-// row in equilibrium. It is what the limit in contact is where there is one; a row that is not pressed together may
-// fail at less, though not before a block that stands alone would.
+// Some rows of unequal blocks begin to move in ways that are not among the modes (block_row_search.hpp). If no mode is
+// admissible, the bound by linear programming (lp_bound.hpp) is used for the tilts: beyond it no forces keep the row in
+// equilibrium. It equals the limit in contact if there is one; a row that is not pressed together may fail at a smaller
+// tilt, though not before a block that stands alone would.
 //
-// Limits: rectangular blocks, dry, no cohesion, statics only; the answer is the tilt at which a motion can begin. No
-// bolts: every term of the modes' equations is a weight and so linear in the sine and cosine of the tilt, which gives
-// its tangent in closed form; a bolt's force does not turn with the tilt. stepped_base has bolts, and a factor of
-// safety.
+// Limits: rectangular blocks, dry, no cohesion, statics only; the answer is the tilt at which a motion can begin. There
+// are no bolts: every term of the modes' equations is a weight and so linear in the sine and cosine of the tilt, which
+// gives its tangent in closed form; a bolt's force does not turn with the tilt. For bolts and a factor of safety see
+// stepped_base.
 #pragma once
 
 #include "limit_equilibrium/block_row/block_row_mode.hpp"
@@ -26,14 +26,14 @@ enum class BlockRowCheck {
     valid,
     no_blocks,
     too_many_blocks,     // more than 100 000
-    no_admissible_mode,  // every mode examined violates statics or kinematics, and there is no bound either: more
-                         // than most_bounded_row blocks, or the linear programme has no answer
+    no_admissible_mode,  // every mode examined violates statics or kinematics, and there is no bound either: more than
+                         // most_bounded_row blocks, or the linear programme has no answer
     input_out_of_range,  // a number outside the range of its field, or not finite
 };
 
 enum class RowState {
     stands,
-    stands_if_pressed,  // between both critical tilts: only if the blocks were pressed together. Where the tilts are
+    stands_if_pressed,  // between both critical tilts: stands only if the blocks are pressed together. If the tilts are
                         // bounds: from the tilt at which a block that stands alone would fail, up to the bound
     slides,
     topples,
@@ -86,8 +86,8 @@ struct RowModeSummary {
     }
 };
 
-// Forces on a block in the governing mode at its critical tilt. What passes between standing blocks is not determined:
-// their forces are those of blocks that stand alone.
+// Forces on a block in the governing mode at its critical tilt. Forces between standing blocks are not determined:
+// these blocks have the forces of blocks that stand alone.
 struct RowBlockForces {
     double thrust;         // on the block from the one above, along the plane; 0 for the uppermost
     double thrust_height;  // above the base; 0 without thrust
@@ -113,9 +113,9 @@ struct RowBlockForces {
 
 struct BlockRowResult {
     BlockRowCheck check = BlockRowCheck::input_out_of_range;
-    RowAnswer answer{};                   // meaningful only where valid
-    std::vector<RowModeSummary> mode{};   // also where no mode is admissible
-    std::vector<RowBlockForces> block{};  // in the governing mode; empty without one
+    RowAnswer answer{};                   // valid only if `check` is valid
+    std::vector<RowModeSummary> mode{};   // filled also if no mode is admissible
+    std::vector<RowBlockForces> block{};  // in the governing mode; empty if there is none
     static constexpr auto fields() {
         using R = BlockRowResult;
         return std::tuple{inlined(&R::answer, "what governs"), section("mode", &R::mode, "the modes examined"),
@@ -123,16 +123,16 @@ struct BlockRowResult {
     }
 };
 
-// The linear programme of so many blocks takes a second.
+// The linear programme of this many blocks takes a second.
 inline constexpr std::size_t most_bounded_row = 500;
 
-// Exact up to 16 blocks, a bounded search of linear time beyond (block_row_search.hpp).
+// Exact up to 16 blocks; for longer rows a restricted search of linear time (block_row_search.hpp).
 BlockRowResult analyse(const BlockRow<>& row);
 
 // Inputs: every number of the row. Outputs: the numbers of RowAnswer.
 ModelInterface model_interface(const BlockRow<>& row);
 
-// The blocks as the solver takes them: tangents, contacts, weights.
+// The blocks in the form that the solver needs: tangents, contacts, weights.
 template <class T>
 std::vector<RowMember<T>> row_members(const BlockRow<T>& row) {
     using std::tan;

@@ -18,7 +18,7 @@ struct TiltSwing {
     T cosine{};
 };
 
-// Blocks that turn as one.
+// Blocks that rotate as one unit.
 template <class T>
 struct TurningUnit {
     std::size_t begin;  // members
@@ -29,12 +29,13 @@ struct TurningUnit {
     T height_moment;  // sum of W a / 2
     T width_moment;   // sum of W times distance from the unit's toe
     T base_friction;
-    T interface_friction;  // above
+    T interface_friction;  // with the unit above
     T contact;
-    TiltSwing<T> thrust;  // above
+    TiltSwing<T> thrust;  // from above
 };
 
-// A mode's blocks by what they do, from `first` on: those that slide, turn, and either stand or retreat.
+// A mode's blocks, from `first` on, by their roles: those that slide, those that rotate, and those that stand or
+// retreat.
 template <class T>
 struct RowParts {
     std::size_t first = 0;
@@ -44,10 +45,10 @@ struct RowParts {
     std::size_t retreats = 0;
     std::vector<TurningUnit<T>> units{};
     TiltSwing<T> pushed{};  // thrust on the highest sliding block
-    T pushed_height{};      // where it acts
+    T pushed_height{};      // height at which it acts
 
     // The uppermost heel: its toe moves backward by the sum of (1 / cos w - 1) b over the units from the pivot up to
-    // the one below it, the heel itself comes forward by (1 - cos w) b. To second order in w the sums of b decide.
+    // the one below it, and the heel itself moves forward by (1 - cos w) b. To second order in w the sums of b decide.
     bool heel_pushes_back() const {
         if (units.empty()) {
             return false;
@@ -63,7 +64,7 @@ struct RowParts {
     }
 };
 
-// Keeps its working space between calls.
+// Keeps its working arrays between calls.
 template <class T>
 class RowClosing {
   public:
@@ -74,8 +75,8 @@ class RowClosing {
     // Parts of the mode closed last.
     const RowParts<T>& parts() const { return parts_; }
 
-    // `check` is no_tilt, locked, over_determined or admissible, there are no forces. Roles in the order
-    // S* (F* P? B* with "=") (0* or R*), as many as there are blocks from `first` on, not all standing; R only with P.
+    // `check` is no_tilt, locked, over_determined or admissible; forces are not set. Roles have the order S* (F* P? B*
+    // with "=") (0* or R*), one for each block from `first` on, not all standing; R only with P.
     RowMode<T> close(std::string_view roles, std::size_t first) {
         divide(roles, first);
         return parts_.units.empty() ? close_sliding() : close_turning();
@@ -135,7 +136,7 @@ class RowClosing {
 
     RowMode<T> close_turning() {
         RowMode<T> mode;
-        std::size_t pivot = 0;  // the unit whose shear is free; in an over-determined mode the lowest B; or none
+        std::size_t pivot = 0;  // unit whose shear is unknown; in an over-determined mode the lowest B; or `none`
         while (pivot < parts_.units.size() && parts_.units[pivot].role == row_role::forward) {
             ++pivot;
         }
@@ -163,8 +164,8 @@ class RowClosing {
         return mode;
     }
 
-    // Thrust of the blocks pushed back on the uppermost turning block: T and c N of all, less the friction that the
-    // rising heel takes off the lowest one.
+    // Thrust of the blocks pushed back on the uppermost rotating block: T and c N of all of them, less the friction
+    // that the rising heel takes off the lowest one.
     Swing thrust_of_retreat() const {
         Swing thrust;
         if (parts_.retreats > 0) {
@@ -179,7 +180,7 @@ class RowClosing {
         return thrust;
     }
 
-    // False where a block is locked.
+    // Returns false if a block is locked.
     bool thrusts_from_below(std::size_t pivot) {
         parts_.pushed = Swing{};
         T friction_below{};

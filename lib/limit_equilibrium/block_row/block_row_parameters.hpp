@@ -1,4 +1,4 @@
-// A row of blocks on an inclined plane (thesis 4.2, 4.3): what the plane, the interfaces and the blocks are.
+// A row of blocks on an inclined plane (thesis 4.2, 4.3): properties of the plane, the interfaces and the blocks.
 //
 // Block 1 stands lowest. Faces are normal to the plane and touch their neighbours over the lesser of the two heights;
 // no cohesion, no water.

@@ -1,33 +1,35 @@
-// Which mode of a row of blocks governs: the admissible one that begins at the least tilt. A template over the scalar.
+// Search for the governing mode of a row of blocks: the admissible one that begins at the least tilt. A template over
+// the scalar.
 //
-// Two answers. Free: parts may move away from what stands above them, as the lowest block alone does; needs no more
-// than that the rest stands without its support. In contact: the limit of blocks pressed together, by a mode of the
-// whole row, as the thesis assumes, or by the most that pressing on the heel of a lower part can hold.
+// There are two answers. Free: parts may move away from those above them, as the lowest block alone does; the rest then
+// only has to stand without their support. In contact: the limit of blocks pressed together, by a mode of the whole
+// row, as the thesis assumes, or by the greatest force that pressing on the heel of a lower part can provide.
 //
-// Does a third block add stability? Free, not even a second one does: the lowest of equal blocks is at its limit at
-// tan(tilt) = b / a whatever the number and the friction. In contact the second and the third do, (8) and FFP, and with
-// tall blocks some more through modes with B, until the lowest block cannot be held (F0.., the tilt of FFP):
+// Does a third block add stability? In the free case not even a second one does: the lowest of equal blocks is at its
+// limit at tan(tilt) = b / a whatever the number and the friction. In contact the second and the third add stability,
+// (8) and FFP, and with tall blocks some more through modes with B, until the lowest block cannot be held (F0.., the
+// tilt of FFP):
 //     tan(tilt) = b (1 + mu c) / [a (1 - mu c) + 2 b mu]
-// From there on further blocks add nothing.
+// Further blocks add nothing.
 //
 // Up to `exact_row_limit` blocks every mode is examined: lower parts that slide, turning groups in every pattern,
 // upper parts that stand, press or are pushed back, and blocks that adhere (any grouping up to `adhering_row_limit`
 // blocks, beyond it the whole row as one); whether an upper part stands is decided by the same search. Time O(N^5), 16
 // blocks take milliseconds.
 //
-// Not among them, and the reason why none may be admissible (block_row.hpp says what stands in then): of unequal
-// blocks, motions in which two groups turn by different angles or one part both slides and turns; a tall block that
-// tips over the top of a locked one (phi + psi >= 90 deg) while its toe slides back. Measured on random rows with
-// friction 10 to 44 deg and b/a 0.09 to 1: a mode for every row of two blocks, 98 % of three, 94 % of four, 88 % of
-// six; a limit in contact for 100, 94, 87 and 79 %. Wherever there is one it is the bound by linear programming, to
+// Not among the modes, so that sometimes none is admissible (block_row.hpp names the substitute): for unequal blocks,
+// motions in which two groups turn by different angles or one part both slides and turns; a tall block that tips over
+// the top of a locked one (phi + psi >= 90 deg) while its toe slides back. Measured on random rows with friction 10 to
+// 44 deg and b/a 0.09 to 1: there is a mode for every row of two blocks, 98 % of three, 94 % of four, 88 % of six;
+// there is a limit in contact for 100, 94, 87 and 79 %. Where it exists, it equals the bound by linear programming, to
 // rounding, and free rows fail at or below that bound: no exception in ten thousand rows of one to six blocks, nor in
 // long ones.
 //
-// Longer rows get a bounded search, linear in N: the lowest block alone and pressed, the sliding part of least
-// resistance, the whole row sliding, and the turning group found by bisection on the tilt, above it blocks each of
-// which stands by itself. Its answer is a mode with every check made; with base friction that varies, or where standing
-// blocks need one another, a lower one may escape it. Whether more than `pressing_limit` blocks that are not equal can
-// press is not examined, they count as unable to.
+// Longer rows get a restricted search, linear in N: the lowest block alone and pressed, the sliding part of least
+// resistance, the whole row sliding, and the turning group found by bisection on the tilt, with blocks above it that
+// each stand by themselves. Its answer is a mode that has passed every check. If base friction varies, or if standing
+// blocks need one another, the search may miss a mode of lower tilt. More than `pressing_limit` unequal blocks are not
+// checked for pressing and count as unable to press.
 #pragma once
 
 #include "limit_equilibrium/block_row/block_row_solver.hpp"
@@ -114,9 +116,9 @@ struct NamedRowMode {
 template <class T>
 struct RowSearchResult {
     bool exact = true;
-    std::vector<NamedRowMode<T>> modes{};  // all that were examined
-    // Index of the admissible motion of least tilt; where none is found, the limit in contact, beyond which there is no
-    // equilibrium; absent: none is admissible.
+    std::vector<NamedRowMode<T>> modes{};  // all modes examined
+    // Index of the admissible motion of least tilt; if there is none, the limit in contact, beyond which there is no
+    // equilibrium; absent if none is admissible.
     std::optional<std::size_t> least{};
     std::optional<std::size_t> least_in_contact{};
 };
@@ -141,14 +143,14 @@ class RowSearch {
     }
 
   private:
-    // Relative: rounding of the closed forms.
+    // Relative rounding error of the closed forms.
     const T same_tilt = 64 * std::numeric_limits<T>::epsilon();
 
     std::size_t count() const { return solver_.members().size(); }
     const RowMember<T>& member(std::size_t index) const { return solver_.members()[index]; }
 
-    // Tangents of the tilts at which a part fails: by a motion, and at the latest however it is pressed together.
-    // Absent: no such mode is admissible.
+    // Tangents of the tilts at which a part fails: by a motion, and the greatest one if it is pressed together. Absent
+    // if no such mode is admissible.
     struct Limits {
         std::optional<T> free{};
         std::optional<T> pressed{};
@@ -180,7 +182,7 @@ class RowSearch {
             const std::size_t first = text.find(row_role::stands);
             return first == std::string_view::npos ? 0 : text.size() - first;
         };
-        // Modes that begin together but for rounding: the one that moves more blocks.
+        // Of modes that begin together, except for rounding, the one that moves more blocks is taken.
         const auto take = [&](std::optional<std::size_t>& least) {
             if (least) {
                 const NamedRowMode<T>& best = result_.modes[*least];
@@ -204,7 +206,7 @@ class RowSearch {
         result_.modes.push_back({std::string(roles), std::move(mode)});
     }
 
-    // Limits of the blocks from `first` on, with nothing below them.
+    // Limits of the blocks from `first` on, without blocks below them.
     Limits limits_of_upper_part(std::size_t first) {
         Limits limits;
         for_each_row_mode(count() - first, [&](std::string_view roles) {
@@ -280,9 +282,9 @@ class RowSearch {
         }
     }
 
-    // The turning group that governs at a tilt.
+    // The turning group that governs at a given tilt.
     struct Group {
-        T excess{};             // of overturning over resisting moment; positive: fails
+        T excess{};             // of overturning over resisting moment; positive: the group fails
         std::size_t first = 0;  // lowest turning block
         std::size_t pivot = 0;
         std::size_t end = 0;  // past the highest turning block; 0: none turns
@@ -302,7 +304,7 @@ class RowSearch {
             return group;
         }
         const std::size_t changeover = thrusts_at(sine, cosine, group.end);
-        // Downwards, one more turning block at a time.
+        // The loop goes downwards and adds one turning block at a time.
         T turning{};
         bool any = false;
         for (std::size_t first = group.end; first-- > 0;) {
@@ -311,7 +313,7 @@ class RowSearch {
             if (first + 1 < group.end) {
                 turning -= block.width * block.interface_friction * thrust_[first];
             }
-            // From the changeover on, blocks slide backward under a thrust too small to push them forward.
+            // From the changeover on, blocks slide backward, because the thrust is too small to push them forward.
             if (first > changeover) {
                 continue;
             }
@@ -326,7 +328,8 @@ class RowSearch {
         return group;
     }
 
-    // The lesser of the thrusts from below and from above at every interface; returns the block where they change over.
+    // Computes the lesser of the thrusts from below and from above at every interface; returns the block where they
+    // change over.
     std::size_t thrusts_at(const T& sine, const T& cosine, std::size_t end) {
         thrust_.assign(end, T(0));
         T above{};
@@ -366,7 +369,7 @@ class RowSearch {
         if (!(group_at(high, whole).excess > 0)) {
             return;
         }
-        // To a half of the last place; the closed form gives the tilt itself.
+        // The bisection ends at half of the last digit; the closed form gives the tilt itself.
         for (int digit = 0; digit < std::numeric_limits<T>::digits; ++digit) {
             const T middle = (low + high) / 2;
             (group_at(middle, whole).excess > 0 ? high : low) = middle;
@@ -384,7 +387,7 @@ class RowSearch {
 
     RowModeSolver<T> solver_;
     RowSearchResult<T> result_;
-    std::vector<Limits> limits_;  // of the blocks from an index on
+    std::vector<Limits> limits_;  // of the blocks from each index on
     std::vector<T> thrust_;
 };
 

@@ -15,11 +15,11 @@
 
 namespace delabole {
 
-// Blocks that press on others; of more the forces are looked for only where all are equal, since the search for them
-// takes a time of the third power of their number, 10 ms for so many.
+// Greatest number of unequal blocks that are checked for pressing on others. The time of the search for the forces
+// grows with the third power of their number, to 10 ms for this many; more blocks are checked only if all are equal.
 inline constexpr std::size_t pressing_limit = 48;
 
-// Evaluates modes of the blocks from `first` on; keeps its working space between calls.
+// Evaluates modes of the blocks from `first` on; keeps its working arrays between calls.
 template <class T>
 class RowModeSolver {
   public:
@@ -27,10 +27,10 @@ class RowModeSolver {
 
     const std::vector<RowMember<T>>& members() const { return closing_.members(); }
 
-    // Tilt alone.
+    // Computes the tilt alone.
     RowMode<T> close(std::string_view roles, std::size_t first) { return closing_.close(roles, first); }
 
-    // Tilt, forces and every check but that of the standing part.
+    // Computes tilt and forces, and makes every check except that of the standing part.
     RowMode<T> solve(std::string_view roles, std::size_t first) {
         RowMode<T> mode = close(roles, first);
         if (mode.check == RowModeCheck::admissible) {
@@ -39,7 +39,7 @@ class RowModeSolver {
         return mode;
     }
 
-    // The checks of a mode that has been closed last.
+    // Makes the checks of the mode that was closed last.
     void complete(RowMode<T>& mode) {
         using std::sqrt;
         cosine_ = 1 / T(sqrt(T(1 + mode.tangent * mode.tangent)));
@@ -58,7 +58,7 @@ class RowModeSolver {
 
   private:
     const RowParts<T>& parts() const { return closing_.parts(); }
-    // Counted within the mode.
+    // `index` counts within the mode.
     const RowMember<T>& block(std::size_t index) const { return members()[parts().first + index]; }
     static T at_least_zero(const T& value) { return value > 0 ? value : T(0); }
     T at(const TiltSwing<T>& swing) const { return T(swing.sine * sine_ + swing.cosine * cosine_); }
@@ -76,7 +76,8 @@ class RowModeSolver {
             const T thrust = at(unit.thrust);
             const T shear = unit.interface_friction * thrust;
             const T overturning_moment = unit.height_moment * sine_ - unit.width_moment * cosine_;
-            // The uppermost moment is zero by the closing, but for rounding: no thrust, or thrust at the heel.
+            // By the closing equation the uppermost moment is zero, except for rounding: there is no thrust, or it acts
+            // at the heel.
             const T moment = last ? T(0) : T(moment_below - overturning_moment + unit.width * shear);
             MemberForces<T>& leader = mode.forces[unit.begin - parts().first];
             leader.normal_force = unit.weight * cosine_ + shear - shear_below;
@@ -92,7 +93,7 @@ class RowModeSolver {
         }
     }
 
-    // Within a unit the upper blocks have left the plane and hang on the lower ones.
+    // Within a unit the upper blocks have left the plane and are carried by the lower ones.
     void hang(RowMode<T>& mode, const TurningUnit<T>& unit) const {
         for (std::size_t index = unit.end - 1; index > unit.begin; --index) {
             const RowMember<T>& member = members()[index];
@@ -147,9 +148,10 @@ class RowModeSolver {
         place_reactions(mode, begin, begin + parts().retreats, T(0));
     }
 
-    // Blocks from `begin` to `end` that move along the plane together. The moments of the thrusts between them are
-    // free within limits; `handed_down` is that of the thrust on the uppermost, the thrust on the lowest from below
-    // has none. Of the possible ones those nearest to a thrust at mid-height are taken.
+    // Places the reactions of blocks from `begin` to `end` that move along the plane together. The moments of the
+    // thrusts between them are free within limits; `handed_down` is the moment of the thrust on the uppermost block,
+    // and the thrust on the lowest from below has none. Of the possible moments those nearest to a thrust at mid-height
+    // are taken.
     void place_reactions(RowMode<T>& mode, std::size_t begin, std::size_t end, const T& handed_down) {
         if (begin == end) {
             return;
@@ -195,7 +197,7 @@ class RowModeSolver {
         }
     }
 
-    // Each is taken as if it stood alone: what passes between standing blocks is not determined.
+    // Each block is taken as if it stood alone, because forces between standing blocks are not determined.
     void standing_forces(RowMode<T>& mode) const {
         for (std::size_t index = parts().slides + parts().turns;
              index < parts().slides + parts().turns + parts().stands; ++index) {
@@ -207,7 +209,8 @@ class RowModeSolver {
         }
     }
 
-    // Forces below this count as zero: each is a chain of a few operations per block on sums up to the largest force.
+    // Forces below this count as zero. Each results from a chain of a few operations per block on sums up to the
+    // largest force.
     T tolerance(const RowMode<T>& mode) const {
         T largest{};
         for (const MemberForces<T>& forces : mode.forces) {
@@ -244,9 +247,9 @@ class RowModeSolver {
         return RowModeCheck::admissible;
     }
 
-    // Whether there are forces, anywhere within faces and friction, by which the standing blocks can press on the heel
-    // of the turning ones: three equations for each, with the two edges of Coulomb's cone at both ends of every face as
-    // unknowns, that of the base first.
+    // Whether forces within all faces and their friction exist by which the standing blocks can press on the heel of
+    // the turning ones: three equations for each block, with the two edges of Coulomb's cone at both ends of every face
+    // as unknowns, those of the base first.
     bool pressing_forces_exist(const RowMode<T>& mode, const T& slack) {
         const std::size_t begin = parts().slides + parts().turns;
         const std::size_t columns = 8 * parts().stands - 4;
@@ -261,7 +264,7 @@ class RowModeSolver {
             const RowMember<T>& member = block(begin + index);
             const std::size_t row = 3 * index;
             const T size = member.width + member.height;
-            // Moments are about the toe of `receiver`, over its size, positive against overturning.
+            // Moments are about the toe of `receiver`, divided by its size, positive against overturning.
             const auto add = [&](std::size_t receiver, std::size_t column, const T& up_dip, const T& outward,
                                  const T& restoring) {
                 coefficients_[receiver * columns + column] = up_dip;
@@ -276,7 +279,7 @@ class RowModeSolver {
                 }
             }
             if (index + 1 < parts().stands) {
-                // From the block above: down the slope, and shear down on this one.
+                // Forces from the block above: down the slope, and shear down on this block.
                 const RowMember<T>& above = block(begin + index + 1);
                 const T above_size = above.width + above.height;
                 const T face = 1 / T(1 + member.interface_friction);
@@ -291,14 +294,14 @@ class RowModeSolver {
             right_sides_[row + 1] = member.weight * cosine_ / largest;
             right_sides_[row + 2] = own_moment(member) / (size * largest);
         }
-        // The turning block's share is taken off its lowest neighbour.
+        // The forces of the turning block are subtracted for its lowest neighbour.
         right_sides_[0] -= heel.thrust / largest;
         right_sides_[1] -= heel.shear / largest;
         return infeasibility_(coefficients_, right_sides_) <= slack / largest;
     }
 
-    // The same of many equal blocks, by sums: neither do they slide up the plane, nor, supported by that thrust, does
-    // any upper group of them turn. Rows of unequal blocks may satisfy the sums for which there are no forces.
+    // The same check for many equal blocks, by sums: the blocks neither slide up the plane, nor does any upper group of
+    // them, supported by that thrust, turn. Rows of unequal blocks may satisfy the sums although no such forces exist.
     bool equal_blocks_press(const RowMode<T>& mode, const T& slack) const {
         const std::size_t begin = parts().slides + parts().turns;
         const std::size_t end = begin + parts().stands;
@@ -324,7 +327,7 @@ class RowModeSolver {
         if (pressing > thrust[begin - 1] + slack) {
             return false;
         }
-        T most = pressing;  // that the blocks below an interface bear before they slide forward
+        T most = pressing;  // greatest force that the blocks below an interface bear before they slide forward
         bool locked = false;
         for (std::size_t index = begin; index + 1 < end; ++index) {
             const RowMember<T>& member = block(index);

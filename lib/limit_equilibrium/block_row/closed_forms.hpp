@@ -6,24 +6,24 @@
 // so that F^k P B^(N-1-k) begins at
 //     N (a t - b) / 2 = b mu { k (k + 1) / 2 (c - t) / (1 - m) + q (q + 1) / 2 (c + t) / (1 + m) },   q = N - 1 - k
 //
-// Printed against derived:
-//     (7) (8) (9) (10) (11)  right
-//     (12) (13)  right: the thrusts above, per block weight, of one block in the forward and backward mode
+// Comparison of the printed with the derived formulas:
+//     (7) (8) (9) (10) (11)  correct
+//     (12) (13)  correct: the thrusts above, per block weight, of one block in the forward and backward mode
 //     (14)  printed equal to (8). FFP gives b (1 + m) / [a (1 - m) + 2 b mu], which exceeds (8) wherever c > b / a,
 //           since their difference has the sign of mu (1 - m)(c a - b). Equal to (8) is F P with the third block
 //           standing apart, but on a plane steeper than b / a it does not stand: a row in contact gains from a third.
-//     (15)  right for FPB
+//     (15)  correct for FPB
 //     (16)  its text is lost; PBB gives b (1 + 3 m) / [a (1 + m) - 2 b mu]
-//     (17)  right for FBB: both terms of the fraction carry the factor 1 + m, and c (3 m - 1) / (3 - m) is the same
-//     (18)  multiplied out its denominator is 2 (1 - m) {a (1 - m)(2 + m) + b mu (2 + 4 m)}; FFPB has
+//     (17)  correct for FBB: both terms of the fraction carry the factor 1 + m, and c (3 m - 1) / (3 - m) is the same
+//     (18)  multiplied out, its denominator is 2 (1 - m) {a (1 - m)(2 + m) + b mu (2 + 4 m)}; FFPB has
 //           2 (1 - m) {2 a (1 - m)(1 + m) + b mu (2 + 4 m)}: so it is meant for FFPB, with (2 + m) for 2 (1 + m).
-//           Its numerator contains mu by itself, which friction can bring in only with c or b / a as its companion.
-//     (19)  has the numerator of (18) at c = mu, but + 4 b mu (1 - mu^2)^2 in the denominator where (18) has a minus: a
-//           slip of sign, since the minus is what makes b mu (2 + 4 m). Right for FFPB is b (1 + 2 m) / [a (1 - m^2) +
-//           b mu (1 + 2 m)].
+//           Its numerator contains mu by itself, which friction can bring in only together with c or b / a.
+//     (19)  has the numerator of (18) at c = mu, but + 4 b mu (1 - mu^2)^2 in the denominator where (18) has a
+//           minus: an error of sign, because b mu (2 + 4 m) requires the minus. Correct for FFPB is
+//           b (1 + 2 m) / [a (1 - m^2) + b mu (1 + 2 m)].
 //
-// A formula whose denominator is not positive has no tilt below 90 deg; the caller checks. Accuracy: a few units in the
-// last place but where the denominator cancels.
+// A formula whose denominator is not positive has no tilt below 90 deg; the caller checks this. Accuracy: a few units
+// in the last place, except where the denominator cancels.
 #pragma once
 
 #include <cmath>
@@ -57,8 +57,8 @@ T two_blocks_equal_thrusts(const T& w1, const T& w2, const T& mu, const T& c) {
     return (w1 * c * (1 + m) - w2 * c * (1 - m)) / (w1 * (1 + m) + w2 * (1 - m));
 }
 
-// Derived, N equal blocks: `forward` toes slide forward, one pivots, `backward` ones slide backward. It contains (8),
-// (15) and what (14), (16) and (18) should be.
+// Derived formula for N equal blocks: `forward` toes slide forward, one pivots, `backward` ones slide backward. It
+// contains (8), (15) and the corrected (14), (16) and (18).
 template <class T>
 T equal_blocks(int forward, int backward, const T& a, const T& b, const T& mu, const T& c) {
     const int count = forward + 1 + backward;
@@ -133,7 +133,7 @@ T boundary_base_friction(const T& a, const T& b, const T& w, const T& mu) {
     const T quadratic = mu * a;
     const T half_linear = ((w - v) * (a - mu * b) - 4 * w * v * mu * b) / 2;
     const T root = sqrt(T(half_linear * half_linear + quadratic * b));
-    // The form without cancellation; mu = 0 leaves the linear equation.
+    // This form avoids cancellation; mu = 0 leaves the linear equation.
     return half_linear > 0 ? T(b / (half_linear + root)) : T((root - half_linear) / quadratic);
 }
 

@@ -26,7 +26,7 @@ Swing operator*(double factor, const Swing& swing) {
     return {factor * swing.sine, factor * swing.cosine};
 }
 
-// Everything that acts on the block, as functions of the inclination.
+// All loads on the block, as functions of the inclination.
 struct Loads {
     double weight = 0;
     Swing down_dip;     // D
@@ -35,7 +35,7 @@ struct Loads {
     Swing restoring;
 };
 
-// Water as tall as `depth` on a face: its force, resultant a third of the depth up, per cos(i).
+// Force of water of the given depth on a face, whose resultant is at a third of the depth, divided by cos(i).
 double face_force(double unit_weight, double depth) {
     return unit_weight * depth * depth / 2;
 }
@@ -69,7 +69,7 @@ Loads loads_on(const SingleBlock<>& problem) {
     return loads;
 }
 
-// The first inclination in [0, 90 deg] at which `excess` exceeds `resistance` >= 0; 90 deg where it never does.
+// The first inclination in [0, 90 deg] at which `excess` exceeds `resistance` >= 0; 90 deg if it never does.
 double first_excess(const Swing& excess, double resistance) {
     if (excess.cosine >= resistance) {
         return 0;
@@ -116,12 +116,12 @@ class RigidBlock {
     }
 
   private:
-    // Forward about the toe or backward about the heel; moments and turns are positive in that sense.
+    // Rotation forward about the toe or backward about the heel; moments and rotations are positive in that sense.
     Onset turning(bool backward) const {
         const double sense = backward ? -1 : 1;
         const double moment = backward ? -moment_ - into_base_ * width_ : moment_;
         const double inertia = (height_ * height_ + width_ * width_) / 3;
-        // Reactions of a block that turns about an edge which does not slip.
+        // Reactions of a block that rotates about an edge which does not slip.
         const double turn = moment / inertia;
         const double shear = down_dip_ - sense * turn * height_ / 2;
         const double reaction = into_base_ + turn * width_ / 2;
@@ -131,13 +131,13 @@ class RigidBlock {
         return slipping(sense, moment, inertia, std::copysign(1.0, turn > 0 ? shear : down_dip_));
     }
 
-    // The edge slips with acceleration s down-dip, the block turns with w:
+    // The edge slips with acceleration s down-dip while the block rotates with w:
     //     moment = inertia w + sense s height / 2
     //     slip mu R = down_dip - s - sense w height / 2,   R = into_base + w width / 2
     Onset slipping(double sense, double moment, double inertia, double slip) const {
         const double mu = slip * friction_;
         const double arm = sense * height_ / 2;
-        // s = down_dip - mu into_base - w (mu width / 2 + arm), put into the first equation.
+        // From s = down_dip - mu into_base - w (mu width / 2 + arm), substituted in the first equation.
         const double unloaded = down_dip_ - mu * into_base_;
         const double lever = mu * width_ / 2 + arm;
         const double turn = (moment - arm * unloaded) / (inertia - arm * lever);
@@ -147,7 +147,7 @@ class RigidBlock {
             return {BlockMotion::lifts_off, 0, 0};
         }
         if (turn <= 0) {
-            // Cohesion is lost with the closed base, and the block then slides without turning.
+            // Cohesion is lost when the base opens, and the block then slides without rotating.
             return {BlockMotion::slides, unloaded, 0};
         }
         return {BlockMotion::slides_and_topples, acceleration, sense * turn};

@@ -1,5 +1,5 @@
-// A single rectangular block on an inclined plane: Ashby's static chart (thesis 4.1, Fig 4.1) and what the block does
-// at the onset of motion as a rigid body, per metre run.
+// A single rectangular block on an inclined plane: Ashby's static chart (thesis 4.1, Fig 4.1), and the motion of the
+// block at its onset as a rigid body, per metre run.
 //
 // The faces are normal to the base. Forces, D down the plane and N into it, with W the weight, a the height, b the
 // width, i the inclination, P and U the water forces on the faces and under the base:
@@ -7,24 +7,24 @@
 //     D = W [(1 + k_v) sin i + k_h cos i] + P_behind - P_front
 //     N = W [(1 + k_v) cos i - k_h sin i] - U
 //
-// Static: slides where D > C + N tan(phi), C the cohesive force; topples where the moment about the toe is positive.
-// Fig 4.1(b) superposes these two, and is wrong wherever it says "slides and topples": while one motion goes on, the
-// reaction that belongs to the other is not the static one.
+// Static criteria: the block slides if D > C + N tan(phi), C the cohesive force; it topples if the moment about the toe
+// is positive. Fig 4.1(b) superposes these two and is wrong wherever it says "slides and topples": during one motion
+// the reaction for the other is not the static one.
 //
 // Onset of motion, released from rest. Each contact of the base is tried with the accelerations it implies; k is the
 // radius of gyration about the toe, k^2 = (a^2 + b^2) / 3:
-//     slides                 reaction of a block that translates lies within the base
-//     topples                turns about the toe, and |shear| <= N' tan(phi) with the reaction of the turning block
-//     slides and topples     turns about a toe that slips, shear = N' tan(phi)
-//     lifts off              the plane would have to pull
+//     slides                 the reaction of the translating block lies within the base
+//     topples                the block turns about the toe, and |shear| <= N' tan(phi) with its reaction N'
+//     slides and topples     the block turns about a toe that slips, shear = N' tan(phi)
+//     lifts off              equilibrium requires the plane to pull
 // Cohesion holds a closed base only: an edge has no area. Dry and without earthquake the boundary between topples and
 // slides-and-topples is
 //     tan(phi) = [4 sin i - 3 cos d sin(i - d)] / [4 cos i + 3 sin d sin(i - d)],  d = atan(b / a)
 // and that between slides and slides-and-topples is phi = d: with phi below d a block slides and never topples, however
 // steep the plane (Sagaseta 1986; Bray & Goodman 1981 for the four regions).
 //
-// Limits: no added mass of water; the water level falls with the plane's turn as the faces do (depths are measured
-// along the faces). Accuracy: closed form, a few units in the last place of the largest force.
+// Limits: no added mass of water; water depths are measured along the faces and turn with the plane. Accuracy: closed
+// form, a few units in the last place of the largest force.
 #pragma once
 
 #include "parameters/lengths.hpp"
@@ -65,7 +65,7 @@ struct BlockBase {
     }
 };
 
-// Pressures at heel and toe are those of the depths; under the base they go over into one another linearly.
+// Pressures at heel and toe follow from the depths; under the base the pressure varies linearly between them.
 template <class T = double>
 struct BlockWater {
     T unit_weight;
@@ -106,13 +106,13 @@ enum class SingleBlockCheck {
 enum class BlockMotion { stable, slides, topples, slides_and_topples, lifts_off };
 
 struct SingleBlockResult {
-    SingleBlockCheck check = SingleBlockCheck::input_out_of_range;  // the rest is meaningful only where valid
-    BlockMotion static_mode{};                                      // the two criteria superposed
+    SingleBlockCheck check = SingleBlockCheck::input_out_of_range;  // the rest is meaningful only if valid
+    BlockMotion static_mode{};                                      // superposition of the two criteria
     BlockMotion onset_mode{};                                       // of the rigid body released from rest
-    double factor_of_safety{};                                      // against sliding; infinite where nothing drives
+    double factor_of_safety{};                                      // against sliding; infinite if no force drives
     double overturning_factor{};                                    // restoring over overturning moment about the toe
-    double critical_sliding_inclination{};                          // 90 deg: at none
-    double critical_toppling_inclination{};                         // 90 deg: at none
+    double critical_sliding_inclination{};                          // 90 deg: slides at no inclination
+    double critical_toppling_inclination{};                         // 90 deg: topples at no inclination
     double weight{};
     double driving_force{};         // D
     double normal_force{};          // N, effective

@@ -70,7 +70,7 @@ Assembly mirrored(const Assembly& assembly) {
         body.load.moment *= -1;
     }
     for (Contact& contact : result.contacts) {
-        // Reflection swaps left and right of the way along the face.
+        // Reflection exchanges the sides to the left and right of the face's direction.
         const Point start = contact.start;
         contact.start = {-contact.end.x(), contact.end.y()};
         contact.end = {-start.x(), start.y()};

@@ -1,5 +1,5 @@
-// Rigid bodies that touch along straight faces: what a row of blocks, a stepped base and a slope cut by cross joints
-// have in common. Section axes, per metre run: x into the slope, y up, weight along -y.
+// Rigid bodies that touch along straight faces: the common form of a row of blocks, a stepped base and a slope cut by
+// cross joints. Section axes, per metre run: x into the slope, y up, weight along -y.
 #pragma once
 
 #include "geometry/polyline.hpp"
@@ -35,13 +35,13 @@ struct BodyLoad {
 struct Body {
     double weight;   // N/m
     Point centroid;  // where the weight acts
-    BodyLoad load;   // all that acts beside the weight: water, anchors, loads on top
+    BodyLoad load;   // all loads besides the weight: water, anchors, loads on top
 };
 
-// A plane face. Water pressure on it belongs to the loads of the bodies, its own forces are effective ones.
+// A plane face. Water pressure on it belongs to the loads of the bodies; the forces of the face are effective ones.
 struct Contact {
-    std::size_t body;                  // on the left of the way from `start` to `end`
-    std::optional<std::size_t> other;  // on the right; none: the fixed base
+    std::size_t body;                  // to the left of the direction from `start` to `end`
+    std::optional<std::size_t> other;  // to the right; absent: the fixed base
     Point start;
     Point end;
     double friction_angle;
@@ -54,19 +54,20 @@ struct Contact {
 };
 
 struct Assembly {
-    AssemblyCheck check = AssemblyCheck::no_bodies;  // of the builder
+    AssemblyCheck check = AssemblyCheck::no_bodies;  // set by the builder
     std::vector<Body> bodies;
     std::vector<Contact> contacts;
 };
 
-// Forces of light bodies drown in the tolerances of linear programming beside those of heavy ones. Measured with one of
-// the columns of Appendix A enlarged: right at a ratio of 1e8, wrong without a word at 1e9.
+// Beside the forces of heavy bodies those of light ones fall below the tolerances of linear programming. Measured with
+// one of the columns of Appendix A enlarged: the result is correct at a ratio of 1e8 and wrong without a warning at
+// 1e9.
 inline constexpr double greatest_weight_ratio = 1e7;
 
-// The builder's reason where it had one, otherwise what is wrong with the bodies and contacts themselves.
+// The builder's reason if there is one, otherwise any fault of the bodies and contacts themselves.
 AssemblyCheck check_assembly(const Assembly& assembly);
 
-// The same seen from behind: x reversed, so that what slid towards -x slides towards +x.
+// The same assembly seen from behind: x is reversed, so that a body that slid towards -x slides towards +x.
 Assembly mirrored(const Assembly& assembly);
 
 }  // namespace delabole

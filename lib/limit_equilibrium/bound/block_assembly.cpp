@@ -7,7 +7,7 @@ namespace delabole {
 
 namespace {
 
-// Axes turned by the base dip: u up-dip along the bases, v normal to them.
+// Axes rotated by the base dip: u up-dip along the bases, v normal to them.
 class TurnedAxes {
   public:
     explicit TurnedAxes(double base_dip) : cosine_(std::cos(base_dip)), sine_(std::sin(base_dip)) {}
@@ -18,7 +18,7 @@ class TurnedAxes {
     double sine_;
 };
 
-// Part of a column between two cross joints, or all of it; v from the base of the column.
+// A column, or its part between two cross joints; v is measured from the base of the column.
 struct Piece {
     std::size_t body;
     double bottom;
@@ -32,7 +32,7 @@ void add_interfaces(const TurnedAxes& axes, double u, const std::vector<Piece>& 
     while (left != lower.end() && right != upper.end()) {
         const double bottom = std::max(left->bottom, right->bottom);
         const double top = std::min(left->top, right->top);
-        // A sliver is rounding in the heights, not a face.
+        // A minute length comes from rounding of the heights and is not a face.
         if (top - bottom > 1e-9 * (left->top - left->bottom)) {
             assembly.contacts.push_back(
                 {left->body, right->body, axes.to_section(u, bottom), axes.to_section(u, top), friction_angle, 0});
@@ -67,7 +67,7 @@ void add_slide_head(const TurnedAxes& axes, const ColumnSlope<>& slope, double i
     const Point along(std::cos(wedge.joint_dip), std::sin(wedge.joint_dip));
     Body body{};
     body.weight = wedge.weight;
-    // A point on the line of the resultant, so that weight, water and loads have no moment about it.
+    // The centroid is put on the line of the resultant, so that weight, water and loads have no moment about it.
     body.centroid = foot + wedge.reaction_position * along;
     body.load.force =
         Point(wedge.force_x, wedge.force_y + wedge.weight) + wedge.water_force * Point(-along.y(), along.x());

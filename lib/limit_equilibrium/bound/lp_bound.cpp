@@ -22,7 +22,7 @@ using detail::Sense;
 using detail::solve;
 using detail::Sought;
 
-// GLPK keeps one environment for each thread, with its own switch for printing; leave both as they were.
+// GLPK keeps one environment for each thread, with its own switch for printing; both are left as they were.
 class SolverEnvironment {
   public:
     SolverEnvironment() : created_(glp_init_env() == 0), terminal_(glp_term_out(GLP_OFF)) {}
@@ -46,9 +46,8 @@ struct DeleteProblem {
 };
 using Problem = std::unique_ptr<glp_prob, DeleteProblem>;
 
-// Columns: the sought factor, then for every contact the edges of the cone at its start, of that at its end, where
-// there is cohesion the shear by it, and where there is tensile strength the pull at either end. Rows: forces along x
-// and y and moment of each body.
+// Columns: the sought factor; then for every contact the edges of the cone at its start and at its end, with cohesion
+// its shear, and with tensile strength the tension at either end. Rows: forces along x and y and moment of each body.
 class Programme {
   public:
     Programme(const Assembly& assembly, const Scales& scales, const Sought& sought, double strength)
@@ -59,8 +58,8 @@ class Programme {
                         values_.data());
     }
 
-    // A failure is nearly always a basis that lost its accuracy; it is met by another start, then by another method. No
-    // solution is what a lost basis may wrongly report, too: two starts have to agree on it.
+    // A failure is nearly always a basis that lost its accuracy; another start is tried then, and after it another
+    // method. A lost basis may also wrongly report that there is no solution: two starts have to agree on that.
     LpStatus solve() {
         LpStatus last = LpStatus::not_converged;
         for (const int method : {GLP_PRIMAL, GLP_DUALP}) {
@@ -112,15 +111,15 @@ class Programme {
         return forces;
     }
 
-    // The shadow prices of the rows: by how much a unit of load on a body lowers the factor. The sign is that of the
+    // The shadow prices of the rows: the decrease of the factor per unit of load on a body. The sign is that of the
     // motion in which the sought load does positive work when its factor is made as large as possible.
     std::vector<VirtualMotion> mechanism() const {
         const double sign = sought_.sense == Sense::largest ? 1 : -1;
         return mechanism_of([&](int row) { return sign * glp_get_row_dual(problem_.get(), row); });
     }
 
-    // Adds a force both ways to every row, and makes their sum least; the factor has to be fixed at 0. By the method of
-    // interior points, and by the simplex method where that gives up.
+    // Adds a force in both directions to every row and minimises their sum; the factor has to be fixed at 0. The
+    // interior-point method is used, and the simplex method if that fails.
     LeastImbalance least_imbalance() {
         glp_set_obj_coef(problem_.get(), 1, 0);
         const int rows = glp_get_num_rows(problem_.get());
@@ -161,7 +160,7 @@ class Programme {
             largest = std::max({largest, motions.back().displacement.norm(), std::abs(turned)});
         }
         if (!(largest > 0)) {
-            return {};  // the factor rests on its own limit, no load on a body changes it
+            return {};  // the factor is at its own limit, and no load on a body changes it
         }
         for (VirtualMotion& motion : motions) {
             motion.displacement /= largest;
@@ -173,7 +172,8 @@ class Programme {
     LpStatus solve_from_basis(int method) {
         glp_bfcp factors;
         glp_get_bfcp(problem_.get(), &factors);
-        // With GLPK's own 0.1 and 100, rows of a few hundred blocks lose all digits and the phase-one test is wrong.
+        // With GLPK's defaults, 0.1 and 100, rows of a few hundred blocks lose all digits and the phase-one test is
+        // wrong.
         factors.piv_tol = 0.9;
         factors.nfs_max = 20;
         glp_set_bfcp(problem_.get(), &factors);
@@ -188,7 +188,7 @@ class Programme {
             return LpStatus::not_converged;
         }
         if (glp_get_status(problem_.get()) == GLP_OPT) {
-            // Rounding gathers in the updates of the factors: the answer is taken from fresh ones.
+            // Rounding errors accumulate in the updates of the factors: the answer is taken from a new factorization.
             if (glp_factorize(problem_.get()) != 0 || glp_warm_up(problem_.get()) != 0) {
                 return LpStatus::not_converged;
             }
@@ -286,7 +286,7 @@ class Programme {
     const Sought& sought_;
     double strength_;
     Problem problem_;
-    // Counted from 1, as GLPK does.
+    // These arrays count from 1, as in GLPK.
     std::vector<int> rows_{0};
     std::vector<int> columns_{0};
     std::vector<double> values_{0};
@@ -312,7 +312,7 @@ LpBound detail::solve(const Assembly& assembly, const Scales& scales, const Soug
     for (const BoundContactForce& force : bound.forces) {
         largest_normal = std::max(largest_normal, force.normal() / scales.force);
     }
-    // A face that the mechanism closes by mistake does work with the force on it, by which the values differ.
+    // Work of the force on a face that the mechanism closes by mistake would make the values differ.
     if (!(bound.residuals.imbalance <= 1e-7 && bound.residuals.cone_violation <= 1e-7 &&
           bound.residuals.mechanism_overlap * largest_normal <= 1e-6)) {
         LpBound failed;
@@ -351,7 +351,7 @@ LpBound least_support_force(const Assembly& assembly, std::size_t body, const Po
     const Scales scales = scales_of(assembly);
     const Point unit = direction.normalized();
     Sought sought{std::vector<BodyLoad>(assembly.bodies.size()), Sense::least, 0};
-    // A factor on the mean weight, to be of the order of 1 in any units.
+    // A factor on the mean weight, so that it is of the order of 1 in any units.
     sought.load[body] = {scales.force * unit, scales.force * cross(point - assembly.bodies[body].centroid, unit)};
     LpBound bound = solve(assembly, scales, sought, 1);
     bound.value *= scales.force;

@@ -22,7 +22,7 @@ Scales scales_of(const Assembly& assembly) {
         }
     }
     for (double& arm : scales.arm) {
-        arm = arm > 0 ? arm : 1;  // a body that touches nothing
+        arm = arm > 0 ? arm : 1;  // a body without contacts
     }
     return scales;
 }

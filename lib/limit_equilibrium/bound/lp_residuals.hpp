@@ -1,5 +1,5 @@
-// What the programme is asked, how it is solved, and what is left of its answer when forces and mechanism are put back
-// into mechanics.
+// Formulation and solution of a linear programme of limit analysis, and the residuals of its forces and its mechanism
+// in the equations of mechanics.
 #pragma once
 
 #include "limit_equilibrium/bound/lp_bound.hpp"
@@ -24,7 +24,7 @@ struct Scales {
 
 enum class Sense { largest, least };
 
-// A factor on loads, one for each body.
+// A factor to be found on loads, one load for each body.
 struct Sought {
     std::vector<BodyLoad> load;
     Sense sense = Sense::largest;
@@ -32,10 +32,11 @@ struct Sought {
     double upper = infinity;
 };
 
-// Beyond this a cone is a half plane to as many digits as the simplex method keeps.
+// Beyond this tangent the cone is a half plane to all digits of the simplex method.
 constexpr double largest_raised_tangent = 1e4;
 
-// All strength times a factor: tan(phi), not phi. Raised strength stops at a tangent of 1e4, or at that given.
+// Strength times a factor applies to tan(phi), not to phi. Raised strength stops at a tangent of 1e4, or at the given
+// one if that is greater.
 inline double friction_of(const Contact& contact, double strength) {
     const double given = std::tan(contact.friction_angle);
     const double most = strength > 1 ? std::max(given, largest_raised_tangent) : given;
@@ -44,20 +45,20 @@ inline double friction_of(const Contact& contact, double strength) {
 
 Scales scales_of(const Assembly& assembly);
 
-// The answer for an assembly that cannot be asked about.
+// The answer for an invalid assembly.
 LpBound refused(AssemblyCheck check);
 
-// The weights as forces along -x.
+// The weights as forces in direction -x.
 std::vector<BodyLoad> horizontal_weights(const Assembly& assembly);
 
-// Solves a valid assembly, all of whose strength is multiplied by `strength`.
+// Solves a valid assembly with all strength multiplied by `strength`.
 LpBound solve(const Assembly& assembly, const Scales& scales, const Sought& sought, double strength);
 
-// Imbalance and cone violation, from the forces themselves and not from the programme's numbers.
+// Computes imbalance and cone violation from the forces themselves, independently of the programme's numbers.
 void set_static_residuals(const Assembly& assembly, const Scales& scales, const Sought& sought, double strength,
                           LpBound& bound);
 
-// Overlap and value of the mechanism.
+// Computes overlap and value of the mechanism.
 void set_mechanism_residuals(const Assembly& assembly, const Sought& sought, double strength, LpBound& bound);
 
 }  // namespace delabole::detail

@@ -13,15 +13,15 @@ using detail::Sense;
 
 namespace {
 
-// 4^5. Cones much nearer to half planes leave the simplex method no digits.
+// 4^5. With cones much nearer to half planes the simplex method has no accurate digits.
 constexpr double largest_strength = 1024;
 
 }  // namespace
 
-// The assembly stands where a horizontal force k times the weights may be 0: where the largest k is not below 0 and the
-// least not above. Both move away from each other as strength grows, so that the smaller of the largest k and minus
-// the least crosses 0 once. It is a piecewise smooth function, whose root is found between a strength with which
-// the assembly stands and one with which it does not.
+// The assembly stands if a horizontal force of k times the weights may be 0: the largest k is then not below 0 and the
+// least not above it. The two move apart as strength grows, so that the smaller of the largest k and minus the least
+// crosses 0 once. This margin is a piecewise smooth function, whose root is found between a strength with which the
+// assembly stands and one with which it does not.
 LpBound least_strength_factor(const Assembly& assembly, const std::atomic<bool>* stop) {
     if (const AssemblyCheck check = check_assembly(assembly); check != AssemblyCheck::valid) {
         return detail::refused(check);
@@ -50,7 +50,8 @@ LpBound least_strength_factor(const Assembly& assembly, const std::atomic<bool>*
             iterations += bound.iterations;
             LpStatus status = bound.status;
             if (status == LpStatus::not_converged && sense == Sense::least) {
-                // The largest is known not to be below 0: whether the assembly stands without the force is enough.
+                // The largest k is known not to be below 0: it suffices to know whether the assembly stands without the
+                // force.
                 const LpBound without = detail::solve(assembly, scales, {push, sense, 0, 0}, strength);
                 iterations += without.iterations;
                 status = without.status == LpStatus::optimal ? LpStatus::unbounded : without.status;
@@ -73,8 +74,8 @@ LpBound least_strength_factor(const Assembly& assembly, const std::atomic<bool>*
     const auto finish = [&](Trial trial) {
         LpBound bound = std::move(trial.state);
         if (trial.margin > 1e-9 && !stopped) {
-            // Not the margin decides but that friction is 0, or that below it no horizontal force would help: the
-            // forces are those without any.
+            // Here the margin is not zero: friction is 0, or below this strength no horizontal force would suffice. The
+            // forces are those without any horizontal force.
             bound = detail::solve(assembly, scales, {push, Sense::largest, 0, 0}, trial.strength);
             failed = failed || bound.status != LpStatus::optimal;
         }
@@ -108,7 +109,7 @@ LpBound least_strength_factor(const Assembly& assembly, const std::atomic<bool>*
         const double width = high.strength - low.strength;
         const bool both = std::isfinite(low.margin) && std::isfinite(high.margin) && stale < 2;
         const double share = both ? -low.margin / (high.margin - low.margin) : 0.5;
-        // Kept off the ends, or one of them would never move.
+        // The trial stays away from the ends, because otherwise one of them would never move.
         const double middle = low.strength + width * std::clamp(share, 1e-3, 1 - 1e-3);
         Trial trial = attempt(middle);
         (trial.margin < 0 ? low : high) = std::move(trial);

@@ -6,7 +6,7 @@ namespace delabole {
 
 namespace {
 
-// The wedge's corners on the ground, from the columns' face to its joint; turned axes.
+// The wedge's corners on the ground, from the columns' face to its joint, in turned axes.
 std::optional<std::vector<PlanePoint<>>> wedge_top(const ColumnScene<>& scene, const ColumnShapes<>& shapes) {
     if (!scene.slide_head || !scene.slope || !shapes.base_end || !shapes.columns.back().has_upper_joint) {
         return std::nullopt;
@@ -16,7 +16,7 @@ std::optional<std::vector<PlanePoint<>>> wedge_top(const ColumnScene<>& scene, c
                                detail::turned(shapes.base, dip.cosine, dip.sine));
 }
 
-// Ground behind a point of it, on to a third of the slope height beyond the last corner.
+// Adds the ground behind the profile's last point, to a third of the slope height beyond the ground's last corner.
 void add_ground_behind(Polyline& profile, const SlopeSection<>& slope, const SineCosine<double>& base) {
     const detail::TurnedGround<double> ground = detail::turned_ground(slope, base);
     const double from = profile.back().x();

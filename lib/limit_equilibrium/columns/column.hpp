@@ -19,10 +19,10 @@ struct Column {
     T base_v;
     T height;         // of its middle line; 0 allowed
     T lower_contact;  // above its own base, of the highest contact with the column below; 0 for the first column
-    T upper_contact;  // above its own base, of the highest contact with the column above; 0 where there is none
-    T joint_length;   // of the contact with the column above; 0 where there is none
+    T upper_contact;  // above its own base, of the highest contact with the column above; 0 if there is none
+    T joint_length;   // of the contact with the column above; 0 if there is none
     T weight;         // N/m, of rock alone
-    // Resultant of all that acts on the column except interblock and base forces. Water acts here: joint and base
+    // Resultant of all loads on the column, without interblock and base forces. Water is included here: joint and base
     // forces are effective ones.
     T down_dip_force;      // along -u, N/m
     T normal_force;        // along -v, N/m
@@ -40,7 +40,7 @@ struct SlideHeadWedge {
     T water_force;  // on that joint, normal to it
     T force_x;      // resultant of weight, earthquake, loads on top and water on the columns' face
     T force_y;
-    T reaction_position;  // distance along the joint from its lower end to where that resultant meets it
+    T reaction_position;  // distance along the joint from its lower end to the point at which that resultant meets it
     T face_length;        // of its contact with the last column, above the lower end of the joint
     T face_base;          // height of that lower end above the base of the last column
 };

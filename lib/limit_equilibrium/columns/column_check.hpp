@@ -1,4 +1,4 @@
-// Named reasons for which a slope cannot be divided into columns on a stepped base.
+// Reasons why a slope cannot be divided into columns on a stepped base.
 #pragma once
 
 namespace delabole {
@@ -9,7 +9,7 @@ enum class ColumnCheck {
     base_does_not_daylight,          // base inclination not below the face
     base_never_surfaces,             // the ground behind the crest is as steep as the base, and no end is given
     base_end_outside_slope,          // the given end of the base lies above the ground
-    joints_never_surface,            // part of the ground falls away as steeply as the joints, or more so
+    joints_never_surface,            // part of the ground falls away as steeply as the joints, or more steeply
     step_larger_than_block,
     no_columns,
     too_many_columns,             // more than 1 000 000
@@ -17,7 +17,7 @@ enum class ColumnCheck {
     head_joint_never_surfaces,    // the ground above the wedge is as steep as its joint
     load_outside_columns,         // a load or bolt names a column that does not exist or lies above its top
     load_needs_slope,             // loads on the ground or a level in filled ratio, but only blocks are given
-    bench_needs_continuous,       // flat-topped columns know no bench
+    bench_needs_continuous,       // flat-topped columns have no bench
     elevation_without_datum,      // an elevation is given but slope.toe_elevation is not
     water_points_not_increasing,  // piezometric line out of order, or a single point
     slope_needed,                 // columns cut from a slope, but no slope

@@ -3,14 +3,14 @@
 // Turned axes: u up-dip along the bases, v normal to them, through the toe of the slope. The toe corners of the bases
 // lie on the line v = u tan(base inclination - base dip), one spacing apart.
 //
-// `continuous`: tops are the ground itself. Where the base goes on to the ground, joints are counted from the toe, and
-// a new column begins with no area where base line and ground meet. Where the end of the base is given, joints are
-// counted from there, for the last one passes through it: the first column, at the toe, is as wide as is left, and a
-// new one begins there with no area. So every shape and every contact height is a continuous function of height, dips,
-// spacing and base end; only the count jumps. (A narrow last column instead would move the thrust of a slide head from
-// its own height to the top of a joint.) One exception is left: where the ground behind the crest is steeper than the
-// bases, the last column may lose contact (ground below the corner of its base) while it has area; it stands by itself
-// there, unless water or an earthquake move it, and is left out.
+// `continuous`: tops are the ground itself. If the base continues to the ground, joints are counted from the toe, and a
+// new column begins with zero area where base line and ground meet. If the end of the base is given, joints are counted
+// from there, because the last one passes through it: the first column, at the toe, has the remaining width, and a new
+// one begins there with zero area. So every shape and every contact height is a continuous function of height, dips,
+// spacing and base end; only the number of columns jumps. (A narrow last column instead would move the thrust of a
+// slide head from its own height to the top of a joint.) One exception remains: if the ground behind the crest is
+// steeper than the bases, the last column may lose contact (ground below the corner of its base) while it has area; it
+// stands by itself there, unless water or an earthquake moves it, and is left out.
 //
 // `classical` (Goodman & Bray 1976, eqs. 1-6): heights y_n = n (a1 - b) up to the crest column, then falling by a2 + b;
 // a1 = spacing tan(face - base dip), a2 = spacing tan(base dip - upper surface dip), b = step. Base n lies at v = n b,
@@ -57,7 +57,7 @@ struct ColumnShapes {
     ColumnCheck check = ColumnCheck::no_columns;
     SineCosine<T> base{};
     std::vector<ColumnShape<T>> columns{};
-    std::optional<PlanePoint<T>> base_end{};  // turned axes; given or last corner
+    std::optional<PlanePoint<T>> base_end{};  // turned axes; the given end or the last corner
 };
 
 namespace detail {
@@ -82,14 +82,14 @@ PlanePoint<T> difference(const PlanePoint<T>& a, const PlanePoint<T>& b) {
     return {T(a.x() - b.x()), T(a.y() - b.y())};
 }
 
-// The ground in turned axes: corners from the toe, then on without end.
+// The ground in turned axes: corners from the toe, then a line without end.
 template <class T>
 struct TurnedGround {
     std::vector<PlanePoint<T>> corners;
     PlanePoint<T> beyond;  // direction after the last corner
     std::size_t crest;     // index of the corner at the crest
 
-    // Every joint meets the ground once.
+    // Whether every joint meets the ground once.
     bool crosses_every_joint() const {
         for (std::size_t index = 1; index < corners.size(); ++index) {
             if (corners[index].x() < corners[index - 1].x()) {
@@ -123,7 +123,7 @@ class GroundWalk {
 
     const PlanePoint<T>& here() const { return here_; }
 
-    // Moves on to u, appending every corner passed and the point reached.
+    // Advances to u, and appends every corner passed and the point reached.
     void advance(const T& u, std::vector<PlanePoint<T>>& passed) {
         while (next_ < ground_.corners.size() && ground_.corners[next_].x() <= u) {
             here_ = ground_.corners[next_++];
@@ -135,7 +135,7 @@ class GroundWalk {
         }
     }
 
-    // Moves on to where the ground meets the ray from `origin` along `direction`, from its left to its right.
+    // Advances to where the ground meets the ray from `origin` along `direction`, from its left to its right.
     bool advance_to_ray(const PlanePoint<T>& origin, const PlanePoint<T>& direction,
                         std::vector<PlanePoint<T>>& passed) {
         for (; next_ < ground_.corners.size(); ++next_) {
@@ -177,7 +177,7 @@ class GroundWalk {
     std::size_t next_ = 1;
 };
 
-// The part that both layouts cut from a slope share.
+// The common part of both layouts cut from a slope.
 template <class T>
 struct BaseLine {
     TurnedGround<T> ground;
@@ -193,7 +193,7 @@ ColumnCheck set_base_line(const SlopeSection<T>& slope, const Layout& layout, Co
     }
     const SineCosine<T> base_line = sine_cosine(layout.base_inclination);
     const PlanePoint<T> direction = turned(shapes.base, base_line.cosine, base_line.sine);
-    // cos(joint dip) = sin(base dip), whose difference from the inclination may be nothing but rounding.
+    // cos(joint dip) = sin(base dip), which may differ from the inclination by rounding alone.
     if (direction.y() < -1e-12) {
         return ColumnCheck::base_flatter_than_joints_allow;
     }
@@ -221,7 +221,7 @@ ColumnCheck set_base_line(const SlopeSection<T>& slope, const Layout& layout, Co
                                                                       : ColumnCheck::valid;
 }
 
-// Shortens a column where the ground cuts its base; false where the ground is below the base from the start.
+// Shortens a column where the ground cuts its base; returns false if the ground is below the base from the start.
 template <class T>
 bool cut_by_ground(ColumnShape<T>& shape) {
     const std::vector<PlanePoint<T>>& top = shape.top;
@@ -253,7 +253,7 @@ ColumnCheck lay_out(const SlopeSection<T>& slope, const ContinuousColumns<T>& la
         return check;
     }
     GroundWalk<T> walk(line.ground);
-    // Number of columns and width of the first one. What is narrower than this part of the spacing is rounding.
+    // Number of columns and width of the first one. A width below this part of the spacing is rounding.
     constexpr double narrowest = 1e-9;
     const double whole_count =
         line.end ? std::max(1.0, std::ceil(static_cast<double>(T(line.end->x() / layout.spacing)) - narrowest)) : 0;
@@ -272,7 +272,7 @@ ColumnCheck lay_out(const SlopeSection<T>& slope, const ContinuousColumns<T>& la
         }
         if (index > 0) {
             shape.lower_contact = shape.top.front().y() - shape.base_v;
-            // Both columns end in the same ground, so that only what lies above the upper base is contact.
+            // Both columns end at the same ground, so that contact exists only above the upper base.
             shapes.columns.back().upper_contact = shapes.columns.back().upper_edge;
         }
         shapes.columns.push_back(std::move(shape));
@@ -373,7 +373,7 @@ ColumnCheck lay_out(const BlockColumns<T>& layout, ColumnShapes<T>& shapes) {
 
 }  // namespace detail
 
-// Shapes for any layout. Ranges of the fields are the caller's to check.
+// Shapes for any layout. The caller has to check the ranges of the fields.
 template <class T>
 ColumnShapes<T> make_shapes(const std::optional<SlopeSection<T>>& slope, const ColumnLayout<T>& layout) {
     ColumnShapes<T> shapes;
@@ -396,7 +396,7 @@ ColumnShapes<T> make_shapes(const std::optional<SlopeSection<T>>& slope, const C
 }
 
 // Slope heights between which the classical layout keeps its crest column; at either one the column nearest to the
-// crest changes and everything jumps. For the warning that goes with a classical layout.
+// crest changes and all results jump. Used for the warning that goes with a classical layout.
 struct ClassicalJump {
     double lower_height;
     double upper_height;

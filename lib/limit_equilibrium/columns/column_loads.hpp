@@ -6,9 +6,9 @@
 //   V1 = unit weight cos(base dip) y^2 / 2          out of the slope, at y / 3
 //   V2 = unit weight cos(base dip) (y + z) w / 2    lifting, at w (2 y + z) / (3 (y + z)) from the toe corner
 //   V3 = unit weight cos(base dip) z^2 / 2          into the slope, at z / 3.
-// The level in a joint is where the joint meets the water surface, never above the top of the lower of the two columns
-// beside it; a joint is taken down to the base of its lower column. The face of the first column drains, z = 0. Where a
-// water surface slopes the joints stand at different levels.
+// The level in a joint is where the joint meets the water surface, but not above the top of the lower of the two
+// columns beside it; a joint extends down to the base of its lower column. The face of the first column drains, z = 0.
+// If a water surface slopes, the levels in the joints differ.
 #pragma once
 
 #include "limit_equilibrium/columns/column.hpp"
@@ -28,14 +28,15 @@ struct TurnedResultant {
         v += force_v;
         moment += arm_u * force_v - arm_v * force_u;
     }
-    // Force given in section axes.
+    // Adds a force given in section axes.
     void add_turned(const SineCosine<T>& base, const T& arm_u, const T& arm_v, const T& force_x, const T& force_y) {
         const PlanePoint<T> force = turned(base, force_x, force_y);
         add(arm_u, arm_v, force.x(), force.y());
     }
 };
 
-// Where the water surface meets the joint at u, in turned axes; the smallest v for no water at all.
+// Water surface: gives the v at which it meets the joint at u, in turned axes; the smallest v if there is no water at
+// all.
 template <class T>
 class WaterSurface {
   public:
@@ -73,10 +74,10 @@ class WaterSurface {
 
     bool dry() const { return line_.empty() && !filled_ratio_; }
 
-    // Pressure per metre along a joint.
+    // Increase of pressure per metre along a joint.
     T gradient() const { return T(unit_weight_ * base_.cosine); }
 
-    // Height of water above `base_v` in a joint of the given height; 0 for none.
+    // Height of water above `base_v` in a joint of the given height; 0 if there is none.
     T height_in_joint(const T& u, const T& base_v, const T& joint_height) const {
         if (dry() || !(joint_height > 0)) {
             return T(0);
@@ -107,7 +108,7 @@ class WaterSurface {
         return ColumnCheck::valid;
     }
 
-    // Level beyond the ends; the highest where a steep line meets the joint more than once.
+    // The surface is level beyond its ends; if a steep line meets the joint more than once, the highest point counts.
     T level(const T& u) const {
         const T fall = base_.sine / base_.cosine;
         std::optional<T> highest;
@@ -144,12 +145,12 @@ void add_column_water(TurnedResultant<T>& resultant, const T& gradient, const T&
                       const T& upper) {
     resultant.add(width, T(upper / 3), T(-gradient * upper * upper / 2), T(0));
     resultant.add(T(0), T(lower / 3), T(gradient * lower * lower / 2), T(0));
-    // The two triangles of the trapezoid under the base.
+    // The trapezoid under the base is divided into two triangles.
     resultant.add(T(width / 3), T(0), T(0), T(gradient * lower * width / 2));
     resultant.add(T(width * 2 / 3), T(0), T(0), T(gradient * upper * width / 2));
 }
 
-// Weight of a polygon (turned axes) with its inertia force. Returns the weight.
+// Adds the weight of a polygon (turned axes) with its inertia force. Returns the weight.
 template <class T>
 T add_weight(TurnedResultant<T>& resultant, const Polygon<T>& outline, const PlanePoint<T>& origin,
              const SineCosine<T>& base, const T& unit_weight, const std::optional<SeismicLoad<T>>& seismic) {
@@ -162,8 +163,8 @@ T add_weight(TurnedResultant<T>& resultant, const Polygon<T>& outline, const Pla
     return weight;
 }
 
-// Loads on a stretch of ground, given in turned axes in order of growing u. A line load on a corner that two stretches
-// share stands on the upper one.
+// Adds loads on a stretch of ground, given in turned axes in order of increasing u. A line load on a common corner of
+// two stretches belongs to the upper one.
 template <class T>
 void add_ground_loads(TurnedResultant<T>& resultant, const std::vector<PlanePoint<T>>& top, const PlanePoint<T>& origin,
                       const SineCosine<T>& base, const T& crest_x, const std::vector<Surcharge<T>>& surcharges,

@@ -1,4 +1,4 @@
-// What is cut into columns: joints and base, water, loads on single columns, and the wedge above them.
+// Input of a slope of columns: joints and base, water, loads on single columns, and the wedge above them.
 //
 // Section, per metre run. Origin at the toe, x into the slope, y up. The joints dip into the slope; the bases are
 // normal to them and dip out of the slope, each higher than the one below by a step, so that their toe corners lie on a
@@ -34,8 +34,8 @@ constexpr auto regular_columns_fields() {
                "height above the toe at which that line ends; absent: it goes on to the ground")};
 }
 
-// Columns cut by the true ground: everything is a continuous function of slope height and spacing, but for loads that
-// name a column by its number.
+// Columns cut by the true ground: all results are continuous functions of slope height and spacing, except for loads
+// that name a column by its number.
 template <class T = double>
 struct ContinuousColumns {
     T joint_dip;
@@ -114,8 +114,8 @@ struct WaterTable {
     }
 };
 
-// A water surface drawn down to the toe: straight from there to a level above the upper end of the base, level behind
-// it. What the linear pressure drop of Hoek & Bray is to plane failure.
+// A water surface drawn down to the toe: straight from there to a level above the upper end of the base, horizontal
+// behind it. It corresponds to the linear pressure drop of Hoek & Bray for plane failure.
 template <class T = double>
 struct DrawnDownWater {
     T unit_weight;

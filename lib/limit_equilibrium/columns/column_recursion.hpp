@@ -9,16 +9,18 @@
 //   slides on its base:            P_(n-1) (1 - c m) = P_n (1 - c m) + D - c N - C
 // The larger of both, and of zero, is needed: the column topples, slides or stays. With one friction angle and weight
 // alone these are eqs. 20 and 21 solved for the force below. The thesis numbers the columns from the toe, solves for
-// the force above, the most that a column can bear, and takes the smaller one: the same limiting equilibrium.
+// the force above, which is the greatest that a column can bear, and takes the smaller one: the same limiting
+// equilibrium.
 //
-// Contact of a leaning column is at the highest point the two share, so that joints have friction but no cohesion: a
-// joint that touches at a corner has no area for it.
+// Contact of a leaning column is at the highest common point of the two columns, so that joints have friction but no
+// cohesion: a joint that touches at a corner has no area for it.
 //
 // Where c m >= 1 (friction angles adding to 90 deg) pushing the column up no longer unloads it: the friction of the
-// push takes more off the base than the push itself. A column that its own base holds (D - c N - C + P_n (1 - c m) <=
-// 0) needs no push; one that its base does not hold is held by none, and the force becomes infinite. There a column
-// passes from needing nothing to being held by nothing, and the slope from standing to failing, without a strength at
-// which the toe column is in limiting equilibrium; so does a column that topples without a neighbour to lean on.
+// push reduces the base's resistance by more than the push itself provides. A column that its own base holds
+// (D - c N - C + P_n (1 - c m) <= 0) needs no push; any other cannot be held by a push, and the force becomes infinite.
+// There a column changes at once from needing no push to being held by none, and the slope from standing to failing,
+// without a strength at which the toe column is in limiting equilibrium. The same applies to a column that topples
+// without a neighbour to lean on.
 #pragma once
 
 #include "limit_equilibrium/columns/column.hpp"
@@ -50,12 +52,13 @@ struct JointForce {
     T height;  // above the base of the column below
 };
 
-// The push that the lowest column lacks. Both negative: it stands. Both are finite unless no push holds a column above.
+// Balance of the toe column without a push. It stands if both are negative. Both are finite unless no push holds a
+// column above.
 template <class T = double>
 struct ToeBalance {
     T overturning_moment;  // about its toe corner, N
     T unresisted_force;    // D + P (1 - c m) - c N - C, N/m
-    T push_effect;         // 1 - c m: by how much a push of 1 N/m lowers it
+    T push_effect;         // 1 - c m: decrease of the unresisted force by a push of 1 N/m
 };
 
 // Calls visit(index, column, force of the upper joint, needed to prevent toppling, needed to prevent sliding, force of
@@ -76,7 +79,7 @@ ToeBalance<T> descend(const ColumnSlope<T>& slope, const ColumnStrength<T>& stre
         if (index == 0) {
             return {overturning, unresisted, push_effect};
         }
-        // No push reaches a column without a neighbour to lean on.
+        // A push cannot reach a column without a neighbour to lean on.
         const T against_toppling =
             overturning > 0 ? (column.lower_contact > 0 ? T(overturning / column.lower_contact) : infinite) : T(0);
         const T against_sliding = unresisted > 0 ? (push_effect > 0 ? T(unresisted / push_effect) : infinite) : T(0);
@@ -95,14 +98,14 @@ ToeBalance<T> toe_balance(const ColumnSlope<T>& slope, const ColumnStrength<T>& 
     return descend(slope, strength, head, [](auto&&...) {});
 }
 
-// Where a force on the toe column acts that replaces a neighbour: at the height of its middle line.
+// Height at which a force on the toe column acts in place of a neighbour: that of its middle line.
 template <class T>
 T toe_lever(const Column<T>& toe) {
     return toe.height > 0 ? toe.height : toe.width;
 }
 
-// Positive where the toe column moves, N/m. Continuous in all inputs while every column can be held, and then zero in
-// limiting equilibrium; it jumps from a negative number to infinity where one no longer can.
+// Positive if the toe column moves, N/m. Continuous in all inputs while every column can be held, and then zero in
+// limiting equilibrium; it jumps from a negative number to infinity where one can no longer be held.
 template <class T>
 T failure_margin(const ColumnSlope<T>& slope, const ToeBalance<T>& toe) {
     const T toppling = toe.overturning_moment / toe_lever(slope.columns.front());

@@ -23,7 +23,7 @@ struct Descent {
     std::vector<FlexuralColumnState> column = {};
 };
 
-// Height of the force between a column and the next one; of the uppermost and the toe column, at their free faces.
+// Height of the force between a column and the next one; for the uppermost and the toe column, at their free faces.
 double contact_above(const FlexuralSlope& slope, std::size_t index) {
     const double height = slope.column[index].height;
     const double next = index + 1 < slope.column.size() ? slope.column[index + 1].height : height;
@@ -72,7 +72,7 @@ Descent descend(const FlexuralSlope& slope, const Angles& angles, double strengt
     return descent;
 }
 
-// The push falls, and never rises, with the strength: the least strength that needs none lies in one bracket.
+// The push decreases, and never increases, with strength: the least strength without a push lies in one bracket.
 double required_strength(const FlexuralSlope& slope, const Angles& angles) {
     const auto stands = [&](double strength) { return descend(slope, angles, strength).toe_push <= 0; };
     if (stands(0)) {
@@ -80,7 +80,7 @@ double required_strength(const FlexuralSlope& slope, const Angles& angles) {
     }
     double upper = 0;
     for (const FlexuralColumn& column : slope.column) {
-        // Enough for every column by itself.
+        // This strength is enough for every column by itself.
         upper = std::max(upper, 3 * slope.unit_weight * column.height * column.height * angles.sine / column.width);
     }
     if (!stands(upper)) {

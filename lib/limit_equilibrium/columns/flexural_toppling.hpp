@@ -12,15 +12,16 @@
 // A cracked column still stands as a block until it turns about its lower edge, M = N t / 2, which gives Goodman &
 // Bray's toppling:
 //   P_l y_l = W (h sin(d) - t cos(d)) / 2 + P_r (y_r - m t).                                              (toppling)
-// It fails only beyond both, so the smaller of these two pushes is needed; without tensile strength
-// it is the second wherever the foot is pressed, and the model is Goodman & Bray's. And it must not be sheared off its
-// foot of cohesion c and friction mb,
+// A column fails only beyond both limits, so the smaller of these two pushes is needed; without tensile strength it is
+// the second wherever the foot is in compression, and the model is Goodman & Bray's. In addition the column must not
+// shear off its foot of cohesion c and friction mb, which needs
 //   P_l (1 - m mb) = P_r (1 - m mb) + W (sin(d) - mb cos(d)) - c t.                                       (shearing)
-// The largest of shearing, that, and zero is passed on. The slope fails where the toe column would need a push.
-// Printed forms of the literature take h y_r and y_l as shares of the height, as here, and have the bending case alone.
+// The greatest of the push for shearing, the smaller push above and zero acts on the next column. The slope fails if
+// the toe column needs a push. Printed forms in the literature take h y_r and y_l as shares of the height, as here, and
+// have the bending case alone.
 //
-// Limits: the feet lie in one plane, columns do not break above them, the rock does not crush; water and steps are
-// beyond it.
+// Limits: the feet lie in one plane, columns do not break above them, the rock does not crush; water and steps are not
+// modelled.
 // Aydan, O. & Kawamoto, T. (1992) The stability of slopes and underground openings against flexural toppling and their
 // stabilisation. Rock Mech. Rock Eng. 25, 143-165. Adhikary, D.P. et al. (1997) A study of the mechanism of flexural
 // toppling failure of rock slopes. Rock Mech. Rock Eng. 30, 75-93.
@@ -82,9 +83,9 @@ enum class FlexuralMode { stands, bends, topples, shears };
 
 struct FlexuralColumnState {
     FlexuralMode mode = FlexuralMode::stands;
-    double push = 0;    // N/m, that it needs from the column below; infinite where no push holds it
-    double moment = 0;  // N, at its foot, where it gets that push
-    double normal = 0;  // N/m, compression at its foot, likewise
+    double push = 0;    // N/m, required from the column below; infinite if no push holds it
+    double moment = 0;  // N, at its foot, under that push
+    double normal = 0;  // N/m, compression at its foot, under that push
     static constexpr auto fields() {
         using C = FlexuralColumnState;
         return std::tuple{section("mode", &C::mode, "how it fails unless it is pushed"),
@@ -97,10 +98,11 @@ struct FlexuralColumnState {
 
 struct FlexuralStability {
     FlexuralCheck check = FlexuralCheck::no_columns;
-    double toe_push = 0;  // N/m, that the toe column would need; 0: the slope stands
-    // Least tensile strength with which the slope stands, all else given; infinite where it is sheared off its feet.
+    double toe_push = 0;  // N/m, that the toe column needs; 0: the slope stands
+    // Least tensile strength with which the slope stands, all else as given; infinite if the columns shear off their
+    // feet.
     double required_tensile_strength = 0;
-    double factor_of_safety = 0;  // tensile strength over the required one; infinite where none is required
+    double factor_of_safety = 0;  // tensile strength over the required one; infinite if none is required
     std::vector<FlexuralColumnState> column = {};
     static constexpr auto fields() {
         using S = FlexuralStability;

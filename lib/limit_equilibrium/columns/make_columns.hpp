@@ -1,7 +1,7 @@
 // Columns, ready for the recursion, from a described slope.
 //
-// Loads on the ground behind the crest count where they stand on a column (or on the wedge above the columns); on the
-// flat tops of classical columns they are taken over the horizontal extent of each top.
+// Loads on the ground behind the crest count if they stand on a column (or on the wedge above the columns); on the flat
+// tops of classical columns they are taken over the horizontal extent of each top.
 #pragma once
 
 #include "limit_equilibrium/columns/slide_head.hpp"
@@ -50,7 +50,7 @@ void set_loaded(Column<T>& column, const TurnedResultant<T>& resultant) {
     column.overturning_moment = resultant.moment;
 }
 
-// Point loads and bolts; they may name a column that does not exist.
+// Adds point loads and bolts; they may name a column that does not exist.
 template <class T, class Load>
 ColumnCheck add_to_column(const std::vector<Load>& loads, const SineCosine<T>& base, bool on_toe_side,
                           const std::vector<ColumnShape<T>>& shapes, std::vector<TurnedResultant<T>>& resultants) {
@@ -65,7 +65,7 @@ ColumnCheck add_to_column(const std::vector<Load>& loads, const SineCosine<T>& b
         for (const PlanePoint<T>& point : shape.top) {
             highest = point.y() > highest ? point.y() : highest;
         }
-        // A load on top of a column may be given with the rounding of its height.
+        // The given load on top of a column may deviate by rounding of its height.
         if (load.height > (highest - shape.base_v) * (1 + 1e-9)) {
             return ColumnCheck::load_outside_columns;
         }
@@ -76,16 +76,16 @@ ColumnCheck add_to_column(const std::vector<Load>& loads, const SineCosine<T>& b
     return ColumnCheck::valid;
 }
 
-// A row of a pattern: where its heads are, in turned axes, in which column, and what it holds.
+// A row of a bolt pattern: position of its heads, in turned axes, their column, and the length that holds them.
 template <class T>
 struct ColumnBoltRow {
     PlanePoint<T> head;
     std::size_t column;
-    T length_in_columns;  // from the head to the base; negative where the bolt does not meet it
+    T length_in_columns;  // from the head to the base; negative if the bolt does not meet it
     T force;
 };
 
-// Returns nothing where the face has no column at that height.
+// Returns nothing if the face has no column at that height.
 template <class T>
 std::optional<ColumnBoltRow<T>> bolt_row(const BoltPattern<T>& pattern, int row, const SlopeSection<T>& slope,
                                          const ColumnShapes<T>& shapes) {
@@ -102,11 +102,11 @@ std::optional<ColumnBoltRow<T>> bolt_row(const BoltPattern<T>& pattern, int row,
     }
     const SineCosine<T> plunge = sine_cosine(pattern.plunge);
     const PlanePoint<T> along = turned(shapes.base, plunge.cosine, T(-plunge.sine));
-    // A bolt steeper than the joints is taken down to the base of its own column alone.
+    // A bolt steeper than the joints extends down to the base of its own column only.
     const std::size_t end = along.x() > 0 ? columns.size() : found.column + 1;
     for (std::size_t index = found.column; index < end; ++index) {
         const ColumnShape<T>& shape = columns[index];
-        // Through the rise of the base below this column, or down on its base.
+        // The bolt passes through the riser of the base below this column, or reaches its base.
         if (index > found.column) {
             const T to_rise = (shape.base_u - found.head.x()) / along.x();
             if (found.head.y() + to_rise * along.y() <= shape.base_v) {
@@ -125,7 +125,7 @@ std::optional<ColumnBoltRow<T>> bolt_row(const BoltPattern<T>& pattern, int row,
     return found;
 }
 
-// A bolt pulls at its head, on the column that stands there.
+// Adds bolts: each pulls at its head, on the column that stands there.
 template <class T>
 ColumnCheck add_support(const ColumnScene<T>& scene, const ColumnShapes<T>& shapes,
                         std::vector<TurnedResultant<T>>& resultants) {
@@ -196,7 +196,7 @@ ColumnCheck set_slide_head(const ColumnScene<T>& scene, const ColumnShapes<T>& s
 
 }  // namespace detail
 
-// `check` tells whether there are columns; where it is not `valid` the rest is unspecified. Linear in their number.
+// `check` is `valid` if there are columns; otherwise the rest is unspecified. Linear in their number.
 template <class T>
 ColumnSlope<T> make_columns(const ColumnScene<T>& scene) {
     using std::atan2;

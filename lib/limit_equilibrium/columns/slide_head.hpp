@@ -1,30 +1,29 @@
 // Slide-head toppling: a wedge above and behind the columns, sliding on a joint, pushes the uppermost column.
 //
 // The wedge lies between that joint (rising from the end of the stepped base), the upper face of the last column and
-// the ground. Thesis Figs 1.6(a), 2.9 show it; no equations are printed. Derived here. With d = dip of the wedge's
-// joint
-// - base dip, F applied to all strength, m_A = tan(friction of the wedge's joint) / F, m = friction of the columns'
-// joints / F, c_A its cohesion / F, l_A its length, and A, B the parts of the load resultant down along the joint and
-// into it (for weight alone A = W sin(dip), B = W cos(dip)), U the water on the joint, the thrust Q normal to the
-// columns' face with shear m Q (the wedge moves down past the column and drags it down) and the joint's normal force R
-// give
+// the ground. It is shown in Figs 1.6(a) and 2.9 of the thesis, which prints no equations for it; they are derived
+// here. Let d = dip of the wedge's joint - base dip, F the divisor of all strength, m_A = tan(friction of the wedge's
+// joint) / F, m = friction of the columns' joints / F, c_A its cohesion / F, l_A its length, A and B the parts of the
+// load resultant down along the joint and into it (for weight alone A = W sin(dip), B = W cos(dip)), and U the water on
+// the joint. The thrust Q normal to the columns' face with shear m Q (the wedge moves down past the column and drags it
+// down) and the joint's normal force R then satisfy
 //   along the joint   A = m_A R + c_A l_A + Q (cos d + m sin d)
 //   normal to it      R = B - U + Q (sin d - m cos d)
 //   Q [cos d (1 - m_A m) + sin d (m_A + m)] = A - m_A (B - U) - c_A l_A.
-// The right side is what the wedge lacks to stand by itself. The bracket is cos(d - phi_A - phi) / (cos phi_A cos phi):
-// positive unless phi_A + phi >= 90 deg + d, where the wedge jams.
+// The right side is the force that the wedge lacks to stand by itself. The bracket is
+// cos(d - phi_A - phi) / (cos phi_A cos phi): positive unless phi_A + phi >= 90 deg + d, where the wedge jams.
 //
-// Cohesion holds the wedge also where water takes its weight off the joint, B < U, as it does in plane failure. Where
-// it does not and R would be negative, water or the columns' friction lifts the wedge off: it rests on the last column
-// alone and pushes it all the same. With R = 0 and a shear force S on the joint
+// Cohesion also holds the wedge where water takes its weight off the joint, B < U, as in plane failure. Where it does
+// not and R would be negative, water or the columns' friction lifts the wedge off: it rests on the last column alone
+// and still pushes it. With R = 0 and a shear force S on the joint
 //   Q = (A - S) cos d - (B - U) sin d,   on the column's face T = (A - S) sin d + (B - U) cos d, at most m Q,
-// S being all of the cohesion, or as much of it as keeps the wedge from dragging the column upwards.
+// where S is all of the cohesion, or as much of it as keeps the wedge from dragging the column upwards.
 //
-// No cohesion acts between wedge and column: the crack between them opens first. Three unknowns (Q, R and their two
-// places are four) exceed the wedge's three equations, so one assumption is needed: the joint's reaction acts where the
+// No cohesion acts between wedge and column: the crack between them opens first. The unknowns (Q, R and their two
+// places) exceed the wedge's three equations by one, so one assumption is needed: the joint's reaction acts where the
 // resultant of the loads meets it, which is exact when Q = 0. Equilibrium of moments then puts Q on the line through
-// that point: its height above the lower end of the joint is r (sin d - m cos d), r the distance of that point, held
-// within the contact.
+// that point: its height above the lower end of the joint is r (sin d - m cos d), r the distance of that point, limited
+// to the contact.
 #pragma once
 
 #include "limit_equilibrium/columns/column_loads.hpp"
@@ -38,14 +37,14 @@ enum class SlideHeadState { stands, pushes, jams, lifts_off };
 template <class T = double>
 struct SlideHeadThrust {
     SlideHeadState state;
-    T force;         // on the last column, towards the toe along its base; 0 where the wedge stands or jams
-    T shear;         // on its upper face, downwards; negative where the wedge is held down by it
+    T force;         // on the last column, towards the toe along its base; 0 if the wedge stands or jams
+    T shear;         // on its upper face, downwards; negative if it holds the wedge down
     T height;        // above the base of the last column
-    T normal_force;  // effective, on the wedge's joint; 0 where it is lifted off, negative where cohesion holds it
-    T own_factor_of_safety;  // of the wedge without columns, at the given strength; infinite where nothing drives it
+    T normal_force;  // effective, on the wedge's joint; 0 if the wedge is lifted off, negative if cohesion holds it
+    T own_factor_of_safety;  // of the wedge without columns, at the given strength; infinite if no force drives it
 };
 
-// What of a wedge's joint is the same at every strength and for all wedges on joints of one set.
+// The part of a wedge's joint that is the same at every strength and for all wedges on joints of one set.
 template <class T = double>
 struct SlideHeadJoint {
     SineCosine<T> dip;
@@ -60,7 +59,7 @@ struct SlideHeadJoint {
 };
 
 // joint_friction: tangent of the friction angle of the columns' joints. strength_reduction divides it, the friction of
-// the wedge's own joint and its cohesion. A wedge that jams gives no thrust, and says so.
+// the wedge's own joint and its cohesion. A wedge that jams gives no thrust, which `state` reports.
 template <class T>
 SlideHeadThrust<T> slide_head_thrust(const SlideHeadWedge<T>& wedge, const SlideHeadJoint<T>& joint,
                                      const T& joint_friction, const T& strength_reduction) {
@@ -170,8 +169,8 @@ ColumnCheck make_wedge(const SlideHead<T>& head, const TurnedGround<T>& ground, 
         const T wetted = wedge.joint_length * head.water->filled_ratio;
         wedge.water_force = head.water->unit_weight * dip.sine * wetted * wetted / 2;
     } else {
-        // The pressure is as high as on the columns' face, from the joint's lower end; to the ground where that lies
-        // lower.
+        // The pressure at the joint's lower end equals that on the columns' face. It decreases along the joint, to zero
+        // or to the ground, whichever is lower.
         const T pressure = loads.face_water_gradient * depth;
         const T fall = loads.face_water_gradient / base.cosine * dip.sine;  // of the pressure, per metre of joint
         const T wetted = pressure < fall * wedge.joint_length ? T(pressure / fall) : wedge.joint_length;
@@ -181,7 +180,7 @@ ColumnCheck make_wedge(const SlideHead<T>& head, const TurnedGround<T>& ground, 
     wedge.force_x = force.x();
     wedge.force_y = force.y();
     const T into_joint = along_joint.x() * resultant.v - along_joint.y() * resultant.u;
-    // Where the loads press on the joint; half way up where they do not.
+    // Point at which the loads press on the joint; half way up if they do not.
     T position = into_joint < 0 ? T(resultant.moment / into_joint) : T(wedge.joint_length / 2);
     position = position > 0 ? position : T(0);
     wedge.reaction_position = position < wedge.joint_length ? position : wedge.joint_length;

@@ -103,7 +103,7 @@ class BaseSearch {
         return minimise_scalar(at, slope, range.lower, range.upper, points);
     }
 
-    // Ends of the base where it meets the ground, if nothing ends it before.
+    // Range of heights at which the base may end: up to where it meets the ground, unless the request ends it before.
     Range extents() {
         const double height = scene_.slope->height;
         const double lower = request_.lower_end_height.value_or(height / 100);
@@ -120,7 +120,7 @@ class BaseSearch {
         return {lower, std::max(end.y(), 2 * lower)};
     }
 
-    // Every column may have its own minimum.
+    // There may be one minimum for every column.
     int extent_points(const Range& range) {
         double rise_per_column = range.upper;
         with_layout([&](auto& layout) {

@@ -11,7 +11,8 @@ namespace delabole {
 
 enum class CriticalBaseFeature { base_inclination, extent, both };
 
-// Replaces the base inclination and/or the height at which the base ends by those of least factor of safety.
+// Search for the base of least factor of safety, which replaces the base inclination and/or the height at which the
+// base ends.
 template <class T = double>
 struct CriticalBaseSearch {
     CriticalBaseFeature find;
@@ -37,7 +38,7 @@ struct CriticalBaseSearch {
 };
 
 struct CriticalBase {
-    ColumnCheck check = ColumnCheck::no_columns;  // of the critical scene, or the reason at the start of the search
+    ColumnCheck check = ColumnCheck::no_columns;  // of the critical scene, or the reason why the search could not begin
     ColumnScene<> scene{};                        // the input with the critical base in place
     double factor_of_safety = 0;                  // under the condition of the search
     bool at_boundary = false;                     // the minimum lies at an end of a searched range
@@ -46,12 +47,12 @@ struct CriticalBase {
 
 using ColumnSafety = std::function<double(const ColumnScene<>&)>;
 
-// Scan of 16 inclinations and of four extents per column (16 to 64), then Brent on the difference quotient around the
-// lowest value, taken over 1e-7 of the range: positions are no better than that. `factor_of_safety` gives
-// something not finite where a scene has none; such places are passed over. Global only as far as the scan resolves it.
-// Where the extent changes nothing (all columns slide), any is returned. Joints are counted from the end of the base:
-// moving it moves them. Needs a continuous or classical layout. With a slide head, the wedge moves with the end of the
-// base.
+// Scan of 16 inclinations and of four extents per column (16 to 64), then Brent's method on the difference quotient
+// around the lowest value, taken over 1e-7 of the range: positions are no more accurate than that. `factor_of_safety`
+// gives a non-finite value for a scene that has none; such scenes are skipped. The minimum is global only as far as the
+// scan resolves it. If the extent has no influence (all columns slide), any extent is returned. Joints are counted from
+// the end of the base: moving it moves them. Needs a continuous or classical layout. With a slide head, the wedge moves
+// with the end of the base.
 CriticalBase find_critical_base(const ColumnScene<>& scene, const CriticalBaseSearch<>& request,
                                 const ColumnSafety& factor_of_safety);
 

@@ -11,13 +11,13 @@ namespace delabole {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Range of the logarithm: 11 decades each way and a last step more. What drives level bases is rounding, the cosine of
-// 90 deg being 6e-17: they must hold at any strength.
+// Range of the logarithm: 11 decades in each direction and one further step. On level bases the driving force is
+// rounding alone, the cosine of 90 deg being 6e-17: they must hold at any strength.
 constexpr double widest_search = 25;
 
-// Outwards from zero, to the side on which the sign can change. Under water, and with a strong wedge, slopes may stand
-// over several separate ranges of strength: steps of 5 % find the one nearest to the given strength; beyond a factor of
-// 50 they grow.
+// Searches outwards from zero, to the side on which the sign can change. Under water, and with a heavy wedge, slopes
+// may stand over several separate ranges of strength: steps of 5 % find the one nearest to the given strength; beyond a
+// factor of 50 the steps grow.
 template <class Function>
 SignBracket bracket_from_zero(const Function& function, double direction) {
     double near = 0;
@@ -35,7 +35,7 @@ SignBracket bracket_from_zero(const Function& function, double direction) {
     return {};
 }
 
-// The edge of standing of a margin that is negative for strong slopes; `weakening` is the direction of falling
+// Limit at which a margin that is negative for strong slopes changes sign; `weakening` is the direction of decreasing
 // strength.
 template <class Margin>
 Limit solve(Margin margin, double weakening) {
@@ -50,15 +50,15 @@ Limit solve(Margin margin, double weakening) {
         return {stands ? LimitState::holds_at_any_strength : LimitState::fails_at_any_strength, 0, evaluations};
     }
     const double logarithm = edge_in(counted, bracket);
-    return {LimitState::found, std::exp(logarithm), evaluations};  // or abrupt, which the caller tells
+    return {LimitState::found, std::exp(logarithm), evaluations};  // or abrupt, which the caller determines
 }
 
 double margin_at(const ColumnSlope<>& slope, const ColumnStrength<>& strength, double factor) {
     return failure_margin(slope, toe_balance(slope, strength.reduced_by(factor), head_force(slope, strength, factor)));
 }
 
-// Whether the toe column just balances, or stands with something to spare. The forces on it are known to some 1e-12 of
-// themselves; random slopes have either much less to spare or, past the pole, much more.
+// Whether the toe column is just in balance, or stands with a reserve. The relative error of the forces on it is some
+// 1e-12; the reserve of random slopes is either much less than `share` or, past the pole, much more.
 LimitState state_at(const ColumnSlope<>& slope, const ColumnStrength<>& strength, const JointForce<>& head) {
     constexpr double share = 1e-6;
     double thrust = head.normal;
@@ -75,7 +75,7 @@ Point in_section(double base_dip, double u, double v) {
     return {u * std::cos(base_dip) - v * std::sin(base_dip), u * std::sin(base_dip) + v * std::cos(base_dip)};
 }
 
-// Where the base above a column begins: the toe corner of the next one, or where it would be.
+// Beginning of the base above a column: the toe corner of the next one, or where that would be.
 Point corner_above(const ColumnSlope<>& slope, std::size_t index) {
     const Column<>& column = slope.columns[index];
     const double u = column.base_u + column.width;
@@ -91,7 +91,7 @@ void add_cable(Column<>& column, double base_dip, double plunge, double height, 
     column.overturning_moment -= force * height * std::cos(plunge + base_dip);
 }
 
-// On the toe column a cable enters both balances linearly.
+// In both balances of the toe column the cable's force enters linearly.
 CableForce cable_in_toe(const ToeBalance<>& toe, const ColumnStrength<>& strength, double inclination, double height) {
     if (!(toe.overturning_moment < infinity)) {
         return {CableState::cannot_hold, 0};
@@ -171,7 +171,7 @@ double toe_force(const ColumnSlope<>& slope, const ColumnStrength<>& strength, d
 }
 
 CableForce required_cable(const SteppedBase<>& problem, const RequiredCable<>& cable) {
-    // Its head has to find the same place as that of a bolt.
+    // The head of the cable must be found as that of a bolt is.
     ColumnScene<> bolted = problem.scene;
     bolted.bolt.push_back({cable.block, 0, cable.plunge, cable.height});
     ColumnSlope<> slope = make_columns(bolted);
@@ -222,7 +222,7 @@ std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const Colum
         results[index].height = column.height;
         results[index].weight = column.weight;
     }
-    // This holds for a push without bound on a smooth joint, too.
+    // The product would be undefined for an unbounded push on a frictionless joint.
     const auto friction_of = [&](double push) {
         return reduced.joint_friction > 0 ? reduced.joint_friction * push : 0;
     };
@@ -236,10 +236,10 @@ std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const Colum
         result.mode = !(lower > 0) ? ColumnMode::stays : toppling >= sliding ? ColumnMode::topples : ColumnMode::slides;
         result.lower_force = lower;
         result.lower_force_height = column.lower_contact;
-        // The joint below is loaded only by a column that moves.
+        // The joint below carries load only if the column moves.
         result.normal_reaction = column.normal_force + upper.shear - friction_of(lower);
         result.shear_reaction = column.down_dip_force + upper.normal - lower;
-        // Beside a push without bound nothing else counts: then of one newton of it.
+        // Beside an unbounded push all other loads vanish: the values are then per newton of it.
         const bool bounded = std::isfinite(upper.normal);
         const double normal = bounded ? result.normal_reaction : reduced.joint_friction;
         const double shear = bounded ? result.shear_reaction : 1;
@@ -247,11 +247,11 @@ std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const Colum
                                             upper.shear * column.width - lower * result.lower_force_height
                                       : upper.height - reduced.joint_friction * column.width;
         result.friction_ratio = normal > 0 ? shear / normal : infinity;
-        const bool unloaded = normal == 0 && moment == 0;  // a column of no height
+        const bool unloaded = normal == 0 && moment == 0;  // a column of zero height
         result.reaction_position = result.mode == ColumnMode::topples || unloaded ? 0
                                    : normal > 0                                   ? -moment / (normal * column.width)
                                                                                   : infinity;
-        // Moments balance to rounding where the column just topples.
+        // The moments of a column that just topples balance to rounding.
         constexpr double rounding = 1e-9;
         result.reaction_inside_base = result.reaction_position >= -rounding && result.reaction_position <= 1 + rounding;
         const double unresolved = bounded ? rounding * (std::abs(column.normal_force) + std::abs(lower)) : rounding;
@@ -267,7 +267,7 @@ std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const Colum
                                          record(index, column, force, toppling, sliding, lower);
                                          upper = {lower, friction_of(lower), slope.columns[index - 1].upper_contact};
                                      });
-    // The toe column has no neighbour to lean on: it moves where a force would be needed.
+    // The toe column has no neighbour to lean on: it moves if it would need a force.
     const Column<>& first = slope.columns.front();
     const double toppling = toe.overturning_moment / toe_lever(first);
     record(0, first, upper, toppling, toe.unresisted_force, 0);
@@ -286,7 +286,7 @@ double unit_weight_of(const ColumnScene<>& scene, std::size_t index) {
     return blocks ? blocks->block[index].unit_weight.value_or(scene.rock.unit_weight) : scene.rock.unit_weight;
 }
 
-// Finds which parts of the slope move in a limiting state, by weight, and where the crest cracks.
+// Finds the shares of the slope, by weight, that move in a limiting state, and where the crest cracks.
 void add_movement(const ColumnScene<>& scene, const std::vector<ColumnResult>& columns, double wedge_weight,
                   SteppedBaseResult& result) {
     double topples = 0;
@@ -318,7 +318,7 @@ void add_movement(const ColumnScene<>& scene, const std::vector<ColumnResult>& c
         }
         const ColumnMode mode = columns[index].mode;
         if (index + 1 < columns.size()) {
-            // Columns that slide do so together, as their bases are parallel; those that topple slip past each other.
+            // Columns that slide move together, as their bases are parallel; columns that topple slip past each other.
             return mode != columns[index + 1].mode || mode == ColumnMode::topples;
         }
         return mode != ColumnMode::stays || wedge_weight > 0;

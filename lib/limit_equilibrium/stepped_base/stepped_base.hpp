@@ -48,13 +48,13 @@ struct SteppedBase {
 };
 
 // Whether a strength exists at which the toe column just begins to move. `abrupt`: the slope stands down to a strength
-// and fails below it, but with something to spare at the toe, not in limiting equilibrium: the tangents of the friction
-// angles of joints and bases multiply to nearly 1 or more, and a column above begins to slide that no push can hold; or
-// a column topples that has no neighbour to lean on.
+// and fails below it, but the toe column then still has a reserve and is not in limiting equilibrium. Either the
+// tangents of the friction angles of joints and bases multiply to nearly 1 or more, and a column above begins to slide
+// that no push can hold; or a column topples that has no neighbour to lean on.
 enum class LimitState { found, holds_at_any_strength, fails_at_any_strength, abrupt };
 
-// `value` is 0 where the slope fails at any strength and infinite where it holds at any; where the end is abrupt, the
-// last strength at which it stands.
+// `value` is 0 if the slope fails at any strength and infinite if it holds at any; for `abrupt` it is the last strength
+// at which the slope stands.
 struct Limit {
     LimitState state = LimitState::fails_at_any_strength;
     double value = 0;
@@ -63,30 +63,30 @@ struct Limit {
 
 ColumnStrength<> strength_of(const SteppedBase<>& problem);
 
-// Force of the wedge above on the last column, all strength divided by a factor; zeros without a wedge.
+// Force of the wedge above on the last column, with all strength divided by a factor; zero without a wedge.
 JointForce<> head_force(const ColumnSlope<>& slope, const ColumnStrength<>& strength, double factor);
 
-// Factor by which all friction (as tangents) and cohesion, those of the wedge above too, have to be divided for
-// limiting equilibrium. Found outwards from the given strength, the nearest change from standing to failing, to a few
-// units in the last place of the factor as far as the margin resolves it. 15 to 60 evaluations of the recursion.
+// Factor by which all friction (as tangents) and cohesion, including those of the wedge above, have to be divided for
+// limiting equilibrium. The search goes outwards from the given strength to the nearest change from standing to
+// failing, which is accurate to a few units in the last place of the factor as far as the margin resolves it. 15 to 60
+// evaluations of the recursion.
 //
-// Strength divided, the margin changes sign once, except near where the tangents of the joints' and the bases' friction
-// at the limit have a product of 1: the forces have a pole there, a slope may stand and fail several times within a few
-// per cent of strength, and the search may pass a sliver. Measured: 4 in 1000 random wet slopes, none with a product
-// under 0.7 at the limit. The limit is `abrupt` where the toe column at it has more to spare than a millionth of the
-// forces on it, which is also so where the force falls from many weights to nothing within the rounding of the
-// strength.
+// As strength is reduced, the margin changes sign once, except if the tangents of the joints' and the bases' friction
+// at the limit have a product near 1. There the forces have a pole, a slope may stand and fail several times within a
+// few per cent of strength, and the search may miss a narrow range. Measured: 4 in 1000 random wet slopes, none with a
+// product under 0.7 at the limit. The limit is `abrupt` if the reserve of the toe column at it exceeds a millionth of
+// the forces on it; this also happens if the force falls from many weights to zero within the rounding of the strength.
 Limit factor_of_safety(const ColumnSlope<>& slope, const ColumnStrength<>& strength);
 
-// The one friction angle (rad) of joints, bases and wedge for limiting equilibrium, cohesion as given; the thesis's "mu
-// required". 90 deg where the slope fails at any friction, 0 where it holds without.
+// The common friction angle (rad) of joints, bases and wedge for limiting equilibrium, with cohesion as given; the
+// thesis's "mu required". 90 deg if the slope fails at any friction, 0 if it holds without friction.
 Limit limiting_friction_angle(const ColumnSlope<>& slope, double base_cohesion);
 
 // Force normal to the joints on the toe column, at the height of its middle line, that keeps it in limiting equilibrium
-// with the given strength; negative where it could be pulled. Infinite where no force holds it.
+// with the given strength; negative if the column could be pulled. Infinite if no force holds it.
 double toe_force(const ColumnSlope<>& slope, const ColumnStrength<>& strength, double factor = 1);
 
-// A cable whose force is asked for: from the toe side of a column to an anchor behind the columns.
+// A cable whose force is sought: from the toe side of a column to an anchor behind the columns.
 template <class T = double>
 struct RequiredCable {
     T block;
@@ -112,8 +112,9 @@ struct CableForce {
     double force;  // N/m; 0 unless found
 };
 
-// Least tension that brings the factor of safety to its value. Column 1 in closed form (Goodman & Bray 1976): the
-// larger of what prevents toppling and sliding; others by bracketed root, the margin falling with the force.
+// Least tension for the required factor of safety. For column 1 it is in closed form (Goodman & Bray 1976), the larger
+// of the tensions that prevent toppling and sliding; for others it is a bracketed root, as the margin decreases with
+// the force.
 CableForce required_cable(const SteppedBase<>& problem, const RequiredCable<>& cable);
 
 // One column in limiting equilibrium at the given strength.
@@ -126,15 +127,15 @@ struct ColumnResult {
     double against_toppling, against_sliding;
     double normal_reaction;     // R, effective
     double shear_reaction;      // S, up-dip
-    double friction_ratio;      // S / R; infinite where nothing presses on the base
+    double friction_ratio;      // S / R; infinite if there is no normal force on the base
     double reaction_position;   // of R, share of the width from the toe corner; 0 for a toppling column
-    bool reaction_inside_base;  // no: the column would turn as well, which the recursion does not see
-    bool base_friction_holds;   // S within the base's strength in either direction, and R no tension
+    bool reaction_inside_base;  // no: the column would rotate as well, which the recursion does not include
+    bool base_friction_holds;   // S within the base's strength in either direction, and R not tensile
 
     static constexpr auto fields() {
         using C = ColumnResult;
         using D = Dimension;
-        using delabole::number;  // and not the member
+        using delabole::number;  // names the function, not the member
         constexpr Interval any = any_number();
         return std::tuple{
             section("mode", &C::mode, "what it does with the strength as given"),
@@ -161,8 +162,9 @@ struct ColumnResult {
     }
 };
 
-// From the toe up, at the strength divided by a factor. Where no push holds a column, that on the toe column is
-// infinite and its ratio and position are those of the push alone; the columns between them are left out: 0, stays.
+// From the toe up, at the strength divided by a factor. If no push holds a column, the push on the toe column is
+// infinite, and its ratio and position are those of the push alone; the columns between them are not evaluated: 0,
+// stays.
 std::vector<ColumnResult> column_results(const ColumnSlope<>& slope, const ColumnStrength<>& strength,
                                          double factor = 1);
 
@@ -185,7 +187,7 @@ struct SteppedBaseResult {
     double crack_base_height = 0;
     double base_inclination = 0;
     double base_end_height = 0;
-    SlideHeadState slide_head = SlideHeadState::stands;  // as the numbers below, of no meaning without a wedge
+    SlideHeadState slide_head = SlideHeadState::stands;  // without a wedge this and the numbers below have no meaning
     double slide_head_thrust = 0;
     double slide_head_factor_of_safety = 0;
     double toppling_share = 0;
@@ -246,7 +248,7 @@ struct SteppedBaseResult {
     }
 };
 
-// Where `check` is not valid the rest is unspecified.
+// If `check` is not valid the rest is unspecified.
 SteppedBaseResult analyse(const SteppedBase<>& problem);
 
 }  // namespace delabole

@@ -1,5 +1,5 @@
-// The factor of safety of columns on a stepped base by linear programming, beside that of the recursion: how much of
-// the answer rests on where the forces between columns act. What the bound means: lp_bound.hpp.
+// The factor of safety of columns on a stepped base by linear programming, to compare with that of the recursion: it
+// shows how far the answer depends on where the forces between columns act. lp_bound.hpp explains the bound.
 #pragma once
 
 #include "limit_equilibrium/bound/block_assembly.hpp"
@@ -25,8 +25,8 @@ struct LinearProgrammingBound {
     }
 };
 
-// Numbers are 0 unless the status is optimal; factors of safety are infinite where no strength is needed, and 0 where
-// the programme is infeasible.
+// Numbers are 0 unless the status is optimal; factors of safety are infinite if no strength is needed, and 0 if the
+// programme is infeasible.
 struct BoundResult {
     LpStatus status = LpStatus::not_converged;
     AssemblyCheck check = AssemblyCheck::valid;
@@ -50,7 +50,7 @@ struct BoundResult {
     }
 };
 
-// Answer, and what it was made from and with, for the figures.
+// Answer, with the assembly and the solution behind it, for the figures.
 struct BoundState {
     BoundResult result{};
     Assembly assembly{};
@@ -60,15 +60,16 @@ struct BoundState {
 constexpr double most_bound_columns = 500;
 constexpr double most_bound_blocks = 500;
 
-// Whether the programme can be afforded. Measured: 1 s for 169 columns, 9 s for 460.
+// Whether the programme takes an acceptable time. Measured: 1 s for 169 columns, 9 s for 460.
 bool can_bound(const ColumnSlope<>& slope);
 bool can_bound(const ColumnSlope<>& slope, const CrossJoints& cross_joints);
 
-// Cohesion of the bases is counted over their whole width, where the recursion counts it for columns that slide only.
+// Cohesion of the bases acts over their whole width; the recursion includes it only for columns that slide.
 BoundState bound_of_columns(const ColumnSlope<>& slope, const SteppedBase<>& problem, double upper_part,
                             const std::atomic<bool>* stop = nullptr);
 
-// Loads other than weight, and columns that are not rectangles: invalid_assembly, loads_beyond_weight.
+// For loads other than weight, and for columns that are not rectangles, the status is invalid_assembly and the check
+// loads_beyond_weight.
 BoundState bound_of_blocks(const ColumnSlope<>& slope, const SteppedBase<>& problem, const CrossJoints& cross_joints,
                            const std::atomic<bool>* stop = nullptr);
 

@@ -14,7 +14,7 @@ bool has_datum(const SteppedBase<>& problem) {
     return problem.scene.slope && problem.scene.slope->toe_elevation;
 }
 
-// NaN where the slope has no answer.
+// NaN if the slope has no answer.
 double safety_of(const SteppedBase<>& problem) {
     const ColumnSlope<> slope = make_columns(problem.scene);
     return slope.check == ColumnCheck::valid ? factor_of_safety(slope, strength_of(problem)).value

@@ -1,4 +1,4 @@
-// What a stepped-base case asks for beyond the factor of safety of the geometry it gives, and how the loops see it.
+// Requests of a stepped-base case beyond the factor of safety of the given geometry, and its interface for studies.
 #pragma once
 
 #include "limit_equilibrium/stepped_base/critical_base.hpp"
@@ -44,12 +44,12 @@ ResolvedSteppedBase resolve(const SteppedBaseStudy<>& study);
 Required required_value(const SteppedBase<>& problem, const std::string& parameter, double target,
                         const std::vector<std::string>& also = {});
 
-// Ground left standing when the columns fail that move in limiting equilibrium: the line through the toe corners of
-// their bases, then the crack or the wedge's joint. Empty where nothing moves.
+// Ground left standing after failure of the columns that move in limiting equilibrium: the line through the toe corners
+// of their bases, then the crack or the wedge's joint. Empty if no column moves.
 Polyline profile_after_failure(const SteppedBase<>& problem, const SteppedBaseResult& result);
 
 // Inputs: every number of the study's problem. Outputs: every number of SteppedBaseResult, and the elevation of the
-// crack's base where the slope has a datum. A slope that fails or holds at any strength, or ends abruptly, is a failed
+// crack's base if the slope has a datum. A slope that fails or holds at any strength, or ends abruptly, is a failed
 // prediction, under the name of that state. Conditions and free parameters are applied before a critical search.
 ModelInterface model_interface(const SteppedBaseStudy<>& study);
 

@@ -14,7 +14,7 @@ double cross(const Point& a, const Point& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-// Lines are not parallel.
+// Intersection of two lines that are not parallel.
 Point crossing(const SectionLine& a, const SectionLine& b) {
     const double determinant = cross(a.normal, b.normal);
     return {(a.offset * b.normal.y() - b.offset * a.normal.y()) / determinant,
@@ -25,7 +25,8 @@ Point direction(double dip) {
     return {std::cos(dip), std::sin(dip)};
 }
 
-// Normals of lines that rise into the slope: to their left, upwards; to their right, into the slope.
+// Left normal of a direction. For a line that rises into the slope it points upwards; the right normal points into the
+// slope.
 Point left_of(const Point& along) {
     return {-along.y(), along.x()};
 }
@@ -58,7 +59,7 @@ PathLattice::PathLattice(const SteppedPath& path) {
         refuse(with_risers && !(slope.upper_surface_dip < path.risers->dip), SteppedPathCheck::ground_too_steep)) {
         return;
     }
-    // Directions that differ by less than this are one set.
+    // Directions that differ by less than this belong to one set.
     const double least_angle = degrees(1);
     const double column_dip = path.columns && !slides ? -path.columns->dip : degrees(90);
     if (refuse(with_risers && path.risers->dip - path.steps.dip < least_angle, SteppedPathCheck::joints_too_close) ||
@@ -77,7 +78,7 @@ PathLattice::PathLattice(const SteppedPath& path) {
     upper_ = line_through(crest, left_of(direction(slope.upper_surface_dip)));
     tolerance_ = 1e-9 * slope.height;
     if (path.massive_rock) {
-        // From a crossing above this plane everything that a surface follows upwards lies above it, too.
+        // If a surface begins at a crossing above this plane, it stays above it further up.
         const double dip = path.massive_rock->boundary_dip;
         if (refuse(!(dip > path.steps.dip) || (with_risers && !(dip < path.risers->dip)),
                    SteppedPathCheck::boundary_not_between)) {
@@ -128,7 +129,7 @@ PathLattice::PathLattice(const SteppedPath& path) {
     }
 }
 
-// Whether anything wide enough comes out within the allowed retreat.
+// Whether any sufficiently wide surface daylights within the allowed retreat.
 bool PathLattice::has_surface() const {
     for (std::size_t riser = 0; riser < riser_node.size(); ++riser) {
         const auto& nodes = riser_node[riser];
@@ -186,7 +187,7 @@ bool PathLattice::inside(const Point& point) const {
            !(massive_ && massive_->normal.dot(point) < massive_->offset - tolerance_);
 }
 
-// The point at which a ray from inside comes out; rock goes on for ever below.
+// The point at which a ray from inside leaves the rock; the rock has no lower boundary.
 Point PathLattice::exit(const Point& from, const Point& along) const {
     double distance = std::numeric_limits<double>::infinity();
     for (const SectionLine& side : {face_, upper_}) {
@@ -239,7 +240,7 @@ void PathLattice::set_water(const SteppedPath& path) {
         const double drawn = reach > 0 && x < reach ? *level * x / reach : *level;
         return std::min(drawn, ground(x));
     };
-    // It bends where one of its lines takes over from another.
+    // The surface has a kink where another of its lines becomes the lowest.
     std::vector<double> bends{0, crest.x(), reach, *level * cot_face_};
     if (slope_upper_ != 0) {
         bends.push_back(crest.x() + (*level - crest.y()) / slope_upper_);
@@ -459,7 +460,7 @@ void PathLattice::set_columns(const SteppedPath& path) {
     }
     for (std::size_t joint = 1;; ++joint) {
         const SectionLine line = column_line(joint);
-        // From far below, where it is in the rock.
+        // The ray starts far below, where the line is in the rock.
         const Point foot = line.offset * line.normal;
         const Point deep = foot - (crest.y() + crest.x() + foot.norm()) * 4 * column_up_;
         const Point outcrop = exit(deep, column_up_);

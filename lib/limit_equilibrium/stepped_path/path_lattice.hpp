@@ -1,13 +1,13 @@
-// The crossings of steps, risers and columns in a slope, and the loads on everything that a stepped surface can cut
+// The crossings of steps, risers and columns in a slope, and the loads on every part that a stepped surface can cut
 // off.
 //
 // Rock lies below the face and below the ground behind the crest: it is convex. Water is at rest below a surface that
 // is the lowest of a few straight lines, the ground among them, so that the height of water over a straight edge is
 // concave and linear between a few points.
 //
-// Levels are counted from the plane of the steps that daylights at the toe, 0, upwards; risers from the joint through
-// the crest, 0, into the slope; joints of columns from the one through the toe, 0, into the slope. Column n stands
-// between joints n - 1 and n.
+// Levels are counted upwards from the plane of the steps that daylights at the toe, 0; risers into the slope from the
+// joint through the crest, 0; joints of columns into the slope from the one through the toe, 0. Column n stands between
+// joints n - 1 and n.
 #pragma once
 
 #include "geometry/polyline.hpp"
@@ -26,17 +26,17 @@ struct SectionLine {
     double offset;
 };
 
-// Loads of rock and water on a part, and their moment about a point, positive anticlockwise: tipping out of the slope.
+// Loads of rock and water on a part, and their moment about a point, positive anticlockwise: toppling out of the slope.
 struct PathLoad {
     Point force = Point(0, 0);
     double moment = 0;
 };
 
-// A column on one level. `exists` where its base lies in the rock; at the toe its base begins at the face.
+// A column on one level. It `exists` if its base lies in the rock; at the toe its base begins at the face.
 struct PathCell {
     bool exists = false;
     bool at_face = false;
-    Point base_from = Point(0, 0);  // the corner about which it turns
+    Point base_from = Point(0, 0);  // the corner about which it rotates
     Point base_to = Point(0, 0);
     double area = 0;
     double down_dip = 0;     // of the load, along the base out of the slope
@@ -51,7 +51,7 @@ struct PathCell {
     double drag_arm = 0;
 };
 
-// A wedge between joint n of the columns and a riser, from where they cross up to the ground.
+// A wedge between joint n of the columns and a riser, from their crossing up to the ground.
 struct PathWedge {
     std::size_t riser;
     double depth;  // of the crossing below the ground, along the joint of the columns
@@ -63,7 +63,7 @@ struct PathWedge {
 
 class PathLattice {
   public:
-    // `check` is valid where there is a lattice; otherwise nothing else has a meaning.
+    // `check` is valid if there is a lattice; otherwise the other members have no meaning.
     explicit PathLattice(const SteppedPath& path);
 
     SteppedPathCheck check = SteppedPathCheck::no_path;
@@ -72,11 +72,11 @@ class PathLattice {
     double greatest_retreat = 0;
     std::size_t levels = 0;
 
-    // Sliding; a node is absent outside the rock and where the mass in front of it would be too narrow.
+    // For sliding; a node is absent outside the rock, and if the mass in front of it would be too narrow.
     std::vector<std::vector<std::optional<Point>>> riser_node;  // by riser, then level
     std::vector<Point> riser_outcrop;
 
-    // Toppling.
+    // For toppling.
     std::vector<std::vector<PathCell>> cells;    // by column - 1, then level
     std::vector<Point> column_outcrop;           // of joint n, by n - 1
     std::vector<std::vector<PathWedge>> wedges;  // behind joint n, by n - 1
@@ -85,13 +85,13 @@ class PathLattice {
     double retreat(const Point& outcrop) const { return outcrop.x() - crest.x(); }
     // Rock between an edge and the ground above it, m2.
     double area_above(const Point& from, const Point& to) const;
-    // Force of the water on an edge (N/m, 0 or more) and how far along it from `from` it acts.
+    // Force of the water on an edge (N/m, at least 0) and the distance of its resultant from `from` along the edge.
     struct EdgeWater {
         double force = 0;
         double position = 0;
     };
     EdgeWater water_on(const Point& from, const Point& to) const;
-    // Vertices by x; the last two give how it goes on. Empty where it is dry.
+    // Vertices in order of x; the last two define its continuation. Empty if the slope is dry.
     const std::vector<Point>& water_surface() const { return water_surface_; }
 
   private:
@@ -114,7 +114,7 @@ class PathLattice {
 
     SectionLine face_;
     SectionLine upper_;
-    std::optional<SectionLine> massive_;  // the rock whose joints are open lies to its left
+    std::optional<SectionLine> massive_;  // the rock with open joints lies to its left
     double slope_upper_ = 0;
     double cot_face_ = 0;
     double unit_weight_ = 0;

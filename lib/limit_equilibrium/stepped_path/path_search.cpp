@@ -13,18 +13,18 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_searches = 200;
-// Strength is divided by at most this, and multiplied.
+// Greatest factor by which strength is divided or multiplied.
 constexpr double widest_factor = 1e8;
 
-// On a column from above: its normal part, how much friction drags with it, as a tangent, and how deep below the
-// ground, along the joint, it acts.
+// Push on a column from above: its normal part, the tangent of its friction drag, and the depth of its point of
+// application below the ground, along the joint.
 struct Push {
     double force = 0;
     double drag = 0;
     double depth = 0;
 };
 
-// The limits of columns and joints at one strength.
+// The limits of columns and joints at a given strength.
 struct ColumnLaw {
     double joint, base, cohesion;  // tangents; Pa
     double sine, cosine;           // of the sum of the dips of joints and steps
@@ -38,7 +38,7 @@ struct ColumnLaw {
           cosine(std::cos(problem.steps.dip - problem.columns->dip)),
           push_effect(effect(joint)) {}
 
-    // The share of a push with this drag that works against sliding.
+    // The share of a push with this drag that counts in the balance of sliding.
     double effect(double drag) const { return sine - (drag + base) * cosine - drag * base * sine; }
     Push from(double needed) const { return {needed, joint, 0}; }
     double overturning(const PathCell& cell, const Push& push) const {
@@ -47,8 +47,8 @@ struct ColumnLaw {
     double unresisted(const PathCell& cell, const Push& push) const {
         return cell.down_dip - base * cell.normal - cohesion * cell.base_length + push.force * effect(push.drag);
     }
-    // The push that the column needs from below against each; at the face, the push that it lacks, which may be
-    // negative.
+    // The push from below that the column needs against rotation and against sliding; at the face, the push that it
+    // lacks, which may be negative.
     double against_turning(const PathCell& cell, const Push& push) const {
         const double moment = overturning(cell, push);
         if (cell.at_face) {
@@ -66,8 +66,8 @@ struct ColumnLaw {
     double needed(const PathCell& cell, const Push& push) const {
         return push.force < infinity ? std::max(against_turning(cell, push), against_sliding(cell, push)) : infinity;
     }
-    // Whether more push from above may ask less of what is below. Against sliding it asks more; where turning asks less
-    // than that without a push, it always does.
+    // Whether more push from above may reduce the push needed below. More push always increases the push needed against
+    // sliding; it has to be allowed for if it reduces the push needed against rotation and that governs without a push.
     bool may_be_steadied(const PathCell& cell) const {
         return !(push_effect > 0) || (cell.overturning > 0 && cell.push_arm + joint * cell.drag_arm < 0 &&
                                       against_turning(cell, {}) > against_sliding(cell, {}));
@@ -90,8 +90,8 @@ class ColumnSearch {
     }
 
     static constexpr std::size_t no_wedge = static_cast<std::size_t>(-1);
-    // The neighbour above a column: the next one on a level, with the need that has a place in the list of its needs;
-    // or, the level being one past the last, a wedge, or a crack in the place of one.
+    // The neighbour above a column: the next column on a level, with the place of its need in the list of its needs;
+    // or, if the level is one past the last, a wedge, or a crack without one.
     struct Choice {
         std::size_t level, place;
     };
@@ -100,13 +100,13 @@ class ColumnSearch {
         Choice where;
     };
     static constexpr std::size_t most_needs = 64;
-    // Some of a list of needs, which are sorted from the greatest down.
+    // A range of a list of needs, which are sorted in decreasing order.
     struct Span {
         std::size_t first = 0, end = 0;
     };
 
-    // Of needs from `first` on, sorted but for a few: of equal ones the first stays, and of more than `most_needs`
-    // those whose ranks are evenly spaced.
+    // Reduces the needs from `first` on, which are sorted except for a few: of equal ones the first stays, and of more
+    // than `most_needs` those whose ranks are evenly spaced.
     static void thin(std::vector<Need>& list, std::size_t first) {
         const auto begin = list.begin() + static_cast<std::ptrdiff_t>(first);
         for (auto next = begin; next != list.end(); ++next) {
@@ -126,7 +126,7 @@ class ColumnSearch {
             list.resize(first + most_needs);
         }
     }
-    // A need joins those from `first` on: all of them, or the greatest alone.
+    // Adds a need to those from `first` on: keeps all of them, or the greatest alone.
     static void add(std::vector<Need>& list, std::size_t first, const Need& need, bool all) {
         if (all || list.size() == first) {
             list.push_back(need);
@@ -135,7 +135,7 @@ class ColumnSearch {
         }
     }
 
-    // Nothing where the wedge does not push.
+    // Returns nothing if the wedge does not push.
     std::optional<Push> wedge_push(const PathWedge& wedge, double factor) const {
         const SlideHeadThrust<> thrust = slide_head_thrust(wedge.loads, *wedge_joint_, joint_friction_, factor);
         return thrust.force > 0 ? std::optional(Push{thrust.force, thrust.shear / thrust.force,
@@ -143,8 +143,8 @@ class ColumnSearch {
                                 : std::nullopt;
     }
 
-    // The push that the surface's toe lacks, negative where it stands or where a column of it stays; from the top down,
-    // `visit` gets the place of each column in the path, the push on it and what it needs.
+    // The push that the surface's toe lacks, negative if the toe stands or one of the columns stays. From the top down,
+    // `visit` gets the place of each column in the path, the push on it and the push that it needs.
     template <class Visitor>
     double lacking(const LatticePath& path, double factor, const Visitor& visit) const {
         const ColumnLaw law(problem_, strength_, factor);
@@ -174,8 +174,8 @@ class ColumnSearch {
         return lacking(path, factor, [](auto&&...) {});
     }
 
-    // By column, the lowest level from which on the needs of all surfaces are handed down: from there on a column below
-    // may be steadied by a lesser push.
+    // For each column, the lowest level from which on the needs of all surfaces are passed down: from there on a column
+    // below may be more stable under a smaller push.
     std::vector<std::size_t> levels_with_all_needs(const ColumnLaw& law) const {
         std::vector<std::size_t> lowest(lattice_.cells.size() + 1, lattice_.levels);
         for (std::size_t column = 0; column < lattice_.cells.size(); ++column) {
@@ -189,7 +189,7 @@ class ColumnSearch {
         return lowest;
     }
 
-    // The needs of a column on a level, of `needs_`, with those on higher levels, of `here_`.
+    // Joins the needs of a column on a level, from `needs_`, with those on higher levels, from `here_`.
     Span join(const Span& higher, const Span& own, std::size_t level, bool all) {
         const std::size_t first = here_.size();
         std::size_t place = own.first;
@@ -215,15 +215,15 @@ class ColumnSearch {
         return {first, here_.size()};
     }
 
-    // The surface whose toe lacks most at a strength.
+    // Finds the surface whose toe lacks most at a given strength.
     double most_lacking(double factor, LatticePath& path) {
         const ColumnLaw law(problem_, strength_, factor);
         const std::size_t count = lattice_.cells.size();
         const std::size_t levels = lattice_.levels;
         const std::vector<std::size_t> all_from = levels_with_all_needs(law);
-        std::vector<Span> chosen(count * levels);  // among `needs_`
+        std::vector<Span> chosen(count * levels);  // ranges of `needs_`
         needs_.clear();
-        // Needs of the next column on each level or a higher one, among `above_`.
+        // Needs of the next column on each level or a higher one, as ranges of `above_`.
         std::vector<Span> above(levels);
         above_.clear();
         double most = -infinity;
@@ -247,7 +247,7 @@ class ColumnSearch {
                 }
                 const bool all = !cell.at_face && level >= all_from[column];
                 const std::size_t begin = needs_.size();
-                // A column that needs nothing does not move; at the face any surface counts.
+                // A column that needs no push does not move; at the face any surface counts.
                 const auto offer = [&](const Push& push, const Choice& above_it) {
                     const double need = law.needed(cell, push);
                     if (cell.at_face || need > 0) {
@@ -300,7 +300,7 @@ class ColumnSearch {
         }
     }
 
-    // Below `failing`, at which the surface lacks something.
+    // Searches for the limit below `failing`, at which the surface lacks a push.
     Limit limit_of(const LatticePath& path, double failing) const {
         int evaluations = 0;
         const auto lacks = [&](double logarithm) {
@@ -321,9 +321,10 @@ class ColumnSearch {
             bracket.upper = bracket.lower;
             bracket.at_upper = bracket.at_lower;
         }
-        // Past the edge, where it moves.
+        // Just past the limit the surface moves.
         const double factor = std::exp(edge_in(lacks, bracket)) * (1 + 1e-12);
-        // In equilibrium there unless what the toe lacks jumps, as where a column above begins to move.
+        // The toe is in equilibrium there unless its lacking push jumps, for instance where a column above begins to
+        // move.
         double scale = 0;
         for (std::size_t index = 0; index < path.level.size(); ++index) {
             const PathCell& cell = lattice_.cells[path.first + index - 1][path.level[index]];
@@ -352,7 +353,7 @@ class ColumnSearch {
             if (!(limit.value > 0)) {
                 break;
             }
-            // Just before the edge: that surface itself stands there.
+            // At a factor just below the limit that surface itself stands.
             factor = limit.value * (1 - 4e-12);
             ++critical.searches;
             if (!(most_lacking(factor, path) > 0)) {
@@ -368,7 +369,7 @@ class ColumnSearch {
     SurfaceStrength strength_;
     double joint_friction_;  // tangent, between columns
     std::optional<SlideHeadJoint<>> wedge_joint_;
-    std::vector<Need> needs_, above_, here_;  // while a surface is looked for
+    std::vector<Need> needs_, above_, here_;  // used during a search
 };
 
 }  // namespace

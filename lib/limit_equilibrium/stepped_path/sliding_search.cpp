@@ -59,7 +59,8 @@ class SlidingGraph {
         return sum;
     }
 
-    // The path with the least sum of resistance - factor times driving force, or of the negative driving force alone.
+    // The path with the least sum of resistance - factor times driving force, or of the negative driving force alone if
+    // the factor is infinite.
     std::optional<LatticePath> least(double factor) const {
         const auto cost = [&](const Ratio& ratio) { return factor < infinity ? ratio.less(factor) : -ratio.driving; };
         enum class Came : unsigned char { nowhere, face, step, below };
@@ -154,7 +155,7 @@ class SlidingGraph {
     double unit_weight_;
     double dip_;
     double opening_;
-    // Tables by riser and level: from the face, from the riser before, to the level above, to the ground.
+    // Tables by riser and level: edges from the face, from the riser before, to the level above, to the ground.
     std::vector<std::vector<std::optional<Ratio>>> start_, step_, rise_, finish_;
 };
 

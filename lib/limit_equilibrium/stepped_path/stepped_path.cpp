@@ -7,7 +7,7 @@ namespace delabole {
 
 namespace {
 
-// A joint across which displacements differ by less than this part of the greatest is no crack that anybody would see.
+// A smaller difference of displacements across a joint, as a share of the greatest displacement, is no visible crack.
 constexpr double least_difference = 0.05;
 
 void add_point(Polyline& line, const Point& point) {
@@ -16,7 +16,8 @@ void add_point(Polyline& line, const Point& point) {
     }
 }
 
-// Behind the crest the ground from one point to another passes no corner; in front of it, the crest.
+// The straight ground from one point to another passes no corner behind the crest; the crest itself may lie between
+// them.
 void add_ground(Polyline& line, const PathLattice& lattice, const Point& to) {
     const double from = line.back().x();
     if ((from - lattice.crest.x()) * (to.x() - lattice.crest.x()) < 0) {
@@ -25,7 +26,7 @@ void add_ground(Polyline& line, const PathLattice& lattice, const Point& to) {
     add_point(line, to);
 }
 
-// First displacement of a rigid part: a translation, or a turn about a corner (positive anticlockwise, out of the
+// First displacement of a rigid part: a translation, or a rotation about a corner (positive anticlockwise, out of the
 // slope).
 struct PartMotion {
     Point translation = Point(0, 0);
@@ -66,7 +67,7 @@ void add_crest_movements(const Motion& motion, const PathLattice& lattice, Stepp
         if (index + 1 < motion.part.size()) {
             across -= motion.part[index + 1].at(outcrop.point);
         }
-        // Parts that slip past each other open by rounding alone.
+        // Between parts that slip past each other any opening is rounding.
         const double opening = across.dot(outcrop.out) / greatest;
         result.crest_opening = opening > 1e-12 ? std::max(result.crest_opening, opening) : result.crest_opening;
         result.crest_cracks += across.norm() >= least_difference * greatest ? 1 : 0;
@@ -137,7 +138,7 @@ void set_columns(const SteppedPath& problem, const PathLattice& lattice, const C
         result.parts.push_back({outline, columns[index].mode, false});
         PartMotion moves = turns ? PartMotion{Point(0, 0), cell.base_from, 1} : PartMotion{-step, Point(0, 0), 0};
         if (index > 0) {
-            // It follows the column below where the two touch, at the ground of the joint between them.
+            // The column follows the one below at their contact, at the ground end of the joint between them.
             const Point& contact = lattice.column_outcrop[column - 2];
             const double own = moves.at(contact).dot(out);
             moves = moves.times(own > 0 ? motion.part.back().at(contact).dot(out) / own : 0);
@@ -175,7 +176,7 @@ void set_columns(const SteppedPath& problem, const PathLattice& lattice, const C
     add_crest_movements(motion, lattice, result);
 }
 
-// The upper surface is the last straight stretch, along one joint.
+// The upper surface is the last straight part of the surface, along one joint.
 void describe_surface(const PathLattice& lattice, SteppedPathResult& result) {
     const Polyline& surface = result.surface;
     const Point& foot = surface.front();
@@ -210,7 +211,7 @@ void describe_surface(const PathLattice& lattice, SteppedPathResult& result) {
     result.lower_roughness = std::sqrt(squares / length);
 }
 
-// A surface is at a limit where the next joint would lie beyond it.
+// A surface is at a limit of the search if the next joint would lie beyond it.
 void set_extent(const SteppedPath& problem, const PathLattice& lattice, const LatticePath& path,
                 SteppedPathResult& result) {
     const bool on_riser = problem.search.mechanism == SteppedPathMechanism::sliding || path.wedge;

@@ -1,16 +1,16 @@
-// Limit equilibrium that predicts its failure surface: along joint sets, the stepped surface and the crack that fail
-// first. The model "stepped_path".
+// Limit equilibrium that predicts its own failure surface: the stepped surface along joint sets, and the crack, that
+// fail first. The model "stepped_path".
 //
-// Case: stepped_path_parameters.hpp. Search, equations and what counts as a failure: path_search.hpp.
+// Case: stepped_path_parameters.hpp. Search, equations and the definition of a failure: path_search.hpp.
 //
-// What moves, and how, follows from the mechanism at its limit, which has one degree of freedom: columns turn about
-// their toe corners or slide on their bases, touch where they push each other, and a wedge slides on its riser. With
-// the greatest displacement at the ground set to 1, each joint that comes out behind the crest opens and slips by the
-// difference of displacements across it. Displacements are the first ones; what happens later is dynamic relaxation's.
+// The motion follows from the mechanism at its limit, which has one degree of freedom: columns rotate about their toe
+// corners or slide on their bases, touch where they push each other, and a wedge slides on its riser. With the greatest
+// displacement at the ground set to 1, each joint that daylights behind the crest opens and slips by the difference of
+// displacements across it. These are first displacements; later motion requires dynamic relaxation.
 //
 // Limits: rigid parts, surfaces within the three sets, water at rest, no loads but weight and water. A wedge does not
-// turn; nor does a sliding mass, whose moments are not asked for. The least factor of safety is exact on the lattice
-// (path_search.hpp); finer steps lower it: stepped_path_test.cpp of the tests.
+// rotate; nor does a sliding mass, whose moments are not checked. The least factor of safety is exact on the lattice
+// (path_search.hpp); finer steps lower it, by amounts measured in stepped_path_test.cpp of the tests.
 #pragma once
 
 #include "limit_equilibrium/stepped_path/path_search.hpp"
@@ -49,14 +49,14 @@ struct SteppedPathResult {
     double crest_turning = 0;
     double searches = 0;
 
-    // Not named: for figures and the profile.
+    // These members have no output names: they serve figures and the profile.
     struct Part {
         Polyline outline;
         ColumnMode mode;
         bool wedge;
     };
-    Polyline surface = {};         // from where it daylights to where it comes out behind the crest
-    std::vector<Part> parts = {};  // what moves, from the toe up
+    Polyline surface = {};         // from where it daylights at the toe to where it daylights behind the crest
+    std::vector<Part> parts = {};  // moving parts, from the toe up
 
     static constexpr auto fields() {
         using R = SteppedPathResult;
@@ -108,15 +108,15 @@ struct SteppedPathResult {
     }
 };
 
-// Where `check` is not valid the rest is unspecified. Time: columns or risers times levels, some ten microseconds for a
-// hundred crossings.
+// If `check` is not valid the rest is unspecified. Time: proportional to columns or risers times levels, some ten
+// microseconds for a hundred crossings.
 SteppedPathResult analyse(const SteppedPath& problem);
 
-// Ground left standing: the surface, from the toe on, and the ground behind it. Empty where there is no surface.
+// Ground left standing: the surface, from the toe on, and the ground behind it. Empty if there is no surface.
 Polyline profile_after_failure(const SteppedPath& problem, const SteppedPathResult& result);
 
-// Vertices of the water surface, from the toe into the slope; the last two give how it goes on. Empty where it is dry
-// or the case is not valid.
+// Vertices of the water surface, from the toe into the slope; the last two define its continuation. Empty if the slope
+// is dry or the case is not valid.
 Polyline water_surface(const SteppedPath& problem);
 
 // Inputs: every number of the case. Outputs: every number of SteppedPathResult. A slope that fails or holds at any

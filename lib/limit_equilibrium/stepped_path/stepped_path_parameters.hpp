@@ -1,4 +1,4 @@
-// A slope cut by joint sets along which a failure surface may step: the case of the model "stepped_path".
+// Case of the model "stepped_path": a slope cut by joint sets along which a failure surface may step.
 //
 // Section, per metre run. Origin at the toe, x into the slope, y up. Dips are positive out of the slope and negative
 // into it. Three sets: `steps` (cleavage, bedding), of which one plane daylights at the toe; `risers`, steep and out of
@@ -18,9 +18,9 @@
 
 namespace delabole {
 
-// `sliding`: one rigid mass on steps, whose risers open. `toppling`: columns that turn or slide on steps, with a crack
-// behind the last one. `slide_head_toppling`: the same, or a wedge behind the last one that slides on a riser and
-// pushes it, whichever fails first.
+// `sliding`: one rigid mass on steps, whose risers open. `toppling`: columns that rotate or slide on steps, with a
+// crack behind the last one. `slide_head_toppling`: toppling, or toppling with a wedge behind the last column that
+// slides on a riser and pushes it, whichever fails first.
 enum class SteppedPathMechanism { sliding, toppling, slide_head_toppling };
 
 struct SteppedPathSearch {
@@ -92,7 +92,7 @@ struct PathColumns {
     }
 };
 
-// Where joints end before they meet others, the surface breaks through rock.
+// Where joints end before they meet others, the surface passes through intact rock.
 struct RockBridges {
     double step_persistence;
     double riser_persistence;
@@ -112,8 +112,8 @@ struct RockBridges {
     }
 };
 
-// Below a plane the rock is massive, its joints closed: no surface passes there. The plane itself is taken to be as
-// strong as that rock: sliding along it is plane failure's to answer.
+// Below a plane the rock is massive and its joints are closed: no surface passes there. The plane itself is taken to be
+// as strong as that rock; sliding along it is a case of plane failure.
 struct MassiveRock {
     double boundary_dip;
     double boundary_height;
@@ -128,7 +128,7 @@ struct MassiveRock {
     }
 };
 
-// A water surface drawn down to the toe: straight from there to its level at a given distance, level behind.
+// A water surface drawn down to the toe: straight from there to its level at a given distance, horizontal behind.
 struct WaterDrawnDown {
     double unit_weight;
     WaterLevel<> level;
@@ -179,11 +179,11 @@ enum class SteppedPathCheck {
     columns_needed,  // toppling needs the joints between columns
     bench_not_covered,
     ground_too_steep,         // the ground behind the crest is as steep as the face, the steps or the risers
-    steps_steeper_than_face,  // they do not daylight
-    joints_too_close,         // to each other in direction: steps, risers and columns have to cross
+    steps_steeper_than_face,  // the steps do not daylight
+    joints_too_close,         // in direction: steps, risers and columns have to cross
     boundary_not_between,     // the boundary of massive rock is flatter than the steps or steeper than the risers
     elevation_without_datum,
-    no_path,         // no surface along the joints comes out within the allowed retreat
+    no_path,         // no surface along the joints daylights within the allowed retreat
     too_many_nodes,  // more than 100 000 crossings of joints
     input_out_of_range,
 };
