@@ -19,9 +19,9 @@ namespace delabole {
 
 namespace {
 
-constexpr int layout = 1;                     // of the tables below
-constexpr int application = 0x44656C62;       // "Delb", in the header of the file
-constexpr int patience_milliseconds = 60000;  // for other processes, each of which writes for some milliseconds
+constexpr int layout = 1;                     // version of the tables below
+constexpr int application = 0x44656C62;       // "Delb", stored in the header of the file
+constexpr int patience_milliseconds = 60000;  // wait for other processes, each of which writes for some milliseconds
 
 constexpr const char* tables =
     "CREATE TABLE model (id INTEGER PRIMARY KEY, program TEXT NOT NULL, description TEXT NOT NULL,"
@@ -30,7 +30,8 @@ constexpr const char* tables =
     " failure TEXT NOT NULL, outputs BLOB NOT NULL, profile BLOB NOT NULL, seconds REAL NOT NULL,"
     " checksum INTEGER NOT NULL, UNIQUE (model, parameters));";
 
-// Sorted by input, the last of several values for one input, as assign() takes them.
+// Bytes that identify the values: sorted by input, and the last of several values for one input, as assign() applies
+// them.
 std::string key_of(std::span<const Assignment> assignments) {
     std::map<std::size_t, double> values;
     for (const Assignment& assignment : assignments) {
@@ -91,10 +92,10 @@ class EvaluationStore::Database {
 
     std::filesystem::path path;
     StoreTraffic traffic;
-    std::mutex mutex;  // of everything below and of the traffic
+    std::mutex mutex;  // guards everything below and the traffic
 
   private:
-    // A statement, from its preparation to its end.
+    // An SQL statement from preparation to finalisation.
     class Statement {
       public:
         Statement(Database& database, const char* text) : database_(database) {
@@ -112,7 +113,7 @@ class EvaluationStore::Database {
         void bind_bytes(int place, std::string_view bytes) {
             database_.demand(sqlite3_bind_blob64(statement_, place, bytes.data(), bytes.size(), nullptr));
         }
-        // Whether there is a row.
+        // False after the last row.
         bool step() {
             const int code = sqlite3_step(statement_);
             if (code != SQLITE_ROW && code != SQLITE_DONE) {
@@ -138,8 +139,8 @@ class EvaluationStore::Database {
     void check_layout();
     void close() { sqlite3_close(std::exchange(connection_, nullptr)); }
     void execute(const char* text) { demand(sqlite3_exec(connection_, text, nullptr, nullptr, nullptr)); }
-    // SQLite does not wait for others by itself where it turns a lock into a stronger one: two processes that open a
-    // new file at once.
+    // SQLite does not wait for other processes when a lock has to become a stronger one, for example when two processes
+    // open a new file at once; here the statement is repeated instead.
     void execute_patiently(const char* text);
     std::int64_t pragma(const char* text);
     void demand(int code) const;
@@ -154,7 +155,7 @@ class EvaluationStore::Database {
 
     std::string program_;
     sqlite3* connection_ = nullptr;
-    std::set<std::string> words_;  // of failure, at addresses that stay
+    std::set<std::string> words_;  // texts of failures, at addresses that do not change
     std::map<std::pair<std::int64_t, std::string>, std::shared_future<Prediction>> under_way_;
 };
 
@@ -212,7 +213,7 @@ void EvaluationStore::Database::open() {
         std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
         refuse("is no ordinary file: name another one for the evaluation store");
     }
-    // Absolute, so that no name has a meaning of its own to SQLite.
+    // The path is made absolute, because SQLite gives some relative names such as ":memory:" a special meaning.
     const std::string name = std::filesystem::absolute(path).string();
     demand(sqlite3_open_v2(name.c_str(), &connection_,
                            SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_FULLMUTEX, nullptr));
@@ -229,7 +230,7 @@ void EvaluationStore::Database::open() {
 }
 
 void EvaluationStore::Database::lay_out() {
-    // Whoever comes second finds the tables of the first.
+    // A process that comes second finds the tables already made by the first.
     execute("BEGIN IMMEDIATE");
     if (pragma("SELECT count(*) FROM sqlite_master") == 0) {
         execute(tables);
@@ -287,7 +288,7 @@ std::optional<Entry> EvaluationStore::Database::find(std::int64_t shelf, const s
 }
 
 void EvaluationStore::Database::keep(std::int64_t shelf, const std::string& key, const Entry& entry) {
-    // Another process may have been quicker; it has computed the same.
+    // If another process was quicker, its entry is kept, which holds the same values.
     Statement insert(*this, "INSERT OR IGNORE INTO evaluation VALUES (?, ?, ?, ?, ?, ?, ?)");
     insert.bind(1, shelf);
     insert.bind_bytes(2, key);
