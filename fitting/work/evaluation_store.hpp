@@ -52,12 +52,12 @@ class EvaluationStore {
     StoreTraffic traffic() const;
 
     // Identifier of the table row of a model; its predictions refer to it.
-    std::int64_t shelf_of(std::string_view model);
+    std::int64_t id_of_model(std::string_view model);
 
     // Returns the stored prediction of `model` for these values, or computes and stores it. Safe to call from several
     // threads: if another thread is already computing it, the call waits for that. Exceptions of the model are passed
     // on, and then nothing is stored. Failure texts stay valid as long as the store.
-    Prediction predict(std::int64_t shelf, const ModelInterface& model, std::span<const Assignment> assignments);
+    Prediction predict(std::int64_t model_id, const ModelInterface& model, std::span<const Assignment> assignments);
 
   private:
     class Database;
